@@ -201,6 +201,7 @@ pub mod __private {
                 time_tiling::{Flow, StencilRadii},
                 window::Window,
             },
+            lists::{Addend, Read, Term, Terms},
         },
         methods::implicit::{ImplicitMidpoint, TakesWhole},
         methods::pace::{NODES, PlainMotion, Rated, TimeTransformed},
@@ -264,5 +265,10 @@ pub mod __private {
             table.push(element(place));
         }
         table
+    }
+
+    /// So many copies of an element.
+    pub fn repeated<T: Clone>(length: usize, element: T) -> Vec<T> {
+        alloc::vec![element; length]
     }
 }

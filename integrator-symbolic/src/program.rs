@@ -7,9 +7,11 @@
 //! wait for each other are one loop, branches on one condition are one branch; a node has a name if it is used twice or
 //! in a block inside its own.
 
+pub(crate) mod lists;
 pub(crate) mod nest;
 mod order;
 mod place;
+pub(crate) mod results;
 mod store;
 mod unwritten;
 
@@ -135,6 +137,7 @@ pub(crate) fn schedule_with(
     leaf: impl Fn(&Graph, NodeId) -> bool,
     constraints: &Constraints,
 ) -> Program {
+    let stores = &lists::by_point(graph, stores);
     // With what it protects, an order may have copies of too much in too many branches.
     let strategies =
         [true, false].into_iter().flat_map(|protects| WAITING.map(|waiting| Strategy { waiting, protects }));

@@ -88,7 +88,7 @@ impl Recurrences {
             Some(at_order_zero(graph, slope))
         });
         self.slopes.insert(id, slopes);
-        let operands = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| signed(graph, id).1);
+        let operands = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| graph.signed(id).1);
         let operands: Vec<NodeId> = operands.filter(|id| !graph.is_prepared(*id)).collect();
         // What an order begins with is read where it is, or kept by the lines that begin with it.
         let is_given =
@@ -102,17 +102,6 @@ impl Recurrences {
 /// Whether a function is the power with any exponent.
 pub(crate) fn is_power(function: Function) -> bool {
     function.name() == "powf"
-}
-
-/// A node, and whether a change of sign was taken off it.
-pub(crate) fn signed(graph: &Graph, id: NodeId) -> (bool, NodeId) {
-    match graph.node(id) {
-        Node::Neg(inner) => {
-            let (negative, inner) = signed(graph, inner);
-            (!negative, inner)
-        }
-        _ => (false, id),
-    }
 }
 
 /// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every

@@ -1,5 +1,7 @@
 //! The systems that are measured: five small ones with references in `examples/data/problems.json`, and large ones.
 
+pub mod molecule;
+
 use integrator_core::prelude::*;
 
 /// The gravitational constant, in astronomical units, solar masses and days.

@@ -54,12 +54,17 @@ impl Graph {
         }
     }
 
+    /// Whether a value is the negative of another one, and that one.
+    pub(crate) fn signed(&self, x: NodeId) -> (bool, NodeId) {
+        match self.node(x) {
+            Node::Neg(inner) => (true, inner),
+            _ => (false, x),
+        }
+    }
+
     /// A value, or what it is the negative of.
     pub(crate) fn without_sign(&self, x: NodeId) -> NodeId {
-        match self.node(x) {
-            Node::Neg(inner) => inner,
-            _ => x,
-        }
+        self.signed(x).1
     }
 
     pub(crate) fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {

@@ -108,6 +108,15 @@ fn flows_have_the_form_that_is_written() {
              if d * d < 1.0 { v += d.powi(4); } } }",
             Form::NeighboursInBox,
         ),
+        (KINETIC, "for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Form::Lists),
+        (
+            KINETIC,
+            "for (k, &(a, b, c)) in self.angles.iter().enumerate() { v += self.k[k] * (q[a] - q[b]) * (q[b] - q[c]); }",
+            Form::Lists,
+        ),
+        (KINETIC, "for &(a, b) in &self.bonds { v += (q[a + 1] - q[b]).powi(4); }", Form::Plain),
+        (KINETIC, "for i in 0..q.len() { for &j in &self.near[i] { v += q[i] * q[j].powi(2); } }", Form::Plain),
+        (KINETIC, "for k in 0..4 { v += q[self.held[k]].powi(4); }", Form::Plain),
         (KINETIC, "v = q[0] * q[1];", Form::Plain),
     ];
     for (kinetic, body, form) in rows {

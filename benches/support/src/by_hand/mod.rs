@@ -15,6 +15,7 @@
 //! | [`tangent`] | a state and one deviation vector beside it |
 //! | [`taylor`] | Taylor integrators of the five problems |
 //! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
+//! | [`molecule`] | bonds, angles and dihedrals in lists, a vector of them at a time |
 //! | [`tiles`] | many bodies, pairs in tiles that use the third law |
 
 pub mod carried;
@@ -22,6 +23,7 @@ pub mod chain;
 pub mod law;
 #[cfg(target_arch = "x86_64")]
 pub mod liquid;
+pub mod molecule;
 pub mod orbits;
 pub mod oscillators;
 pub mod pace;

@@ -14,6 +14,8 @@ use std::fmt;
 pub enum Form {
     /// Line by line and loop by loop, as the formulas stand.
     Plain,
+    /// Term by term of lists that name the coordinates, such as bonds, several terms side by side in vectors.
+    Lists,
     /// Along a line of sites, each of which looks at its neighbours: a sum over neighbours, in vectors.
     Line,
     /// Along the rows of a plane of sites, each of which looks at its neighbours.
@@ -33,6 +35,7 @@ impl Form {
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
+            Self::Lists => "lists",
             Self::Line => "line",
             Self::Plane => "plane",
             Self::Row => "row",
@@ -47,6 +50,7 @@ impl fmt::Display for Form {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Plain => "as the formulas stand",
+            Self::Lists => "terms of lists side by side, in vectors; all else as the formulas stand",
             Self::Line => "neighbour sums along a line of sites, in vectors",
             Self::Plane => "neighbour sums along the rows of a plane, in vectors",
             Self::Row => "pair sums by rotations of one row of bodies",
@@ -80,6 +84,7 @@ pub(crate) fn forms(
         };
     }
     [drift, kick].map(|flow| match flow.sweep {
+        None if flow.over_lists => Form::Lists,
         None => Form::Plain,
         Some(sweep) if sweep.is_plane() => Form::Plane,
         Some(_) => Form::Line,

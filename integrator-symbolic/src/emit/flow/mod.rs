@@ -27,6 +27,7 @@ use crate::{
         fields::lower_roots,
         frame::Frame,
         function::{Body, Lines},
+        lists::has_list_sums,
         names::Names,
     },
     graph::{Element, Graph, NodeId, Part, exact::Exact},
@@ -243,7 +244,9 @@ pub(crate) struct Flow {
     body: Body,
     /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
     sweep: Option<Sweep>,
-    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes bodies side by side.
+    /// Whether it computes terms of lists side by side.
+    over_lists: bool,
+    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists side by side.
     is_wide: bool,
     /// The type of what it keeps beside the state, if its equations have to be solved.
     solver: Option<TokenStream>,
@@ -316,9 +319,10 @@ impl Flow {
             Part::Momentum => quote!(duration),
             Part::Position => quote!(-duration),
         };
-        let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed);
+        let over_lists = has_list_sums(emitter.model, &lines.program);
+        let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed || over_lists);
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, is_wide, ..Self::default() }
+        Self { body, over_lists, is_wide, ..Self::default() }
     }
 
     /// The lines that move each coordinate by `step` times its component.
@@ -440,19 +444,13 @@ fn buffer(
     let open = if on_stack {
         quote!(let mut gradient = [#element; #length];)
     } else {
-        quote!(let mut gradient = #runtime::table(#length, &|_| #element);)
+        quote!(let mut gradient = #runtime::repeated(#length, #element);)
     };
-    let moved = frame.moved();
-    let at = |indices: TokenStream| apply(quote!(#moved.#coordinates #indices), quote!(gradient #indices));
-    let close = match dimension {
-        None => {
-            let application = at(quote!([i]));
-            quote!(for i in 0..#length { #application })
-        }
-        Some(dimension) => {
-            let application = at(quote!([i][d]));
-            quote!(for i in 0..#length { for d in 0..#dimension { #application } })
-        }
+    let (moved, application) = (frame.moved(), apply(quote!((*slot)), quote!(*gradient)));
+    let within = match dimension {
+        None => application,
+        Some(_) => quote!(for (slot, gradient) in slot.iter_mut().zip(gradient) { #application }),
     };
+    let close = quote!(for (slot, gradient) in #moved.#coordinates.iter_mut().zip(&gradient) { #within });
     (open, close)
 }

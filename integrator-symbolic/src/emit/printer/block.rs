@@ -13,9 +13,9 @@ use crate::{
         index::{Index, LoopId},
     },
     model::{Length, Model},
-    program::{Item, Program, Sink, Store, schedule},
+    program::{Item, Program, Sink, Store, lists::is_over_list, results::Results, schedule},
 };
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use std::collections::{BTreeSet, HashMap};
 
@@ -32,7 +32,7 @@ impl Emitter<'_> {
         let Self { model, names, fields } = self;
         let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(outer);
         let printer = Printer::new(model, names, &program, frame);
-        let mut block = Block { printer, masks: Vec::new(), begun: HashMap::new() };
+        let mut block = Block::new(printer, names);
         Lines { tokens: block.items(fields, &program.items), program }
     }
 
@@ -42,11 +42,33 @@ impl Emitter<'_> {
     }
 }
 
+/// The way in which lines add to a gradient.
+pub(super) enum Accumulation {
+    /// In the buffer, products in one operation.
+    Fused,
+    /// In the buffer, what was rounded before.
+    Rounded,
+    /// In the results of terms that share vectors, which the runtime scatters.
+    Lanes(Results),
+}
+
+impl Accumulation {
+    /// The results of terms that share vectors; empty for other lines.
+    pub(super) fn results(self) -> Results {
+        match self {
+            Self::Lanes(results) => results,
+            Self::Fused | Self::Rounded => Results::default(),
+        }
+    }
+}
+
 /// A block being printed.
-struct Block<'m> {
-    printer: Printer<'m>,
+pub(super) struct Block<'m> {
+    pub(super) printer: Printer<'m>,
+    pub(super) names: &'m Names,
+    pub(super) accumulation: Accumulation,
     /// The conditions around the present line, as masks, outermost first.
-    masks: Vec<TokenStream>,
+    pub(super) masks: Vec<TokenStream>,
     /// How many conditions were around the beginning of a sum or a choice.
     begun: HashMap<NodeId, usize>,
 }
@@ -57,6 +79,7 @@ impl<'m> Printer<'m> {
         Self {
             graph: &model.graph,
             parameters: &model.parameters,
+            lengths: &model.lengths,
             running: &model.running,
             dialect: frame.dialect(),
             names: names(&model.graph, model, &program.named),
@@ -70,14 +93,19 @@ impl<'m> Printer<'m> {
     }
 }
 
-impl Block<'_> {
+impl<'m> Block<'m> {
+    pub(super) fn new(printer: Printer<'m>, names: &'m Names) -> Self {
+        Self { printer, names, accumulation: Accumulation::Fused, masks: Vec::new(), begun: HashMap::new() }
+    }
+
     fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
         items.iter().map(|item| self.item(fields, item)).collect()
     }
 
-    fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
+    pub(super) fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
         let printer = &self.printer;
         match item {
+            Item::Let(id) if self.is_argument(*id) => TokenStream::new(),
             Item::Let(id) => {
                 let (name, value) = (&printer.names[id], printer.computation(fields, *id).tokens);
                 quote!(let #name = #value;)
@@ -93,7 +121,15 @@ impl Block<'_> {
                 quote!(let mut #name = #zero;)
             }
             Item::Loop { by, body } => {
+                if let Some(sum) = self.list_sum(fields, *by, body) {
+                    return sum;
+                }
+                let around = std::mem::replace(&mut self.accumulation, Accumulation::Fused);
+                if is_over_list(self.printer.graph, *by, body) {
+                    self.accumulation = Accumulation::Rounded;
+                }
                 let body = self.items(fields, body);
+                self.accumulation = around;
                 self.printer.loop_over(fields, *by, &body)
             }
             Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
@@ -113,8 +149,15 @@ impl Block<'_> {
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
             Item::Sink(Sink::Update(element), value) => self.update(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
-                let at = printer.at(fields, *element);
-                self.accumulate(fields, quote!(gradient #at), *value, 0)
+                if let Accumulation::Lanes(results) = &mut self.accumulation {
+                    let number = results.push(printer.graph, *value, self.masks.is_empty());
+                    return number.map(|number| self.result(fields, number, *value)).unwrap_or_default();
+                }
+                let (at, value) = (printer.at(fields, *element), *value);
+                match self.accumulation {
+                    Accumulation::Rounded => self.accumulate_rounded(fields, quote!(gradient #at), value, 0),
+                    _ => self.accumulate(fields, quote!(gradient #at), value, 0),
+                }
             }
             Item::Sink(Sink::FirstDerivative(element), value) => {
                 let (part, at) = (printer.part(*element), printer.listed(fields, *element));
@@ -132,6 +175,20 @@ impl Block<'_> {
                 quote!(gradient #at = #value;)
             }
         }
+    }
+
+    /// Whether a value is an argument of terms that share vectors.
+    fn is_argument(&self, id: NodeId) -> bool {
+        let graph = self.printer.graph;
+        let is_given = graph.is_prepared(id) || matches!(graph.node(id), Node::Coordinate(_));
+        is_given && matches!(self.accumulation, Accumulation::Lanes(_))
+    }
+
+    /// A value of a term, zero in the lanes in which a condition around it does not hold.
+    fn result(&self, fields: &mut Fields, number: usize, value: NodeId) -> TokenStream {
+        let value = self.printer.expression(fields, self.printer.graph.without_sign(value)).tokens;
+        let (number, value) = (Literal::usize_unsuffixed(number), self.mask(0, &value, &self.zero()));
+        quote!(values[#number] = #value;)
     }
 
     fn zero(&self) -> TokenStream {
@@ -208,7 +265,6 @@ impl Block<'_> {
     /// `target += value`, fused where the value is a product, in the lanes in which all conditions beyond `depth` hold.
     fn accumulate(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
         let printer = &self.printer;
-        let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
         if printer.dialect == Dialect::Generic
             && let Some(product) = printer.product(value)
         {
@@ -216,6 +272,13 @@ impl Block<'_> {
             let sum = self.mask(depth, &sum, &target);
             return quote!(#target = #sum;);
         }
+        self.accumulate_rounded(fields, target, value, depth)
+    }
+
+    /// The same, where the value is rounded first.
+    fn accumulate_rounded(&self, fields: &mut Fields, target: TokenStream, value: NodeId, depth: usize) -> TokenStream {
+        let printer = &self.printer;
+        let is_masked = self.masks.len() > depth && printer.dialect == Dialect::Generic;
         let (sign, value) = match printer.graph.node(value) {
             Node::Neg(inner) if !printer.names.contains_key(&value) => (quote!(-), inner),
             _ => (quote!(+), value),

@@ -21,7 +21,7 @@ use crate::{
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::Length,
-    program::{Item, Program, Sink, Store, root_cubed, schedule},
+    program::{Item, Program, Sink, Store, lists::is_over_list, root_cubed, schedule},
     stencil::Stencil,
     syntax::Functions,
 };
@@ -72,6 +72,7 @@ pub(crate) fn evaluate(
         is_of_body,
         length,
         conditions: 0,
+        is_rounded: false,
         loops: Vec::new(),
         obstacle: None,
     };
@@ -120,6 +121,8 @@ struct Cuda<'m, 'r> {
     length: u64,
     /// How many conditions are around the present line.
     conditions: usize,
+    /// Whether values are rounded before they are added to a gradient.
+    is_rounded: bool,
     /// The loops around it, with the names of their indices.
     loops: Vec<(LoopId, String)>,
     obstacle: Option<String>,
@@ -153,7 +156,10 @@ impl Cuda<'_, '_> {
                 let range = self.printer.graph.loops.get(*by);
                 let (from, to) = (self.index(range.from), self.index(range.to));
                 let index = self.open(*by);
+                let is_over_list = is_over_list(self.printer.graph, *by, body);
+                let around = std::mem::replace(&mut self.is_rounded, is_over_list);
                 let body = self.items(body);
+                self.is_rounded = around;
                 self.loops.pop();
                 format!("for (long long {index} = {from}; {index} < {to}; ++{index}) {{\n{body}}}\n")
             }
@@ -173,7 +179,11 @@ impl Cuda<'_, '_> {
             Item::Sink(Sink::Update(element), value) => self.update(*element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 let target = format!("gradient{}", self.of_gradient(*element));
-                self.accumulate(&target, *value)
+                if self.is_rounded {
+                    self.accumulate_rounded(&target, *value)
+                } else {
+                    self.accumulate(&target, *value)
+                }
             }
             Item::Sink(Sink::Assign(element), value) => {
                 format!("gradient{} = {};\n", self.of_gradient(*element), self.expression(*value).1)
@@ -201,6 +211,11 @@ impl Cuda<'_, '_> {
             let (a, b) = (self.with_sign(negative, a).1, self.expression(b).1);
             return format!("{target} = fma({a}, {b}, {target});\n");
         }
+        self.accumulate_rounded(target, value)
+    }
+
+    /// The same, where the value is rounded first.
+    fn accumulate_rounded(&mut self, target: &str, value: NodeId) -> String {
         match self.printer.graph.node(value) {
             Node::Neg(inner) if !self.printer.names.contains_key(&value) => {
                 format!("{target} -= {};\n", self.expression(inner).1)

@@ -9,7 +9,7 @@ use crate::{
         Element, ExternalId, Graph, Node, NodeId,
         external::Arguments,
         function::Function,
-        index::{LoopId, LoopSet},
+        index::{IndexId, LoopId, LoopSet},
     },
     model::{Method, Parameter, integer::number_literal},
     program::root_cubed,
@@ -67,6 +67,8 @@ impl Printed {
 pub(crate) struct Printer<'m> {
     pub(crate) graph: &'m Graph,
     pub(crate) parameters: &'m [Parameter],
+    /// How many numbers or points the coordinates are, and how many components a point has.
+    pub(crate) lengths: &'m [IndexId],
     pub(crate) running: &'m HashMap<LoopId, Ident>,
     pub(crate) dialect: Dialect,
     pub(crate) names: HashMap<NodeId, Ident>,

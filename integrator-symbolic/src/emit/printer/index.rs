@@ -21,10 +21,7 @@ use quote::{ToTokens, format_ident, quote};
 impl Printer<'_> {
     /// The name of a coordinate's part.
     pub(crate) fn part(&self, element: Element) -> Ident {
-        match element.part {
-            Part::Position => format_ident!("q"),
-            Part::Momentum => format_ident!("p"),
-        }
+        part_name(element.part)
     }
 
     /// Where a coordinate is in the row of an order: components one after the other, each of all points.
@@ -182,6 +179,14 @@ impl Printer<'_> {
             Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => index,
             _ => quote!((#index)),
         }
+    }
+}
+
+/// The name of a part of the coordinates.
+pub(super) fn part_name(part: Part) -> Ident {
+    match part {
+        Part::Position => format_ident!("q"),
+        Part::Momentum => format_ident!("p"),
     }
 }
 

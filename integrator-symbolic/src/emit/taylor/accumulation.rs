@@ -1,9 +1,8 @@
 //! The accumulation of addends in the coefficients of coordinates.
 
 use crate::{
-    graph::{Element, Graph, NodeId},
-    program::{Item, Sink},
-    taylor::signed,
+    graph::{Element, Graph},
+    program::{Item, Sink, results::Results},
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -18,34 +17,6 @@ pub(super) enum Accumulation {
     InPlaceOnce,
     /// In results of iterations that share vectors, which the runtime scatters.
     Lanes(Results),
-}
-
-/// The results of an iteration so far.
-#[derive(Default)]
-pub(super) struct Results {
-    /// The values; those that are computed in all lanes may move several coordinates.
-    values: Vec<Option<NodeId>>,
-    /// The value that each coordinate gets, and whether it is subtracted.
-    pub(super) targets: Vec<(usize, bool)>,
-}
-
-impl Results {
-    /// Appends a target. Returns the index of its value in the results, unless the value is there already.
-    pub(super) fn push(&mut self, graph: &Graph, value: NodeId, in_all_lanes: bool) -> Option<usize> {
-        let (negative, value) = signed(graph, value);
-        let of_all = in_all_lanes.then_some(value);
-        let known = of_all.and_then(|_| self.values.iter().position(|known| *known == of_all));
-        self.targets.push((known.unwrap_or(self.values.len()), negative));
-        if known.is_some() {
-            return None;
-        }
-        self.values.push(of_all);
-        Some(self.values.len() - 1)
-    }
-    /// The number of values.
-    pub(super) fn values(&self) -> usize {
-        self.values.len()
-    }
 }
 
 impl Accumulation {

@@ -2,7 +2,7 @@
 //! iteration, where these depend on each other.
 
 use super::{
-    accumulation::{Accumulation, Results},
+    accumulation::Accumulation,
     orders::{Source, Writer},
     orders_per_call::{OrdersPerCall, clock_read},
     tape::{self, Iterations, Record, list},
@@ -17,6 +17,7 @@ use crate::{
     program::{
         Item, Program,
         nest::{Nest, NestContext},
+        results::Results,
     },
     taylor::Recurrences,
 };

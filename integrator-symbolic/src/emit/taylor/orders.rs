@@ -5,7 +5,7 @@
 //! iteration.
 
 use super::{
-    accumulation::{Accumulation, Results, derivative},
+    accumulation::{Accumulation, derivative},
     implementation::{Kind, implementation},
     kernel::nest_context,
     line,
@@ -26,8 +26,8 @@ use crate::{
     },
     graph::{Graph, Node, NodeId},
     model::Model,
-    program::{Constraints, Item, Program, Sink, Store, schedule_with},
-    taylor::{Recurrences, inverse_masses, signed},
+    program::{Constraints, Item, Program, Sink, Store, results::Results, schedule_with},
+    taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -119,7 +119,7 @@ pub(super) fn finished(writer: &Writer<'_>, fields: &mut Fields, body: TokenStre
 
 /// Recurrences have lines of their own, and read the series of slopes where they stand.
 pub(super) fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constraints {
-    let beside = |slopes: &[Option<NodeId>; 2]| slopes.iter().flatten().map(|slope| signed(graph, *slope).1).collect();
+    let beside = |slopes: &[Option<NodeId>; 2]| slopes.iter().flatten().map(|slope| graph.signed(*slope).1).collect();
     Constraints {
         named: recurrences.kept.union(&recurrences.nonlinear).copied().collect(),
         beside: recurrences.slopes.iter().map(|(id, slopes)| (*id, beside(slopes))).collect(),
@@ -275,7 +275,7 @@ impl<'m> Writer<'m> {
                         return TokenStream::new();
                     };
                     let number = Literal::usize_unsuffixed(number);
-                    let value = self.masked(fields, signed(self.printer.graph, *id).1);
+                    let value = self.masked(fields, self.printer.graph.signed(*id).1);
                     return match self.orders_per_call {
                         OrdersPerCall::One => quote!(results[#number] = [#value];),
                         OrdersPerCall::Two => quote!(results[#number][at] = #value;),

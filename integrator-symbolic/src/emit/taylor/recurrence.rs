@@ -10,7 +10,7 @@ use crate::{
     emit::printer::fields::Fields,
     graph::{Node, NodeId},
     program::Item,
-    taylor::{is_power, signed},
+    taylor::is_power,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -305,7 +305,7 @@ impl Writer<'_> {
                 let new = self.newest(fields, b);
                 let (inverse, inverted) = self.inverse(id, &new);
                 let numerator = self.printer.receiver(fields, a);
-                let sign = signed(self.printer.graph, b).0.then(|| quote!(-));
+                let sign = self.printer.graph.signed(b).0.then(|| quote!(-));
                 let first = self.printer.computation(fields, id).tokens;
                 quote!(if order == 0 {
                     #inverted
@@ -354,7 +354,7 @@ impl Writer<'_> {
 
     /// The coefficient of the present order of a value, without a change of its sign.
     pub(super) fn newest(&self, fields: &mut Fields, id: NodeId) -> TokenStream {
-        self.printer.receiver(fields, signed(self.printer.graph, id).1)
+        self.printer.receiver(fields, self.printer.graph.signed(id).1)
     }
 
     /// The arguments of a function with the slopes.
@@ -383,7 +383,7 @@ impl Writer<'_> {
 
     /// The coefficients of a value, and whether their sign is changed.
     fn unsigned(&mut self, fields: &mut Fields, id: NodeId) -> (bool, Series) {
-        let (negative, id) = signed(self.printer.graph, id);
+        let (negative, id) = self.printer.graph.signed(id);
         (negative, self.series(fields, id))
     }
 

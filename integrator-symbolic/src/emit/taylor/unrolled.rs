@@ -14,7 +14,6 @@ use super::{
 use crate::{
     emit::printer::fields::Fields,
     graph::{Element, Node, NodeId},
-    taylor::signed,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -34,7 +33,7 @@ impl Writer<'_> {
         let base = self.is_power_of_series(id).then(|| node.children().next()).flatten();
         let chained = node.children().zip(slopes).filter(|(_, slope)| slope.is_some()).map(|(x, _)| x);
         for x in chained.chain(base) {
-            let x = signed(self.printer.graph, x).1;
+            let x = self.printer.graph.signed(x).1;
             let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
             if is_clock || self.rate(x).is_some() {
                 continue;
@@ -49,7 +48,7 @@ impl Writer<'_> {
 
     /// The coefficients of the derivative of a value.
     pub(super) fn rate(&self, id: NodeId) -> Option<&Series> {
-        let id = signed(self.printer.graph, id).1;
+        let id = self.printer.graph.signed(id).1;
         self.rates.iter().find(|(known, _)| *known == id).map(|(_, rate)| rate)
     }
 
@@ -77,7 +76,7 @@ impl Writer<'_> {
     pub(super) fn newest_product(&self, fields: &mut Fields, chained: &Chained) -> [TokenStream; 2] {
         let Chained { negative, x, slope, .. } = chained;
         let (runtime, slope) = (self.printer.runtime, slope.of(&quote!(0)));
-        match (self.rate(*x), self.printer.graph.node(signed(self.printer.graph, *x).1)) {
+        match (self.rate(*x), self.printer.graph.node(self.printer.graph.signed(*x).1)) {
             (Some(rate), Node::Coordinate(_)) => {
                 [minus(*negative, rate.of(&quote!(order))), quote!(#runtime::div_by_order(#slope, order))]
             }

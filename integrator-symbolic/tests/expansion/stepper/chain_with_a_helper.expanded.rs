@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5509295451987447797;
+        const FINGERPRINT: u64 = 17198886616854187689;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -237,8 +237,8 @@ const _: () = {
                         q31,
                         motion.parameters.prepared_2.scale(p31).fma(q31.square(), p31),
                     );
-            for i in 0..32 {
-                motion.p[i] = gradient[i];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot) = *gradient;
             }
         }
         #[inline(always)]
@@ -376,8 +376,8 @@ const _: () = {
                         ) + sum_0
             };
             let step = step / -energy;
-            for i in 0..32 {
-                motion.p[i].fma(step, gradient[i]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot).fma(step, *gradient);
             }
         }
     }

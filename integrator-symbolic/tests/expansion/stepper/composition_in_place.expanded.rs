@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13598639845919496438;
+        const FINGERPRINT: u64 = 6316219783743309491;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -177,8 +177,8 @@ const _: () = {
                 .parameters
                 .stiffness
                 .scale_add(motion.p[0].value(), gradient[0]);
-            for i in 0..1 {
-                motion.p[i] = gradient[i];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot) = *gradient;
             }
         }
         #[inline(always)]

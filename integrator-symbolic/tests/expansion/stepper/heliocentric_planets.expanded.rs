@@ -86,7 +86,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const PAIRED: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8975346913718128002;
+        const FINGERPRINT: u64 = 17186684394012785634;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -174,9 +174,9 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for i in 0..4 {
-                for d in 0..3 {
-                    motion.p[i][d].scale_add(step, gradient[i][d]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot).scale_add(step, *gradient);
                 }
             }
         }
@@ -208,9 +208,9 @@ const _: () = {
                         gradient[k][d] += shared_0;
                     }
                 }
-                for i in 0..4 {
-                    for d in 0..3 {
-                        moved.q[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }
@@ -248,9 +248,9 @@ const _: () = {
                     gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
                     gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
                 }
-                for i in 0..4 {
-                    for d in 0..3 {
-                        moved.p[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }

@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4653698890675680612;
+        const FINGERPRINT: u64 = 11117188484150383046;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -112,8 +112,8 @@ const _: () = {
             let shared_1 = Scalar::of(2.0).scale(motion.p[0].value());
             gradient[0] += shared_0.fma(q0, shared_1 * (q1 + Scalar::of(0.5)));
             gradient[1] += (-shared_0).fma(q1, shared_1.fma(q0, p1));
-            for i in 0..2 {
-                motion.p[i] = gradient[i];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot) = *gradient;
             }
         }
         #[inline(always)]

@@ -78,7 +78,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15044707643920952341;
+        const FINGERPRINT: u64 = 11810059574641699420;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -147,9 +147,9 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for i in 0..5 {
-                for d in 0..3 {
-                    motion.p[i][d].scale_add(step, gradient[i][d]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot).scale_add(step, *gradient);
                 }
             }
         }
@@ -171,9 +171,9 @@ const _: () = {
                             .scale_add(motion.p[i][k].value(), gradient[i][k]);
                     }
                 }
-                for i in 0..5 {
-                    for d in 0..3 {
-                        moved.q[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }
@@ -211,9 +211,9 @@ const _: () = {
                     gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
                     gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
                 }
-                for i in 0..5 {
-                    for d in 0..3 {
-                        moved.p[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }
@@ -336,9 +336,9 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for i in 0..5 {
-                for d in 0..3 {
-                    motion.p[i][d] = gradient[i][d];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot) = *gradient;
                 }
             }
         }
@@ -365,9 +365,9 @@ const _: () = {
                             .scale_add(motion.q[i][k].value(), gradient[i][k]);
                     }
                 }
-                for i in 0..5 {
-                    for d in 0..3 {
-                        motion.p[i][d] = gradient[i][d];
+                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot) = *gradient;
                     }
                 }
                 force.p

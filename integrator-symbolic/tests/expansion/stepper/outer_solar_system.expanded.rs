@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5789667748197305912;
+        const FINGERPRINT: u64 = 11059039013990680612;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -265,9 +265,9 @@ const _: () = {
                     }
                 }
             }
-            for i in 0..6 {
-                for d in 0..3 {
-                    motion.p[i][d] = gradient[i][d];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot) = *gradient;
                 }
             }
             bodies.set_momenta(motion);
@@ -362,9 +362,9 @@ const _: () = {
                     }
                 }
             }
-            for i in 0..6 {
-                for d in 0..3 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot).fma(step, *gradient);
                 }
             }
         }
@@ -419,9 +419,9 @@ const _: () = {
                 -sum_2
             };
             let step = step / -energy;
-            for i in 0..6 {
-                for d in 0..3 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot).fma(step, *gradient);
                 }
             }
         }

@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 12596193351780885851;
+        const FINGERPRINT: u64 = 7320011824221363680;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -126,8 +126,8 @@ const _: () = {
             let mut gradient = [Scalar::of(0.0); 1];
             gradient[0] = (-motion.parameters.prepared_1.scale(motion.p[0].value()))
                 .fma(motion.q[0].value().cos(), gradient[0]);
-            for i in 0..1 {
-                motion.p[i] = gradient[i];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot) = *gradient;
             }
         }
         #[inline(always)]

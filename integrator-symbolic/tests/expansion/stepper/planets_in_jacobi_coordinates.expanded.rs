@@ -80,7 +80,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4687398073614770665;
+        const FINGERPRINT: u64 = 10114974618282017895;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -152,9 +152,9 @@ const _: () = {
                             .scale_add(motion.p[i][d].value(), gradient[i][d]);
                     }
                 }
-                for i in 0..6 {
-                    for d in 0..3 {
-                        moved.q[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }
@@ -182,9 +182,9 @@ const _: () = {
                         }
                     }
                 }
-                for i in 0..6 {
-                    for d in 0..3 {
-                        moved.p[i][d].scale_add(step, gradient[i][d]);
+                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot).scale_add(step, *gradient);
                     }
                 }
             }
@@ -368,9 +368,9 @@ const _: () = {
                     }
                 }
             }
-            for i in 0..6 {
-                for d in 0..3 {
-                    motion.p[i][d] = gradient[i][d];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot) = *gradient;
                 }
             }
             bodies.set_momenta(motion);

@@ -71,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 514037236830576661;
+        const FINGERPRINT: u64 = 3749575399788935587;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -248,9 +248,9 @@ const _: () = {
                         .scale(q_i_1)
                         .fma(shared_1, Scalar::of(4.0).scale(p_i_1) * shared_0);
             }
-            for i in 0..N {
-                for d in 0..2 {
-                    motion.p[i][d] = gradient[i][d];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot) = *gradient;
                 }
             }
         }
@@ -279,9 +279,9 @@ const _: () = {
                         .prepared_2[i]
                         .scale_add(motion.q[i][1].value(), gradient[i][1]);
                 }
-                for i in 0..N {
-                    for d in 0..2 {
-                        motion.p[i][d] = gradient[i][d];
+                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                        (*slot) = *gradient;
                     }
                 }
                 force.p

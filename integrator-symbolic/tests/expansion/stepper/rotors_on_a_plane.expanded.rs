@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13926973406318216098;
+        const FINGERPRINT: u64 = 17157929379415780508;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -186,10 +186,7 @@ const _: () = {
             motion: &mut Self::Motion<Scalar, f64>,
             _time: f64,
         ) {
-            let mut gradient = runtime::table(
-                motion.q.len(),
-                &|_| [Scalar::of(0.0); 64],
-            );
+            let mut gradient = runtime::repeated(motion.q.len(), [Scalar::of(0.0); 64]);
             for i in 0..motion.q.len() {
                 for j in 0..64 {
                     let shared_0 = motion
@@ -215,9 +212,9 @@ const _: () = {
                     gradient[i][j] -= shared_1;
                 }
             }
-            for i in 0..motion.q.len() {
-                for d in 0..64 {
-                    motion.p[i][d] = gradient[i][d];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot) = *gradient;
                 }
             }
         }
@@ -297,10 +294,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = -duration;
-            let mut gradient = runtime::table(
-                motion.q.len(),
-                &|_| [Scalar::of(0.0); 64],
-            );
+            let mut gradient = runtime::repeated(motion.q.len(), [Scalar::of(0.0); 64]);
             let energy = {
                 let mut sum_1 = Scalar::of(0.0);
                 for i in 0..motion.q.len() {
@@ -333,9 +327,9 @@ const _: () = {
                 -(sum_1 + sum_3)
             };
             let step = step / -energy;
-            for i in 0..motion.q.len() {
-                for d in 0..64 {
-                    motion.p[i][d].fma(step, gradient[i][d]);
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                    (*slot).fma(step, *gradient);
                 }
             }
         }

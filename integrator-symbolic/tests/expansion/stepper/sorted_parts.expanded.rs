@@ -65,7 +65,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9821426692643177775;
+        const FINGERPRINT: u64 = 4977390801690884901;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -273,8 +273,8 @@ const _: () = {
                                     motion.parameters.prepared_2.scale(shared_7),
                                 ),
                     );
-            for i in 0..2 {
-                motion.p[i] = gradient[i];
+            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                (*slot) = *gradient;
             }
         }
         #[inline(always)]
@@ -294,8 +294,8 @@ const _: () = {
                 let mut gradient = [Scalar::of(0.0); 2];
                 gradient[0] += motion.q[0].value();
                 gradient[1] += motion.q[1].value();
-                for i in 0..2 {
-                    motion.p[i] = gradient[i];
+                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                    (*slot) = *gradient;
                 }
                 force.p
             };

@@ -1,0 +1,174 @@
+//! Sums over lists as Rust: what a term computes, in vectors of any width, and the call of the runtime that gathers and
+//! scatters.
+
+use super::{
+    block::{Accumulation, Block},
+    expression::Printer,
+    fields::{Fields, is_field},
+    frame::Frame,
+    function::Body,
+    index::part_name,
+    names::Names,
+};
+use crate::{
+    graph::{
+        Graph, NodeId,
+        index::{Index, IndexId, LoopId},
+    },
+    model::{Model, Parameter},
+    program::{Item, Program, lists::ListSum, results::Results},
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::BTreeSet;
+
+/// The sum over a list that a loop of a program is, if its terms share vectors.
+fn list_sum<'p>(
+    graph: &Graph,
+    lengths: &[IndexId],
+    parameters: &[Parameter],
+    named: &BTreeSet<NodeId>,
+    by: LoopId,
+    body: &'p [Item],
+) -> Option<ListSum<'p>> {
+    ListSum::of(graph, lengths.get(1).copied(), named, by, body, |id| is_field(graph, parameters, id))
+}
+
+/// Whether a program has a sum over a list whose terms share vectors.
+pub(crate) fn has_list_sums(model: &Model, program: &Program) -> bool {
+    fn any(model: &Model, program: &Program, items: &[Item]) -> bool {
+        items.iter().any(|item| match item {
+            Item::Loop { by, body } => {
+                list_sum(&model.graph, &model.lengths, &model.parameters, &program.named, *by, body).is_some()
+                    || any(model, program, body)
+            }
+            _ => false,
+        })
+    }
+    any(model, program, &program.items)
+}
+
+impl Block<'_> {
+    /// A loop over a list whose terms share vectors.
+    pub(super) fn list_sum(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> Option<TokenStream> {
+        let is_plain = matches!(self.accumulation, Accumulation::Fused) && self.masks.is_empty();
+        if !is_plain || !matches!(self.printer.frame, Frame::Motion | Frame::OwnTime | Frame::Apart) {
+            return None;
+        }
+        let named: BTreeSet<NodeId> = self.printer.names.keys().copied().collect();
+        let sum = list_sum(self.printer.graph, self.printer.lengths, self.printer.parameters, &named, by, body)?;
+        let (term, reads_time) = self.term(fields, &sum);
+        let call = self.call(fields, by, &sum, reads_time);
+        Some(quote!({ #term #call }))
+    }
+
+    /// What a term computes; `true` if it reads the time.
+    fn term(&self, fields: &mut Fields, sum: &ListSum<'_>) -> (TokenStream, bool) {
+        let (printer, names) = (&self.printer, self.names);
+        let Names { runtime, scalar, wide, iteration, .. } = names;
+        let mut given = printer.names.clone();
+        let mut named = |ids: &[NodeId], kind: &str| -> Vec<Ident> {
+            let named = ids.iter().enumerate().map(|(number, id)| {
+                let name = format_ident!("{kind}_{number}");
+                given.insert(*id, name.clone());
+                name
+            });
+            named.collect()
+        };
+        let (constants, mut common) = (named(&sum.constants, "constant"), named(&sum.common, "common"));
+        let components = sum.components.unwrap_or(1);
+        let mut reads = vec![vec![format_ident!("_"); components]; sum.reads.len()];
+        for (id, point, component) in &sum.coordinates {
+            let name = format_ident!("read_{point}_{component}");
+            given.insert(*id, name.clone());
+            reads[*point][*component] = name;
+        }
+
+        let mut block = Block::new(Printer { names: given, scalar: wide, ..*printer }, names);
+        block.accumulation = Accumulation::Lanes(Results::default());
+        let lines: TokenStream = sum.body.iter().map(|item| block.item(fields, item)).collect();
+        let results = block.accumulation.results();
+        let lines = Body::new(lines);
+        let reads_time = lines.mentions("time");
+        common.extend(reads_time.then(|| format_ident!("time")));
+        let addends = sum.targets.iter().zip(&results.targets).map(|((list, component), (value, negative))| {
+            let [list, component, value] = [*list, *component, *value].map(Literal::usize_unsuffixed);
+            quote!(#runtime::Addend { list: #list, component: #component, value: #value, negative: #negative })
+        });
+        let read_by = sum.reads.iter().map(|(part, list)| {
+            let [part, list] = [*part, *list].map(Literal::usize_unsuffixed);
+            quote!(#runtime::Read { part: #part, list: #list })
+        });
+        let counts = [reads.len(), constants.len(), common.len(), results.values(), components];
+        let counts = counts.map(Literal::usize_unsuffixed);
+        let ([of_reads, of_constants, of_common, of_values, of_components], lines) = (&counts, &lines.0);
+        let term = quote! {
+            struct #iteration;
+            impl #runtime::Term<#(#counts),*> for #iteration {
+                const READS: [#runtime::Read; #of_reads] = [#(#read_by),*];
+                const ADDENDS: &'static [#runtime::Addend] = &[#(#addends),*];
+
+                #[inline(always)]
+                fn values<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
+                    [#([#(#reads),*]),*]: [[#wide; #of_components]; #of_reads],
+                    [#(#constants),*]: [#wide; #of_constants],
+                    [#(#common),*]: [#wide; #of_common],
+                ) -> [#wide; #of_values] {
+                    let mut values = [#wide::of(0.0); #of_values];
+                    #lines
+                    values
+                }
+            }
+        };
+        (term, reads_time)
+    }
+
+    /// The call of the runtime.
+    fn call(&self, fields: &mut Fields, by: LoopId, sum: &ListSum<'_>, reads_time: bool) -> TokenStream {
+        let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
+        let range = printer.graph.loops.get(by);
+        let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
+        let lists: Vec<_> = sum.lists.iter().map(|list| printer.list(fields, by, *list)).collect();
+        let parts = sum.parts.iter().map(|part| {
+            let part = part_name(*part);
+            match sum.components {
+                Some(_) => quote!(&motion.#part[..]),
+                None => quote!(motion.#part.as_chunks::<1>().0),
+            }
+        });
+        let constants: Vec<_> = sum.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
+        let mut common: Vec<_> = sum.common.iter().map(|id| printer.expression(fields, *id).tokens).collect();
+        common.extend(reads_time.then(|| quote!(time)));
+        let sums = match sum.components {
+            Some(_) => quote!(&mut gradient[..]),
+            None => quote!(gradient.as_chunks_mut::<1>().0),
+        };
+        quote! {
+            #runtime::Terms {
+                range: #from..#to,
+                lists: [#(#lists),*],
+                parts: [#(#parts),*],
+                constants: [#(#constants),*],
+                common: [#(#common),*],
+            }
+            .add_to::<#iteration, _, _>(#sums);
+        }
+    }
+}
+
+impl Printer<'_> {
+    /// A list of indices, along the loop that is the last of its own.
+    fn list(&self, fields: &mut Fields, by: LoopId, list: IndexId) -> TokenStream {
+        let Index::Parameter(parameter) = self.graph.loops.index(list) else { return TokenStream::new() };
+        let name = fields.integer(self.parameters, parameter);
+        let list = self.prepared(name, self.graph.loops.of_parameter(parameter).without(by));
+        quote!(&#list[..])
+    }
+
+    /// A table of prepared constants, likewise.
+    fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
+        let name = fields.number(self.graph, self.parameters, id);
+        let table = self.prepared(name, self.graph.loops_of(id).without(by));
+        quote!(&#table[..])
+    }
+}

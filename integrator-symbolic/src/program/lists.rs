@@ -1,0 +1,182 @@
+//! Loops over lists: sums whose terms name the coordinates that they are about, such as `for &(a, b) in &self.bonds`.
+//!
+//! Comes in: a loop of a program. Goes out: what a term reads, by which lists, and where its values go; or nothing, where
+//! terms depend on each other, or read what lists do not name. Always true: whether values are rounded before they are added
+//! follows from the program alone, so that every text that is printed from it has the same bits.
+
+use super::{
+    Item, Sink, Store,
+    nest::{Nest, NestContext},
+};
+use crate::graph::{
+    Element, Graph, Node, NodeId, Part, Scope,
+    index::{Index, IndexId, LoopId},
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The fewest terms of which vectors are made where their number is known.
+const FEWEST: u64 = 8;
+
+/// The most components of a point.
+const MOST_COMPONENTS: u64 = 8;
+
+/// The most values that a term adds or reads; a longer one would fill registers many times over.
+const MOST: usize = 48;
+
+/// The sum over a list: what its terms need.
+pub(crate) struct ListSum<'p> {
+    /// The number of components of a point, where coordinates are points.
+    pub(crate) components: Option<usize>,
+    /// The lines of a term.
+    pub(crate) body: Vec<&'p Item>,
+    /// The lists that name points.
+    pub(crate) lists: Vec<IndexId>,
+    /// The parts of the coordinates that terms read.
+    pub(crate) parts: Vec<Part>,
+    /// The points that a term reads, each of one of these parts and by one of the lists.
+    pub(crate) reads: Vec<(usize, usize)>,
+    /// The coordinates that it reads, each by its point and its component.
+    pub(crate) coordinates: Vec<(NodeId, usize, usize)>,
+    /// Its own numbers, which are elements of tables.
+    pub(crate) constants: Vec<NodeId>,
+    /// What all terms have in common.
+    pub(crate) common: Vec<NodeId>,
+    /// Where its values go: the list and the component of each.
+    pub(crate) targets: Vec<(usize, usize)>,
+}
+
+/// Whether an iteration of a loop adds to coordinates that a list names: values are rounded before they are added, so that
+/// those of several iterations may be computed side by side.
+pub(crate) fn is_over_list(graph: &Graph, by: LoopId, body: &[Item]) -> bool {
+    body.iter().any(|item| match item {
+        Item::Sink(Sink::Collect(element), _) => is_listed(graph, by, element.index),
+        Item::Branch { body, .. } => is_over_list(graph, by, body),
+        _ => false,
+    })
+}
+
+/// Whether an index is an element of a list of the system, the loop's index being the last of its own.
+fn is_listed(graph: &Graph, by: LoopId, index: IndexId) -> bool {
+    match graph.loops.index(index) {
+        Index::Parameter(parameter) => graph.loops.of_parameter(parameter).iter().last() == Some(by),
+        _ => false,
+    }
+}
+
+/// The stores in an order in which what a term of a list adds to one point stands together.
+pub(super) fn by_point(graph: &Graph, stores: &[Store]) -> Vec<Store> {
+    let point = |store: &Store| match (store.context.last(), store.sink) {
+        (Some(Scope::Loop(by)), Sink::Collect(element)) if is_listed(graph, *by, element.index) => Some(element.index),
+        _ => None,
+    };
+    let mut sorted = stores.to_vec();
+    for term in sorted.chunk_by_mut(|a, b| a.context == b.context && point(a).is_some() == point(b).is_some()) {
+        term.sort_by_key(point);
+    }
+    sorted
+}
+
+impl<'p> ListSum<'p> {
+    /// The sum that a loop is, where points have so many components; `is_table` tells which prepared numbers are kept in
+    /// tables.
+    pub(crate) fn of(
+        graph: &Graph,
+        components: Option<IndexId>,
+        named: &BTreeSet<NodeId>,
+        by: LoopId,
+        body: &'p [Item],
+        is_table: impl Fn(NodeId) -> bool,
+    ) -> Option<Self> {
+        let range = graph.loops.get(by);
+        let count = graph.loops.literal(range.to).map(|to| to - graph.loops.literal(range.from).unwrap_or(0).min(to));
+        if !is_over_list(graph, by, body) || count.is_some_and(|count| count < FEWEST) {
+            return None;
+        }
+        let context = NestContext { graph, named, operands: &BTreeMap::new() };
+        let mut nests = context.nests(by, body)?;
+        let Nest { body, reads, constants, predicates, invariants, targets, .. } = nests.pop()?;
+        let is_alone = nests.is_empty() && predicates.is_empty() && targets.len() <= MOST && reads.len() <= MOST;
+        if !is_alone || body.iter().any(|line| calls(graph, named, line)) {
+            return None;
+        }
+        let components = match components.map(|components| graph.loops.literal(components)) {
+            None => None,
+            Some(known) => Some(known.filter(|known| *known <= MOST_COMPONENTS)? as usize),
+        };
+        let mut sum = Self {
+            components,
+            body,
+            lists: Vec::new(),
+            parts: Vec::new(),
+            reads: Vec::new(),
+            coordinates: Vec::new(),
+            constants: Vec::new(),
+            common: invariants,
+            targets: Vec::new(),
+        };
+        for (id, element) in reads {
+            if graph.loops.of_element(element).contains(by) {
+                let (list, component) = sum.place(graph, by, element)?;
+                let part = position(&mut sum.parts, element.part);
+                let point = position(&mut sum.reads, (part, list));
+                sum.coordinates.push((id, point, component));
+            } else {
+                sum.common.push(id);
+            }
+        }
+        for id in constants {
+            let loops = graph.loops_of(id);
+            match loops.iter().last() == Some(by) {
+                true if is_table(id) => sum.constants.push(id),
+                false if !loops.contains(by) => sum.common.push(id),
+                _ => return None,
+            }
+        }
+        if sum.parts.is_empty() {
+            // The runtime learns from it how coordinates are kept.
+            sum.parts.push(Part::Position);
+        }
+        for element in targets {
+            let place = sum.place(graph, by, element)?;
+            sum.targets.push(place);
+        }
+        Some(sum)
+    }
+
+    /// The list and the component of a coordinate.
+    fn place(&mut self, graph: &Graph, by: LoopId, element: Element) -> Option<(usize, usize)> {
+        let component = element.component.map_or(Some(0), |component| graph.loops.literal(component))?;
+        let is_point = element.component.is_some() == self.components.is_some();
+        let is_listed = is_listed(graph, by, element.index);
+        (is_listed && is_point).then(|| (position(&mut self.lists, element.index), component as usize))
+    }
+}
+
+/// The position of an element, which is appended where it is new.
+fn position<T: PartialEq>(list: &mut Vec<T>, element: T) -> usize {
+    list.iter().position(|known| *known == element).unwrap_or_else(|| {
+        list.push(element);
+        list.len() - 1
+    })
+}
+
+/// Whether a line computes what vectors do not: methods of the user, which are called number by number, and sums.
+fn calls(graph: &Graph, named: &BTreeSet<NodeId>, line: &Item) -> bool {
+    let within = |id: NodeId| has_calls(graph, named, id, true);
+    match line {
+        Item::Branch { condition, body, .. } => within(*condition) || body.iter().any(|line| calls(graph, named, line)),
+        Item::Let(id) => within(*id),
+        Item::SineCosine { argument, .. } => has_calls(graph, named, *argument, false),
+        Item::Choose { value, .. } | Item::Sink(_, value) => has_calls(graph, named, *value, false),
+        Item::Begin(_) => false,
+        Item::Loop { .. } | Item::Add { .. } => true,
+    }
+}
+
+fn has_calls(graph: &Graph, named: &BTreeSet<NodeId>, id: NodeId, is_made: bool) -> bool {
+    match graph.node(id) {
+        Node::External(..) | Node::Step | Node::Middle => true,
+        _ if !is_made && named.contains(&id) || graph.is_prepared(id) => false,
+        node => node.children().any(|child| has_calls(graph, named, child, false)),
+    }
+}
