@@ -64,7 +64,7 @@ fn ten_bodies() -> String {
 /// What is left without digits. Small buffers are arrays and large ones are tables; that aside, there is no difference.
 fn skeleton(sites: u64) -> String {
     let letters = expansion(&lattice(sites)).replace(|character: char| character.is_ascii_digit(), "");
-    letters.replace("runtime :: table ( , & | _ | Scalar :: of (.))", "[Scalar :: of (.) ; ]")
+    letters.replace("runtime :: repeated ( , Scalar :: of (.))", "[Scalar :: of (.) ; ]")
 }
 
 #[test]

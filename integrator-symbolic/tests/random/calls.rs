@@ -88,6 +88,9 @@ impl Machine<'_> {
         match (before, last, &arguments[..]) {
             // Where constants are prepared, what flows compute in is `f64`.
             ("f64", "of", [value @ Value::Number(_)]) => Ok(value.clone()),
+            ("runtime", "repeated", [length, element]) => {
+                Ok(Value::list(std::iter::repeat_n(element.clone(), length.index()?)))
+            }
             ("slice", "from_mut", [value]) => Ok(Value::list([value.clone()])),
             ("Mask", "of", [Value::Bool(holds)]) => Ok(Value::Mask(*holds)),
             (_, "Some", [value]) => Ok(Value::Option(Some(Rc::new(value.clone())))),

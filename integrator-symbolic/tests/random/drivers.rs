@@ -117,8 +117,11 @@ impl Site {
 }
 
 impl Machine<'_> {
-    /// A call of what the runtime does with a motion.
+    /// A call of what the runtime does with a motion, or with the terms of a sum.
     pub(crate) fn driver(&mut self, call: &syn::ExprMethodCall, name: &str) -> Option<Outcome<Value>> {
+        if name == "add_to" {
+            return Some(self.list_sum(call));
+        }
         if !matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("motion")) {
             return None;
         }

@@ -5,10 +5,11 @@
 
 use crate::{
     drivers::Driven,
+    lists::Term,
     value::{Closure, Integer, IntegerType, Outcome, Stop, USIZE, Value, foreign, panic},
 };
 use std::{collections::HashMap, rc::Rc};
-use syn::{Block, Expr, Ident, ImplItemFn, Lit, Pat, Stmt};
+use syn::{Block, Expr, Ident, ImplItemFn, Item, Lit, Pat, Stmt};
 
 /// A text in the middle of its evaluation.
 pub(crate) struct Machine<'t> {
@@ -19,6 +20,8 @@ pub(crate) struct Machine<'t> {
     pub(crate) names: Vec<(Ident, Value)>,
     /// The flows that the runtime carries out.
     pub(crate) driven: Driven<'t>,
+    /// The term of the sum over a list that comes next.
+    pub(crate) term: Option<Term>,
     /// The type that the present expression has to have, where it is written down.
     pub(crate) expected: Option<syn::Type>,
     /// Whether a branch was taken that rounding may have decided.
@@ -43,6 +46,7 @@ impl<'t> Machine<'t> {
             structs,
             names,
             driven: Driven::default(),
+            term: None,
             expected: None,
             on_edge: false,
             is_generated: false,
@@ -137,6 +141,7 @@ impl<'t> Machine<'t> {
                 Stmt::Expr(expression, Some(_)) => drop(self.expression(expression)?),
                 Stmt::Macro(found) if found.mac.path.segments.iter().any(|name| name.ident == "debug_assert") => {}
                 Stmt::Macro(found) => last = self.invoked(&found.mac)?,
+                Stmt::Item(Item::Impl(term)) => self.term = Some(Rc::new(term.clone())),
                 Stmt::Item(_) => {}
             }
         }
@@ -264,6 +269,9 @@ impl<'t> Machine<'t> {
     }
 
     fn each(&mut self, each: &syn::ExprForLoop) -> Outcome<Value> {
+        if let Some((place, other)) = changed_beside(&each.expr) {
+            return self.each_changed(each, place, other);
+        }
         let source = self.expression(&each.expr)?;
         for element in Self::elements(&source)? {
             let item = self.evaluated(&element)?;
@@ -277,6 +285,20 @@ impl<'t> Machine<'t> {
                 Err(stop) => return Err(stop),
             }
         }
+        Ok(Value::Unit)
+    }
+
+    /// A loop over the elements of a list that it changes, beside those of another one.
+    fn each_changed(&mut self, each: &syn::ExprForLoop, place: &Expr, other: &Expr) -> Outcome<Value> {
+        let (mut items, others) = (self.expression(place)?.items()?.to_vec(), self.expression(other)?);
+        for (item, other) in items.iter_mut().zip(others.items()?) {
+            let depth = self.names.len();
+            self.bind(&each.pat, Value::tuple([item.clone(), other.clone()]))?;
+            self.block(&each.body)?;
+            *item = self.names[depth].1.clone();
+            self.names.truncate(depth);
+        }
+        self.store(place, Value::list(items))?;
         Ok(Value::Unit)
     }
 
@@ -318,6 +340,20 @@ impl<'t> Machine<'t> {
         };
         self.bind(pattern, value)
     }
+}
+
+/// The list that `zip(list.iter_mut(), &other)` changes, or `zip(list, other)` where `list` is a reference; and the other one.
+fn changed_beside(zipped: &Expr) -> Option<(&Expr, &Expr)> {
+    let Expr::Call(call) = zipped else { return None };
+    let Expr::Path(path) = &*call.func else { return None };
+    if path.path.segments.last()?.ident != "zip" {
+        return None;
+    }
+    let changed = match &call.args[0] {
+        Expr::MethodCall(elements) if elements.method == "iter_mut" => &*elements.receiver,
+        reference => reference,
+    };
+    Some((changed, call.args.get(1)?))
 }
 
 /// The pattern of an argument that is not `self`.

@@ -13,6 +13,7 @@ mod drivers;
 mod expansion;
 mod grammar;
 mod judge;
+mod lists;
 mod machine;
 mod mutate;
 mod number;

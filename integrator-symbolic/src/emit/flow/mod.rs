@@ -449,8 +449,9 @@ fn buffer(
     let (moved, application) = (frame.moved(), apply(quote!((*slot)), quote!(*gradient)));
     let within = match dimension {
         None => application,
-        Some(_) => quote!(for (slot, gradient) in slot.iter_mut().zip(gradient) { #application }),
+        Some(_) => quote!(for (slot, gradient) in ::core::iter::zip(slot, gradient) { #application }),
     };
-    let close = quote!(for (slot, gradient) in #moved.#coordinates.iter_mut().zip(&gradient) { #within });
+    let close =
+        quote!(for (slot, gradient) in ::core::iter::zip(#moved.#coordinates.iter_mut(), &gradient) { #within });
     (open, close)
 }

@@ -84,7 +84,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15413827604665230080;
+        const FINGERPRINT: u64 = 6645435298455976530;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -263,8 +263,8 @@ const _: () = {
                 }
                     .add_to::<Iteration, _, _>(&mut gradient[..]);
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).scale_add(step, *gradient);
                 }
             }
@@ -493,8 +493,8 @@ const _: () = {
                 }
                     .add_to::<Iteration, _, _>(&mut gradient[..]);
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }
@@ -621,8 +621,8 @@ const _: () = {
                 sum_1 + sum_0
             };
             let step = step / -energy;
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).fma(step, *gradient);
                 }
             }

@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17198886616854187689;
+        const FINGERPRINT: u64 = 16282669361776331085;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -237,7 +237,7 @@ const _: () = {
                         q31,
                         motion.parameters.prepared_2.scale(p31).fma(q31.square(), p31),
                     );
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }
@@ -376,7 +376,7 @@ const _: () = {
                         ) + sum_0
             };
             let step = step / -energy;
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot).fma(step, *gradient);
             }
         }

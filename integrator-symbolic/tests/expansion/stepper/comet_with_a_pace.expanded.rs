@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 18209745581105628640;
+        const FINGERPRINT: u64 = 17533975241674189665;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -176,7 +176,7 @@ const _: () = {
                 );
             gradient[0] += Scalar::of(2.0).scale(q0).fma(shared_8, shared_1 * shared_7);
             gradient[1] += Scalar::of(2.0).scale(q1).fma(shared_8, shared_0 * shared_7);
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }

@@ -86,7 +86,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const PAIRED: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17186684394012785634;
+        const FINGERPRINT: u64 = 5752709121859246866;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -174,8 +174,8 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).scale_add(step, *gradient);
                 }
             }
@@ -208,8 +208,11 @@ const _: () = {
                         gradient[k][d] += shared_0;
                     }
                 }
-                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.q.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }
@@ -248,8 +251,11 @@ const _: () = {
                     gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
                     gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
                 }
-                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.p.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }

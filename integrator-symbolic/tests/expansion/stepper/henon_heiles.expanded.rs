@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11117188484150383046;
+        const FINGERPRINT: u64 = 8136046493382612833;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -112,7 +112,7 @@ const _: () = {
             let shared_1 = Scalar::of(2.0).scale(motion.p[0].value());
             gradient[0] += shared_0.fma(q0, shared_1 * (q1 + Scalar::of(0.5)));
             gradient[1] += (-shared_0).fma(q1, shared_1.fma(q0, p1));
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }

@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17439887936982554683;
+        const FINGERPRINT: u64 = 15055863523079017608;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -135,7 +135,7 @@ const _: () = {
                 * (shared_0.square() * shared_1);
             gradient[0] += (-shared_2).fma(p0, shared_3 * q0);
             gradient[1] += (-shared_2).fma(p1, shared_3 * q1);
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }

@@ -78,7 +78,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11810059574641699420;
+        const FINGERPRINT: u64 = 7044536329407685956;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -147,8 +147,8 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).scale_add(step, *gradient);
                 }
             }
@@ -171,8 +171,11 @@ const _: () = {
                             .scale_add(motion.p[i][k].value(), gradient[i][k]);
                     }
                 }
-                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.q.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }
@@ -211,8 +214,11 @@ const _: () = {
                     gradient[i][1] -= shared_9.fma(q_i_1, sum_1);
                     gradient[i][2] -= shared_9.fma(q_i_2, sum_0);
                 }
-                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.p.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }
@@ -336,8 +342,8 @@ const _: () = {
                 gradient[i][1] += sum_1;
                 gradient[i][2] += sum_0;
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }
@@ -365,8 +371,11 @@ const _: () = {
                             .scale_add(motion.q[i][k].value(), gradient[i][k]);
                     }
                 }
-                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    motion.p.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot) = *gradient;
                     }
                 }

@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11059039013990680612;
+        const FINGERPRINT: u64 = 10059754153582548802;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -265,8 +265,8 @@ const _: () = {
                     }
                 }
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }
@@ -362,8 +362,8 @@ const _: () = {
                     }
                 }
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).fma(step, *gradient);
                 }
             }
@@ -419,8 +419,8 @@ const _: () = {
                 -sum_2
             };
             let step = step / -energy;
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).fma(step, *gradient);
                 }
             }

@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7320011824221363680;
+        const FINGERPRINT: u64 = 6295005413779186709;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -126,7 +126,7 @@ const _: () = {
             let mut gradient = [Scalar::of(0.0); 1];
             gradient[0] = (-motion.parameters.prepared_1.scale(motion.p[0].value()))
                 .fma(motion.q[0].value().cos(), gradient[0]);
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }

@@ -80,7 +80,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10114974618282017895;
+        const FINGERPRINT: u64 = 7739831527775625175;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -152,8 +152,11 @@ const _: () = {
                             .scale_add(motion.p[i][d].value(), gradient[i][d]);
                     }
                 }
-                for (slot, gradient) in moved.q.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.q.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }
@@ -182,8 +185,11 @@ const _: () = {
                         }
                     }
                 }
-                for (slot, gradient) in moved.p.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    moved.p.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot).scale_add(step, *gradient);
                     }
                 }
@@ -368,8 +374,8 @@ const _: () = {
                     }
                 }
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }

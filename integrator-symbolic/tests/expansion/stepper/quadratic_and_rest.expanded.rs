@@ -63,7 +63,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4044592719004614950;
+        const FINGERPRINT: u64 = 16187692067207964298;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -206,7 +206,7 @@ const _: () = {
             gradient[0] += shared_0.fma(q0, motion.parameters.prepared_1.scale(q1) * p0);
             gradient[1]
                 += (-shared_0).fma(q1, motion.parameters.prepared_1.scale(q0) * p0);
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }
@@ -227,7 +227,10 @@ const _: () = {
                 let mut gradient = [Scalar::of(0.0); 2];
                 gradient[0] += motion.q[0].value();
                 gradient[1] += motion.q[1].value();
-                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    motion.p.iter_mut(),
+                    &gradient,
+                ) {
                     (*slot) = *gradient;
                 }
                 force.p

@@ -71,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3749575399788935587;
+        const FINGERPRINT: u64 = 4842975883481660319;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
@@ -248,8 +248,8 @@ const _: () = {
                         .scale(q_i_1)
                         .fma(shared_1, Scalar::of(4.0).scale(p_i_1) * shared_0);
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }
@@ -279,8 +279,11 @@ const _: () = {
                         .prepared_2[i]
                         .scale_add(motion.q[i][1].value(), gradient[i][1]);
                 }
-                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                    for (slot, gradient) in slot.iter_mut().zip(gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    motion.p.iter_mut(),
+                    &gradient,
+                ) {
+                    for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                         (*slot) = *gradient;
                     }
                 }

@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17157929379415780508;
+        const FINGERPRINT: u64 = 3587269989479536680;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -212,8 +212,8 @@ const _: () = {
                     gradient[i][j] -= shared_1;
                 }
             }
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot) = *gradient;
                 }
             }
@@ -327,8 +327,8 @@ const _: () = {
                 -(sum_1 + sum_3)
             };
             let step = step / -energy;
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
-                for (slot, gradient) in slot.iter_mut().zip(gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
+                for (slot, gradient) in ::core::iter::zip(slot, gradient) {
                     (*slot).fma(step, *gradient);
                 }
             }

@@ -89,7 +89,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14200635448978591598;
+        const FINGERPRINT: u64 = 11439910194256827961;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -206,7 +206,7 @@ const _: () = {
                     .fma(Scalar::of(k as f64).scale(q0).cos(), sum_0);
             }
             gradient[0] += motion.parameters.prepared_3.scale(p0).fma(q0.cos(), -sum_0);
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }

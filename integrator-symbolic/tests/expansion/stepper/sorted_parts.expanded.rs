@@ -65,7 +65,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4977390801690884901;
+        const FINGERPRINT: u64 = 153194374678845929;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -273,7 +273,7 @@ const _: () = {
                                     motion.parameters.prepared_2.scale(shared_7),
                                 ),
                     );
-            for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+            for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
         }
@@ -294,7 +294,10 @@ const _: () = {
                 let mut gradient = [Scalar::of(0.0); 2];
                 gradient[0] += motion.q[0].value();
                 gradient[1] += motion.q[1].value();
-                for (slot, gradient) in motion.p.iter_mut().zip(&gradient) {
+                for (slot, gradient) in ::core::iter::zip(
+                    motion.p.iter_mut(),
+                    &gradient,
+                ) {
                     (*slot) = *gradient;
                 }
                 force.p
