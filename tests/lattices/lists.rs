@@ -50,7 +50,7 @@ impl Weights {
     /// The momenta after a step from rest, where of so many links at a time all first ends get their addends before the second
     /// ones.
     fn momenta(&self, together: usize) -> Vec<f64> {
-        let mut sums = vec![0.0; BODIES];
+        let mut sums = [0.0; BODIES];
         for (links, weights) in self.links.chunks(together).zip(self.weights.chunks(together)) {
             for (&(a, _), weight) in links.iter().zip(weights) {
                 sums[a] -= weight;
