@@ -4,12 +4,14 @@
 use integrator_core::{
     Divergence, Method, Unsolved,
     check::{
-        CertifyError, CheckError, Shortfall, certify, observed_order, poisson_bracket, reversibility, symplectic_defect,
+        CertifyError, CheckError, Shortfall, certify, observed_order, poisson_bracket, reversibility,
+        symplectic_defect, tangent_maps,
     },
     prelude::*,
     reference::{
-        AdamsBashforthMoulton4, AnyReference, BackwardEuler, Bdf, DormandPrince5, DormandPrince8, ExplicitMidpoint,
-        ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog, Stoermer4, StoermerCowell4,
+        AdamsBashforth4, AdamsBashforthMoulton4, AnyReference, BackwardEuler, Bdf, DormandPrince5, DormandPrince8,
+        ExplicitMidpoint, ForwardEuler, GraggBulirschStoer, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+        Stoermer4, StoermerCowell4,
     },
 };
 
@@ -227,6 +229,38 @@ fn areas_change_by_the_factors_of_the_step_matrix() {
     }
     let refused = poisson_bracket(&oscillator, ForwardEuler, start, h, 1);
     assert_eq!(refused, Err(CheckError::NoCoordinate { index: 1, coordinates: 1 }));
+}
+
+/// On an oscillator the map of many steps is a power of that of one, which turns by an angle and stretches by a factor; a method
+/// with a memory has that of its starter first.
+#[test]
+fn tangent_maps_of_many_steps_are_powers() {
+    let (h, steps, start) = (0.25_f64, 40, Phase::new([1.0], [0.5]));
+    let oscillator = Oscillator { mass: 1.0 };
+    let [forward, verlet] = [
+        tangent_maps(&oscillator, ForwardEuler, start, h, steps).expect("maps"),
+        tangent_maps(&oscillator, Verlet, start, h, steps).expect("maps"),
+    ];
+    assert_eq!((forward.len(), verlet.len()), (steps, steps));
+    for (count, (forward, verlet)) in (1..).zip(forward.iter().zip(&verlet)) {
+        // 1 ± ih is √(1 + h²) e^(±i atan h); a trace of 2 - h² is one of 2 cos φ. Each step rounds a few times.
+        let (factor, angle) = ((1.0 + h * h).sqrt().powi(count), f64::from(count) * h.atan());
+        let bound = 8.0 * f64::from(count) * f64::EPSILON * factor * factor;
+        let [[a, b], [c, d]] = [0, 1].map(|row| [0, 1].map(|column| forward.matrix()[row][column]));
+        let exact = [factor * angle.cos(), factor * angle.sin()];
+        assert!((a - exact[0]).abs() < bound && (b - exact[1]).abs() < bound, "{count} steps: {forward:?}");
+        assert!((c + exact[1]).abs() < bound && (d - exact[0]).abs() < bound, "{count} steps: {forward:?}");
+        assert!((forward.determinant() - factor * factor).abs() < bound, "{count} steps: {forward:?}");
+        assert!(forward.bracket(0).is_some_and(|bracket| (bracket - factor * factor).abs() < bound));
+        let turned = 2.0 * (f64::from(count) * (1.0 - h * h / 2.0).acos()).cos();
+        assert!((verlet.matrix()[0][0] + verlet.matrix()[1][1] - turned).abs() < bound, "{count} steps: {verlet:?}");
+        assert!((verlet.determinant() - 1.0).abs() < bound && verlet.bracket(1).is_none());
+    }
+    let memory = tangent_maps(&oscillator, AdamsBashforth4, start, h, 5).expect("maps");
+    let starter = tangent_maps(&oscillator, RungeKutta4, start, h, 5).expect("maps");
+    let same: Vec<_> = memory.iter().zip(&starter).map(|(memory, starter)| memory == starter).collect();
+    assert_eq!(same, [true, true, true, false, false], "three steps of a starter");
+    assert!(tangent_maps(&oscillator, Verlet, start, f64::NAN, 1).is_err());
 }
 
 #[test]

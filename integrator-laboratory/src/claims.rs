@@ -6,6 +6,7 @@ use crate::{
     numbers::plain,
     portrait::SEEN,
     study::Study,
+    tangents::Deviation,
 };
 
 /// What became of a claim.
@@ -161,7 +162,7 @@ const OF_TAYLOR: Claim = Claim {
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 15] = [
+const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_energy_grows",
         says: "Forward Euler gains energy: the relative change after a period",
@@ -197,6 +198,25 @@ const CLAIMS: [Claim; 15] = [
         value: |study| Some((study.method("forward Euler")?.bracket - 1.0).abs()),
         // Off by h² T'' V'', where rounding would be a millionth of this.
         within: [1e6 * BRACKET, f64::INFINITY],
+    },
+    Claim {
+        name: "brackets_stay_one_at_every_step",
+        says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of what rounding may have made of it",
+        of_energy: false,
+        value: |study| {
+            let methods = study.methods.iter().filter(|measured| measured.symplectic);
+            let mut deviations = methods.flat_map(|measured| &measured.deviations).peekable();
+            deviations.peek()?;
+            Some(deviations.map(Deviation::excess).fold(0.0, f64::max))
+        },
+        within: [0.0, 1.0],
+    },
+    Claim {
+        name: "forward_euler_bracket_leaves_one",
+        says: "The bracket of forward Euler leaves one for good: |{q₁, p₁} − 1| after four periods, or where it leaves the finite numbers",
+        of_energy: false,
+        value: |study| Some((study.method("forward Euler")?.deviations.last()?.bracket - 1.0).abs()),
+        within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "maps_tell_symplectic_methods",

@@ -62,6 +62,7 @@ mod reversal;
 mod rows;
 mod shifted;
 mod study;
+mod tangents;
 #[cfg(test)]
 mod tests;
 

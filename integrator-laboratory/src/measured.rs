@@ -1,4 +1,4 @@
-//! What is measured of one method. With `blob`, `errors`, `portrait`, `reversal`, `limits` and `shifted` this is the code that
+//! What is measured of one method. With `blob`, `errors`, `portrait`, `reversal`, `limits`, `tangents` and `shifted` this is the code that
 //! is generic over systems; what comes out are plain numbers.
 
 use crate::{
@@ -10,6 +10,7 @@ use crate::{
     problem::{Problem, Stepped},
     reversal::{Reversal, reversal},
     rows::Row,
+    tangents::{Deviation, deviations},
 };
 use integrator_core::prelude::*;
 use std::error::Error;
@@ -29,6 +30,8 @@ pub(crate) struct Measured {
     pub(crate) bracket: f64,
     /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic.
     pub(crate) defects: Vec<(f64, f64)>,
+    /// What becomes of deviations, step by step.
+    pub(crate) deviations: Vec<Deviation>,
     /// Periods, and the change of the energy in units of that of the start.
     pub(crate) energies: Vec<(f64, f64)>,
     /// How many steps these are.
@@ -107,6 +110,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         bracket: method.bracket(start, *step)?,
         // Where a step is too long for an implicit method, there is no map.
         defects: steps.filter_map(|h| Some((h, method.defect(start, h, STEPS).ok()?))).collect(),
+        deviations: deviations(problem, method)?,
         steps: energies.len(),
         energies,
         reversal: reversal(problem, method, portrait.count)?,

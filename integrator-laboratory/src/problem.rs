@@ -2,7 +2,7 @@
 
 use integrator_core::{
     Coords, Facts, Method,
-    check::{CheckError, observed_order, poisson_bracket, symplectic_defect_after},
+    check::{CheckError, TangentMap, observed_order, poisson_bracket, symplectic_defect_after, tangent_maps},
     prelude::*,
 };
 
@@ -62,6 +62,8 @@ pub(crate) trait Stepped<C: Coords> {
     fn bracket(&self, start: &Phase<C>, h: f64) -> Result<f64, CheckError>;
     /// By how much the map of some steps is not symplectic.
     fn defect(&self, start: &Phase<C>, h: f64, steps: u64) -> Result<f64, CheckError>;
+    /// The tangent maps of one step, of two, and so on.
+    fn maps(&self, start: &Phase<C>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError>;
 }
 
 struct Of<'s, H, M> {
@@ -84,6 +86,9 @@ impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
     }
     fn defect(&self, start: &Phase<H::Coords>, h: f64, steps: u64) -> Result<f64, CheckError> {
         symplectic_defect_after::<H, M, f64>(self.system, self.method, start, h, steps)
+    }
+    fn maps(&self, start: &Phase<H::Coords>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError> {
+        tangent_maps::<H, M, f64>(self.system, self.method, start, h, steps)
     }
 }
 

@@ -51,11 +51,12 @@ fn verdict(name: &str, study: &Study) -> Verdict {
 }
 
 /// Each claim, and the method whose measurements it must not be content with.
-const WRONG: [(&str, &str, &str); 12] = [
+const WRONG: [(&str, &str, &str); 13] = [
     ("forward_euler_energy_grows", "forward Euler", "Verlet"),
     ("backward_euler_energy_decays", "backward Euler", "forward Euler"),
     ("symplectic_euler_bracket_is_one", "symplectic Euler", "Runge–Kutta 4"),
     ("forward_euler_bracket_is_not_one", "forward Euler", "symplectic Euler"),
+    ("forward_euler_bracket_leaves_one", "forward Euler", "Verlet"),
     ("forward_euler_area_is_not_preserved", "forward Euler", "Verlet"),
     ("forward_euler_does_not_come_back", "forward Euler", "Verlet"),
     ("symplectic_euler_does_not_come_back", "symplectic Euler", "Verlet"),
@@ -138,6 +139,7 @@ fn a_claim_fails_for_a_number_that_is_off() {
         "verlet_equals_shifted_leapfrog",
         "each_column_of_the_extrapolation_gains_two_orders",
         "the_extrapolation_ends_in_gragg_bulirsch_stoer",
+        "brackets_stay_one_at_every_step",
         "maps_tell_symplectic_methods",
         "symplectic_methods_preserve_areas",
         "symmetric_methods_come_back",
@@ -217,13 +219,14 @@ fn svg(drawing: &Drawing) -> String {
 }
 
 /// Words of each picture that stand on its axes or in its head, and whether all methods have their colour in it.
-const SHOWN: [(&str, [&str; 3], bool); 10] = [
+const SHOWN: [(&str, [&str; 3], bool); 11] = [
     ("portraits", ["Portraits", "symplectic", "gains energy"], true),
     ("energy_error", ["Energy against time", "10⁻⁵", "Dormand–Prince 5"], true),
     ("energy", ["Energy in the first periods", "periods", "forward Euler"], false),
     ("modified", ["What a step conserves", "with more terms, h⁴, h⁶", "Yoshida 4"], false),
     ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
     ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
+    ("tangents", ["How long a deviation gets", "{q₁, p₁} − 1", "at every step of a symplectic method"], true),
     ("reversal", ["There and back", "from the start: ", "Verlet"], false),
     ("limits", ["How long a step may be", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),

@@ -263,15 +263,19 @@ impl Chart {
         }
     }
 
-    /// Draws the chart as one of several: a smaller head, and no legend.
+    /// Draws the chart as one of several: a smaller head, and no names but those at the ends of curves.
     pub(crate) fn draw_panel(&self, canvas: &mut Canvas, room: Room) {
         let [left, top, right, _] = room;
         let (x, width) = (left + 12.0, right - left - 20.0);
         let mut below = canvas.paragraph(&self.title, (x, top + 6.0), width, bold(16.0));
         below = canvas.paragraph(&self.claim, (x, below), width, font(13.0));
         below = canvas.paragraph(&self.measured, (x, below), width, bold(13.0));
-        let right = self.field.as_ref().map_or(0.0, |field| field.width(canvas, 13.0));
-        self.plot(canvas, room, Margins { top: below - top + 8.0, right: right + 2.0, text: 13.0 });
+        let right = if self.names_at_ends {
+            self.beside(canvas, 13.0) + 12.0
+        } else {
+            self.field.as_ref().map_or(0.0, |field| field.width(canvas, 13.0)) + 2.0
+        };
+        self.plot(canvas, room, Margins { top: below - top + 8.0, right, text: 13.0 });
     }
 }
 

@@ -116,4 +116,18 @@ mod tests {
         }
         assert_eq!(text.matches(r##"stroke="#1e1e1e""##).count(), 4, "a curve in each");
     }
+
+    #[test]
+    fn names_at_the_ends_of_curves_are_inside_of_their_panel() {
+        let name = "a name of some length";
+        let chart = || Chart::new("Ends").with_names_at_ends().line("", [(0.0, 0.0), (1.0, 1.0)]);
+        let chart =
+            || [name, "other"].into_iter().fold(chart(), |chart, name| chart.line(name, [(0.0, 0.0), (1.0, 1.0)]));
+        let (text, _) = drawn(&Panels::new("One", "").columns(1).panel(600, 400).chart(chart()));
+        let x =
+            text.lines().find(|line| line.contains(name)).and_then(|line| line.split("x=\"").nth(1)?.split('"').next());
+        let x: f64 = x.expect("a place").parse().expect("a number");
+        // Letters of a bold face of 13 pixels are seven wide on the mean.
+        assert!(x + 7.0 * name.len() as f64 <= 624.0, "{x}");
+    }
 }

@@ -74,7 +74,9 @@ pub use property::order::{Order, observed_order};
 pub use property::reversibility::reversibility;
 pub use property::shadow::{Shadow, ShadowPower, shadow};
 pub use property::stability::{Stability, stability};
-pub use property::symplecticity::{poisson_bracket, symplectic_defect, symplectic_defect_after};
+pub use property::symplecticity::{
+    TangentMap, poisson_bracket, symplectic_defect, symplectic_defect_after, tangent_maps,
+};
 pub use shortfall::{CertifyError, Shortfall};
 pub use start::{IntoStart, Start};
 pub use statistics::trend::Course;

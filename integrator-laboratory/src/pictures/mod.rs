@@ -9,6 +9,7 @@ mod modified;
 mod portraits;
 mod reversal;
 mod style;
+mod tangents;
 
 use crate::{laboratory::Drawing, study::Study};
 
@@ -16,13 +17,14 @@ use crate::{laboratory::Drawing, study::Study};
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 10] = [
+pub(crate) const PICTURES: [Picture; 11] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.autonomous.then(|| energies::extremes(study).into())),
     ("energy", |study| study.autonomous.then(|| energies::low_orders(study).into())),
     ("modified", |study| Some(modified::modified(study)?.into())),
     ("areas", |study| Some(areas::areas(study).into())),
     ("maps", |study| Some(maps::maps(study).into())),
+    ("tangents", |study| Some(tangents::tangents(study).into())),
     ("reversal", |study| study.autonomous.then(|| reversal::reversal(study).into())),
     ("limits", |study| study.autonomous.then(|| limits::limits(study).into())),
     ("errors", |study| Some(errors::against_step(study).into())),

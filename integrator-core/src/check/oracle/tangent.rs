@@ -39,6 +39,30 @@ impl<'s, H: Hamiltonian, X: Method<H>> Tangents<'s, H, X> {
     }
 }
 
+impl<H: Hamiltonian, X: Method<H>> Tangents<'_, H, X> {
+    /// The Jacobian matrices of 1, 2, ... `steps` steps from `point`, each as [`matrix`].
+    pub(crate) fn matrices(&self, point: &Flat, t0: f64, steps: usize) -> Vec<DMatrix<f64>> {
+        let size = 2 * point.q.len();
+        let mut matrices = vec![DMatrix::zeros(size, size); steps];
+        let functions = X::step_functions::<Dual, f64, FlowByFlow>();
+        for column in 0..size {
+            let mut unit = origin(point);
+            *coordinate(&mut unit, column) = 1.0;
+            let mut arrived = [shaped(self.shape, point), shaped(self.shape, &unit)];
+            let mut motion = X::Motion::<Dual, f64>::load(&[&*self.constants; 2], &[&arrived[0], &arrived[1]]);
+            let mut clock = Clock { t0, h: self.h, steps: 0 };
+            for matrix in &mut matrices {
+                functions.advance_one(&mut motion, clock, 1);
+                clock.steps += 1;
+                functions.shown(motion.clone(), clock).store(1, &mut arrived[1]);
+                let image = flat(&arrived[1]);
+                numbers(&image).enumerate().for_each(|(row, value)| matrix[(row, column)] = value);
+            }
+        }
+        matrices
+    }
+}
+
 impl<H: Hamiltonian, X: Method<H>> Carry for Tangents<'_, H, X> {
     fn carry(&self, point: &Flat, tangent: &Flat, t0: f64, steps: u64) -> (Flat, Flat) {
         let mut arrived = [shaped(self.shape, point), shaped(self.shape, tangent)];

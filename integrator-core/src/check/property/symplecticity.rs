@@ -67,12 +67,69 @@ pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
 ) -> Result<f64, CheckError> {
     let Start { phase: start, time } = begin::<H, X, K>(system, method, &start.into_start(), h)?;
     let coordinates = start.q.flat().len();
-    if index >= coordinates {
-        return Err(CheckError::NoCoordinate { index, coordinates });
+    let map = TangentMap(matrix(&Tangents::<H, X>::new(system, method, &start, h), &flat(&start), time, 1));
+    map.bracket(index).ok_or(CheckError::NoCoordinate { index, coordinates })
+}
+
+/// The tangent map of some closed steps: the derivative of where they lead by where they begin. Rows and columns are all of
+/// `q`, then all of `p`, over their flattened form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TangentMap(DMatrix<f64>);
+
+impl TangentMap {
+    /// The rows of the matrix.
+    pub fn matrix(&self) -> Vec<Vec<f64>> {
+        self.0.row_iter().map(|row| row.iter().copied().collect()).collect()
     }
-    let map = matrix(&Tangents::<H, X>::new(system, method, &start, h), &flat(&start), time, 1);
-    let (q, p) = (map.row(index), map.row(coordinates + index));
-    Ok((0..coordinates).map(|k| q[k] * p[coordinates + k] - q[coordinates + k] * p[k]).sum())
+
+    /// The determinant: the factor by which the steps change volumes. One for a symplectic map, up to rounding.
+    pub fn determinant(&self) -> f64 {
+        self.0.determinant()
+    }
+
+    /// The Poisson bracket `{qᵢ, pᵢ}` as in [`poisson_bracket`]; none of a coordinate that there is not.
+    pub fn bracket(&self, index: usize) -> Option<f64> {
+        let n = self.0.nrows() / 2;
+        let (q, p) = (index < n).then(|| (self.0.row(index), self.0.row(n + index)))?;
+        Some((0..n).map(|k| q[k] * p[n + k] - q[n + k] * p[k]).sum())
+    }
+}
+
+/// The tangent maps of 1, 2, ... `steps` closed steps of size `h` from `start`, exact but for rounding: what the very steps
+/// of a run make of deviations. With `n` positions they take `2n` times the steps in duals, and `4n²` numbers for each step.
+///
+/// ```
+/// use integrator_core::{check::tangent_maps, prelude::*, reference::RungeKutta4};
+///
+/// struct Pendulum;
+///
+/// #[hamiltonian]
+/// impl Pendulum {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+/// }
+///
+/// let start = Phase::new([2.0], [0.0]);
+/// let verlet = tangent_maps(&Pendulum, Verlet, start, 0.1, 100)?;
+/// let runge_kutta = tangent_maps(&Pendulum, RungeKutta4, start, 0.1, 100)?;
+/// assert!((verlet[99].determinant() - 1.0).abs() < 1e-12);
+/// assert!((runge_kutta[99].determinant() - 1.0).abs() > 1e-6);
+/// # Ok::<(), integrator_core::check::CheckError>(())
+/// ```
+///
+/// # Errors
+/// A start or a step that no run would begin with. Steps that leave the finite numbers are no error: their maps are not
+/// finite.
+pub fn tangent_maps<H: Hamiltonian, X: Method<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
+    h: f64,
+    steps: usize,
+) -> Result<Vec<TangentMap>, CheckError> {
+    let Start { phase: start, time } = begin::<H, X, K>(system, method, &start.into_start(), h)?;
+    let maps = Tangents::<H, X>::new(system, method, &start, h).matrices(&flat(&start), time, steps);
+    Ok(maps.into_iter().map(TangentMap).collect())
 }
 
 /// The symplectic defect of a tangent map, and the one that rounding alone explains.

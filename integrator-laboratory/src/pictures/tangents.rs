@@ -1,0 +1,44 @@
+//! Deviations along the orbit, under each method.
+
+use super::style::series;
+use crate::{numbers::plain, study::Study, tangents::Deviation};
+use integrator_plot::{Axis, Chart, Mark, Panels};
+
+/// Changes below this are rounding.
+const SMALLEST: f64 = 1e-15;
+
+/// How long deviations get, and what is left of the bracket and of volumes.
+pub(super) fn tangents(study: &Study) -> Panels {
+    let claim = "What the steps themselves make of deviations, from their exact derivative. By their length alone methods cannot be \
+         told apart. The bracket {q₁, p₁} stays one at every step of a symplectic method, whole lines; of the others it leaves, \
+         and goes on.";
+    let symplectic = study.methods.iter().filter(|measured| measured.symplectic);
+    let brackets =
+        symplectic.flat_map(|measured| &measured.deviations).map(|deviation| (deviation.bracket - 1.0).abs());
+    let panels = Panels::new(format!("Deviations: {}", study.system), claim)
+        .measured(format!(
+            "steps of {}; of symplectic methods |{{q₁, p₁}} − 1| ≤ {}",
+            plain(study.step),
+            plain(brackets.fold(0.0, f64::max))
+        ))
+        .columns(1)
+        .panel(1150, 620);
+    let length = Axis::logarithmic("|∂z/∂q₁|");
+    let panels = panels.chart(chart(study, "How long a deviation gets", length, |deviation| deviation.length));
+    let bracket = Axis::signed_logarithmic("{q₁, p₁} − 1", SMALLEST);
+    let panels = panels.chart(chart(study, "The Poisson bracket", bracket, |deviation| deviation.bracket - 1.0));
+    if study.freedom == 1 {
+        // Where it is the bracket.
+        return panels;
+    }
+    let determinant = Axis::signed_logarithmic("det M − 1", SMALLEST);
+    panels.chart(chart(study, "The determinant: volumes", determinant, |deviation| deviation.determinant - 1.0))
+}
+
+fn chart(study: &Study, title: &str, up: Axis, value: fn(&Deviation) -> f64) -> Chart {
+    let chart = Chart::new(title).along(Axis::linear("periods")).up(up).with_names_at_ends();
+    study.methods.iter().fold(chart, |chart, measured| {
+        let points = measured.deviations.iter().map(|deviation| (deviation.periods, value(deviation)));
+        series(chart, Mark::Line, (&measured.row, measured.symplectic), measured.name().to_owned(), points)
+    })
+}
