@@ -6,6 +6,7 @@
 //! is not a number, or a derivative that is infinite, comes out as not a number or infinite, never as a plausible
 //! number; at kinks and jumps, of `abs`, `min`, `max` and steps, the derivative is that of one side.
 
+mod in_memory;
 mod side_by_side;
 
 use crate::scalar::{

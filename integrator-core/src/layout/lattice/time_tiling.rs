@@ -30,7 +30,7 @@ use core::ops::Range;
 const TILE: usize = 1024;
 
 /// The number of sites of a tile of rows: both arrays fit into a second-level cache many times.
-const TILE_OF_ROWS: usize = 4 * TILE;
+const TILE_OF_ROWS: usize = 8 * TILE;
 
 /// The number of sites by which the flows of a tile of rows may lean, a row each: they fit into a second-level cache. Flows that
 /// lean by more are tiled as many.
@@ -49,7 +49,7 @@ const LEAST_DEPTH: usize = 4;
 const CACHED: usize = 4 * TILE;
 
 /// A plane of fewer sites gains nothing by tiles: its rows are moved as fast from a second-level cache.
-const CACHED_PLANE: usize = 96 * TILE;
+const CACHED_PLANE: usize = 48 * TILE;
 
 /// The least number of sites that are worth the start of a thread.
 const MIN_CHUNK: usize = 32 * TILE;

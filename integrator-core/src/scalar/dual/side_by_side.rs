@@ -121,12 +121,8 @@ impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, 
 /// As many numbers with one derivative each as a vector has lanes, as they are in memory.
 #[inline(always)]
 fn pairs<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool>(from: &[Dual<F, N, false, SENSITIVE>]) -> [V; 2] {
-    let mut numbers = [from[0].value; 2 * WIDEST];
-    for lane in 0..V::WIDTH {
-        numbers[2 * lane] = from[lane].value;
-        numbers[2 * lane + 1] = from[lane].along[0];
-    }
-    [V::read(&numbers), V::read(&numbers[V::WIDTH..])]
+    let numbers = &Dual::in_memory(from)[..2 * V::WIDTH];
+    [V::read(numbers), V::read(&numbers[V::WIDTH..])]
 }
 
 /// Writes such pairs where they were.
@@ -135,13 +131,9 @@ fn write_pairs<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool>(
     [first, second]: [V; 2],
     to: &mut [Dual<F, N, false, SENSITIVE>],
 ) {
-    let mut numbers = [to[0].value; 2 * WIDEST];
-    first.write(&mut numbers);
+    let numbers = &mut Dual::in_memory_mut(to)[..2 * V::WIDTH];
+    first.write(numbers);
     second.write(&mut numbers[V::WIDTH..]);
-    for lane in 0..V::WIDTH {
-        to[lane].value = numbers[2 * lane];
-        to[lane].along[0] = numbers[2 * lane + 1];
-    }
 }
 
 impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, false, SENSITIVE>>
