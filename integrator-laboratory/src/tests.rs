@@ -46,6 +46,12 @@ fn study() -> Study {
     STUDY.get_or_init(|| pendulum().study().expect("measurements")).clone()
 }
 
+/// Those of the driven oscillators, made once.
+fn driven_study() -> Study {
+    static STUDY: OnceLock<Study> = OnceLock::new();
+    STUDY.get_or_init(|| driven([0, 3]).study().expect("measurements")).clone()
+}
+
 fn verdict(name: &str, study: &Study) -> Verdict {
     verdicts(study).into_iter().find(|verdict| verdict.name == name).expect("a claim")
 }
@@ -86,7 +92,7 @@ fn methods_of_some_systems_have_claims_of_their_own() {
         assert!(!verdict(claim, &wrong).holds(), "{claim}");
     }
     // Of a system without recurrences nothing is claimed of them.
-    let other = driven([0, 3]).study().expect("measurements");
+    let other = driven_study();
     assert!(other.method("Chin 4A").is_some() && other.adaptive.len() + 1 == sound.adaptive.len());
     assert!(!verdicts(&other).iter().any(|verdict| verdict.name.contains("taylor")));
 }
@@ -312,7 +318,7 @@ fn a_view_of_a_coordinate_that_there_is_not_is_refused() {
 /// Nothing is claimed of an energy that is not conserved, and the rest holds.
 #[test]
 fn a_hamiltonian_that_reads_the_time_has_its_page() {
-    let study = driven([0, 3]).study().expect("measurements");
+    let study = driven_study();
     assert_eq!((study.autonomous, study.view.clone()), (false, ["q₁".to_owned(), "p₂".to_owned()]));
     let verdicts = verdicts(&study);
     assert!(verdicts.iter().all(|verdict| !verdict.name.contains("energy")) && verdicts.len() > 10);

@@ -194,12 +194,27 @@ fn what_is_written_grows_with_the_text() {
     assert_eq!(faster, [""; 0]);
 }
 
-#[test]
-fn as_many_pieces_may_follow_each_other_as_there_are_lines_in_a_table() {
-    for name in ["pieces", "pieces that return", "pieces that replace"] {
+/// As many pieces may follow each other as there are lines in a table. A test for each kind, so that they run side by side.
+mod as_many_pieces_as_a_table_has_lines {
+    use super::{AXES, TokenStream, along, hamiltonian};
+
+    fn are_taken(name: &str) {
         let axis = AXES.iter().find(|(known, _)| *known == name).expect("an axis").1;
         let item: TokenStream = along(axis, 400).parse().expect("tokens");
         let written = hamiltonian(TokenStream::new(), item).to_string();
         assert!(!written.contains("compile_error"), "{name}");
+    }
+
+    #[test]
+    fn that_add() {
+        are_taken("pieces");
+    }
+    #[test]
+    fn that_return() {
+        are_taken("pieces that return");
+    }
+    #[test]
+    fn that_replace() {
+        are_taken("pieces that replace");
     }
 }

@@ -76,7 +76,7 @@ fn cases(count: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(cases(3_000))]
+    #![proptest_config(cases(1_500))]
 
     /// Where tokens are lost, doubled, exchanged or replaced, the macro returns the item, and code or messages.
     #[test]

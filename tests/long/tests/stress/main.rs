@@ -80,7 +80,7 @@ fn close_encounters_and_extreme_numbers_are_right() {
 #[test]
 fn steps_too_long_for_an_encounter_are_told_of() {
     // The certificate that tells what a step this long does takes seconds: one of each kind.
-    for encounter in encounters::unresolved(10_000, &[1.0 / 1024.0], &[0.01]) {
+    for encounter in encounters::unresolved(4_000, &[1.0 / 1024.0], &[0.01]) {
         assert!(!encounter.is_silently_wrong(), "{encounter}");
     }
 }
