@@ -10,8 +10,8 @@ const SMALLEST: f64 = 1e-15;
 /// How long deviations get, and what is left of the bracket and of volumes.
 pub(super) fn tangents(study: &Study) -> Panels {
     let claim = "What the steps themselves make of deviations, from their exact derivative. By their length alone methods cannot be \
-         told apart. The bracket {q₁, p₁} stays one at every step of a symplectic method, whole lines; of the others it leaves, \
-         and goes on.";
+         told apart. The bracket {q₁, p₁} stays one at every step of a symplectic method, whole lines; of the others it leaves one, \
+         the later the higher their order is.";
     let symplectic = study.methods.iter().filter(|measured| measured.symplectic);
     let brackets =
         symplectic.flat_map(|measured| &measured.deviations).map(|deviation| (deviation.bracket - 1.0).abs());
