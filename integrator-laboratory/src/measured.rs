@@ -26,8 +26,6 @@ pub(crate) struct Measured {
     pub(crate) order: u32,
     /// The order that it shows on this problem, where that can be measured.
     pub(crate) slope: Option<f64>,
-    /// `{q₁, p₁}` after one step of the problem.
-    pub(crate) bracket: f64,
     /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic.
     pub(crate) defects: Vec<(f64, f64)>,
     /// What becomes of deviations, step by step.
@@ -65,6 +63,11 @@ const BEYOND: f64 = 10.0;
 impl Measured {
     pub(crate) fn name(&self) -> &'static str {
         self.row.name
+    }
+
+    /// `{q₁, p₁}` after one step of the problem.
+    pub(crate) fn bracket(&self) -> f64 {
+        self.deviations.first().map_or(f64::NAN, |deviation| deviation.bracket)
     }
 
     /// Whether its map is symplectic for every step that was tried.
@@ -107,7 +110,6 @@ pub(crate) fn measure<H: Hamiltonian>(
         symmetric: facts.symmetric,
         order: facts.order,
         slope: method.slope(start, *step),
-        bracket: method.bracket(start, *step)?,
         // Where a step is too long for an implicit method, there is no map.
         defects: steps.filter_map(|h| Some((h, method.defect(start, h, STEPS).ok()?))).collect(),
         deviations: deviations(problem, method)?,

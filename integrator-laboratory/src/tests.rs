@@ -166,7 +166,7 @@ fn a_claim_fails_for_a_number_that_is_off() {
 fn multistep_methods_are_judged_after_their_starter() {
     let study = study();
     let [abm, rk] = ["Adams–Bashforth–Moulton 4", "Runge–Kutta 4"].map(|name| study.method(name).expect("a method"));
-    assert_eq!(abm.bracket, rk.bracket, "the first step is that of the starter");
+    assert_eq!(abm.bracket(), rk.bracket(), "the first step is that of the starter");
     let apart = abm.defects.iter().zip(&rk.defects).filter(|(a, b)| a.1 > 2.0 * b.1 || b.1 > 2.0 * a.1).count();
     assert!(apart >= 4, "{:?} and {:?}", abm.defects, rk.defects);
 }

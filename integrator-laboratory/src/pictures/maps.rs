@@ -10,7 +10,7 @@ use integrator_plot::{Axis, Chart, Mark, colour::GREY};
 
 /// By how much the exact tangent map is off, step by step.
 pub(super) fn maps(study: &Study) -> Chart {
-    let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket - 1.0)));
+    let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket() - 1.0)));
     let numbers: Vec<_> = ["forward Euler", "symplectic Euler", "Verlet"].into_iter().filter_map(number).collect();
     let claim = format!(
         "A map M is symplectic if MᵀJM = J, for which {{q, p}} = 1. Of symplectic methods nothing but rounding is left, whatever \

@@ -1,6 +1,6 @@
 //! Deviations along the orbit, under each method.
 
-use super::style::series;
+use super::style::of_method;
 use crate::{numbers::plain, study::Study, tangents::Deviation};
 use integrator_plot::{Axis, Chart, Mark, Panels};
 
@@ -39,6 +39,6 @@ fn chart(study: &Study, title: &str, up: Axis, value: fn(&Deviation) -> f64) -> 
     let chart = Chart::new(title).along(Axis::linear("periods")).up(up).with_names_at_ends();
     study.methods.iter().fold(chart, |chart, measured| {
         let points = measured.deviations.iter().map(|deviation| (deviation.periods, value(deviation)));
-        series(chart, Mark::Line, (&measured.row, measured.symplectic), measured.name().to_owned(), points)
+        of_method(chart, Mark::Line, measured, points)
     })
 }

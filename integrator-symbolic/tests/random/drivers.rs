@@ -319,7 +319,7 @@ impl Machine<'_> {
 }
 
 /// The coordinates of a point, or the one of a site.
-fn components(point: &Value) -> Outcome<Vec<Number>> {
+pub(crate) fn components(point: &Value) -> Outcome<Vec<Number>> {
     match point {
         Value::List(_) | Value::Slot(_) | Value::Number(_) => {
             let mut numbers = Vec::new();
@@ -331,6 +331,6 @@ fn components(point: &Value) -> Outcome<Vec<Number>> {
 }
 
 /// Coordinates of bodies side by side.
-fn row(point: &[Number]) -> Value {
+pub(crate) fn row(point: &[Number]) -> Value {
     Value::list(point.iter().map(|number| number.clone().of_kind(Kind::Wide).into()))
 }

@@ -101,7 +101,7 @@ impl Expansion {
     }
 }
 
-fn function<'i>(item: &'i ItemImpl, name: &str) -> Option<&'i ImplItemFn> {
+pub(crate) fn function<'i>(item: &'i ItemImpl, name: &str) -> Option<&'i ImplItemFn> {
     item.items.iter().find_map(|item| match item {
         ImplItem::Fn(function) if function.sig.ident == name => Some(function),
         _ => None,
@@ -113,7 +113,7 @@ fn text(item: &ItemImpl, name: &str) -> String {
     constant(item, name).map(|value| quote::quote!(#value).to_string()).unwrap_or_default()
 }
 
-fn constant<'i>(item: &'i ItemImpl, name: &str) -> Option<&'i Expr> {
+pub(crate) fn constant<'i>(item: &'i ItemImpl, name: &str) -> Option<&'i Expr> {
     item.items.iter().find_map(|item| match item {
         ImplItem::Const(constant) if constant.ident == name => Some(&constant.expr),
         _ => None,

@@ -1,12 +1,14 @@
 //! What the runtime does with sums over lists, in its plainest form: term by term, and the addends of each in their order.
 
 use crate::{
+    drivers::{components, row},
+    expansion::{constant, function},
     machine::Machine,
     number::Kind,
-    value::{Outcome, Value, argument, foreign},
+    value::{Outcome, Value, argument, foreign, panic},
 };
 use std::rc::Rc;
-use syn::{Expr, ExprStruct, ImplItem, ItemImpl, Lit, Member};
+use syn::{Expr, ExprStruct, ItemImpl, Lit, Member};
 
 /// The term of a sum: `Term` as it is written in front of the sum.
 pub(crate) type Term = Rc<ItemImpl>;
@@ -18,12 +20,7 @@ impl Machine<'_> {
         let terms = self.expression(&call.receiver)?;
         let reads = structures(&term, "READS")?;
         let addends = structures(&term, "ADDENDS")?;
-        let Some(values) = term.items.iter().find_map(|item| match item {
-            ImplItem::Fn(function) if function.sig.ident == "values" => Some(function),
-            _ => None,
-        }) else {
-            return foreign("a term without values");
-        };
+        let Some(values) = function(&term, "values") else { return foreign("a term without values") };
         let (place, is_flat) = match call.args.first() {
             Some(sums) => sums_of(sums)?,
             None => return foreign("a sum without a place"),
@@ -34,12 +31,12 @@ impl Machine<'_> {
         let common = terms.field("common")?.lifted(Kind::Wide);
         let mut sums = self.expression(place)?.items()?.to_vec();
         for number in from.value..to.value {
-            let number = Value::size(number as usize).index()?;
+            let number = number as usize;
             let point = |list: usize| argument(lists, list)?.at(number)?.index();
             let mut points = Vec::new();
             for read in &reads {
                 let read_from = argument(parts, integer(read, "part")?)?;
-                points.push(values_of(read_from.at(point(integer(read, "list")?)?)?)?);
+                points.push(row(&components(read_from.at(point(integer(read, "list")?)?)?)?));
             }
             let constants = terms.field("constants")?.items()?.iter();
             let constants = constants.map(|table| Ok(table.at(number)?.lifted(Kind::Wide)));
@@ -59,18 +56,11 @@ impl Machine<'_> {
 
 /// The structs in a constant that is an array of them.
 fn structures<'t>(term: &'t Term, name: &str) -> Outcome<Vec<&'t ExprStruct>> {
-    let constant = term.items.iter().find_map(|item| match item {
-        ImplItem::Const(constant) if constant.ident == name => Some(&constant.expr),
-        _ => None,
-    });
-    let array = match constant {
-        Some(Expr::Array(array)) => array,
-        Some(Expr::Reference(reference)) => match &*reference.expr {
-            Expr::Array(array) => array,
-            _ => return foreign(format!("`{name}` that is no array")),
-        },
-        _ => return foreign(format!("a term without `{name}`")),
+    let array = match constant(term, name) {
+        Some(Expr::Reference(reference)) => Some(&*reference.expr),
+        found => found,
     };
+    let Some(Expr::Array(array)) = array else { return foreign(format!("a term without an array `{name}`")) };
     let structures = array.elems.iter().map(|element| match element {
         Expr::Struct(literal) => Ok(literal),
         _ => foreign(format!("an element of `{name}`")),
@@ -119,7 +109,7 @@ fn sums_of(sums: &Expr) -> Outcome<(&Expr, bool)> {
 
 /// The sum of a component of a point.
 fn part_of(sums: &mut [Value], point: usize, component: usize, is_flat: bool) -> Outcome<&mut Value> {
-    let Some(sum) = sums.get_mut(point) else { return crate::value::panic("a point out of bounds") };
+    let Some(sum) = sums.get_mut(point) else { return panic("a point out of bounds") };
     match sum {
         sum if is_flat && component == 0 => Ok(sum),
         Value::List(components) => match Rc::make_mut(components).get_mut(component) {
@@ -128,11 +118,4 @@ fn part_of(sums: &mut [Value], point: usize, component: usize, is_flat: bool) ->
         },
         _ => foreign("sums of another shape"),
     }
-}
-
-/// The coordinates of a point, side by side with those of other terms.
-fn values_of(point: &Value) -> Outcome<Value> {
-    let mut numbers = Vec::new();
-    point.numbers(&mut numbers);
-    Ok(Value::list(numbers.into_iter().map(|number| number.of_kind(Kind::Wide).into())))
 }
