@@ -37,26 +37,21 @@ impl<'s, H: Hamiltonian, X: Method<H>> Tangents<'s, H, X> {
     pub(crate) fn new(system: &H, method: X, shape: &'s Phase<H::Coords>, h: f64) -> Self {
         Self { constants: method.constants(Arc::new(system.parameters(shape.q.length()))), shape, h }
     }
-}
 
-impl<H: Hamiltonian, X: Method<H>> Tangents<'_, H, X> {
     /// The Jacobian matrices of 1, 2, ... `steps` steps from `point`, each as [`matrix`].
     pub(crate) fn matrices(&self, point: &Flat, t0: f64, steps: usize) -> Vec<DMatrix<f64>> {
         let size = 2 * point.q.len();
         let mut matrices = vec![DMatrix::zeros(size, size); steps];
         let functions = X::step_functions::<Dual, f64, FlowByFlow>();
         for column in 0..size {
-            let mut unit = origin(point);
-            *coordinate(&mut unit, column) = 1.0;
-            let mut arrived = [shaped(self.shape, point), shaped(self.shape, &unit)];
+            let mut arrived = [shaped(self.shape, point), shaped(self.shape, &unit(point, column))];
             let mut motion = X::Motion::<Dual, f64>::load(&[&*self.constants; 2], &[&arrived[0], &arrived[1]]);
             let mut clock = Clock { t0, h: self.h, steps: 0 };
             for matrix in &mut matrices {
                 functions.advance_one(&mut motion, clock, 1);
                 clock.steps += 1;
                 functions.shown(motion.clone(), clock).store(1, &mut arrived[1]);
-                let image = flat(&arrived[1]);
-                numbers(&image).enumerate().for_each(|(row, value)| matrix[(row, column)] = value);
+                fill(matrix, column, &flat(&arrived[1]));
             }
         }
         matrices
@@ -84,12 +79,22 @@ pub(crate) fn matrix(tangents: &dyn Carry, point: &Flat, t0: f64, steps: u64) ->
     let n = point.q.len();
     let mut matrix = DMatrix::zeros(2 * n, 2 * n);
     for column in 0..2 * n {
-        let mut unit = origin(point);
-        *coordinate(&mut unit, column) = 1.0;
-        let (_, arrived) = tangents.carry(point, &unit, t0, steps);
-        for (row, value) in numbers(&arrived).enumerate() {
-            matrix[(row, column)] = value;
-        }
+        let (_, arrived) = tangents.carry(point, &unit(point, column), t0, steps);
+        fill(&mut matrix, column, &arrived);
     }
     matrix
+}
+
+/// The tangent along a coordinate.
+fn unit(point: &Flat, column: usize) -> Flat {
+    let mut unit = origin(point);
+    *coordinate(&mut unit, column) = 1.0;
+    unit
+}
+
+/// Writes the image of a tangent into a column.
+fn fill(matrix: &mut DMatrix<f64>, column: usize, image: &Flat) {
+    for (row, value) in numbers(image).enumerate() {
+        matrix[(row, column)] = value;
+    }
 }
