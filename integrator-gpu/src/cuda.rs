@@ -107,11 +107,11 @@ impl Members {
         Ok(Self {
             advance: module.load_function(ADVANCE).map_err(refused)?,
             show: module.load_function(SHOW).map_err(refused)?,
-            stages: stream.memcpy_stod(&stages).map_err(refused)?,
-            constants: stream.memcpy_stod(constants).map_err(refused)?,
-            state: stream.memcpy_stod(&memory.state).map_err(refused)?,
-            other: stream.memcpy_stod(&memory.state).map_err(refused)?,
-            lost: stream.memcpy_stod(&memory.lost).map_err(refused)?,
+            stages: stream.clone_htod(&stages).map_err(refused)?,
+            constants: stream.clone_htod(constants).map_err(refused)?,
+            state: stream.clone_htod(&memory.state).map_err(refused)?,
+            other: stream.clone_htod(&memory.state).map_err(refused)?,
+            lost: stream.clone_htod(&memory.lost).map_err(refused)?,
             blocks: u32::try_from(members.div_ceil(THREADS as usize))
                 .map_err(|_| Error::Memory(members, bytes >> 20))?,
             stream,
@@ -122,18 +122,18 @@ impl Members {
     pub(crate) fn advance(&mut self, launch: &Launch) -> Result<Vec<u64>, Error> {
         self.run(launch, true)?;
         std::mem::swap(&mut self.state, &mut self.other);
-        self.stream.memcpy_dtov(&self.lost).map_err(call)
+        self.stream.clone_dtoh(&self.lost).map_err(call)
     }
 
     /// The states with the step under way completed.
     pub(crate) fn show(&mut self, launch: &Launch) -> Result<Vec<f64>, Error> {
         self.run(launch, false)?;
-        self.stream.memcpy_dtov(&self.other).map_err(call)
+        self.stream.clone_dtoh(&self.other).map_err(call)
     }
 
     /// The states in the middle of the step under way.
     pub(crate) fn unfinished(&self) -> Result<Vec<f64>, Error> {
-        self.stream.memcpy_dtov(&self.state).map_err(call)
+        self.stream.clone_dtoh(&self.state).map_err(call)
     }
 
     /// Goes on from other states.

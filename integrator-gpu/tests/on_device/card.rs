@@ -92,8 +92,8 @@ impl Card {
     pub(crate) fn by_hand(&self, constants: &[[f64; 2]], h: f64, steps: i64) -> Result<f64, Box<dyn Error>> {
         let function = self.function(BY_HAND, "pendulums")?;
         let column = |number: usize| constants.iter().map(|own| own[number]).collect::<Vec<_>>();
-        let [velocity, pull] = [self.stream.memcpy_stod(&column(0))?, self.stream.memcpy_stod(&column(1))?];
-        let start = |number: f64| self.stream.memcpy_stod(&vec![number; constants.len()]);
+        let [velocity, pull] = [self.stream.clone_htod(&column(0))?, self.stream.clone_htod(&column(1))?];
+        let start = |number: f64| self.stream.clone_htod(&vec![number; constants.len()]);
         let (mut q, mut p): (CudaSlice<f64>, CudaSlice<f64>) = (start(2.0)?, start(0.1)?);
         let members = constants.len() as i64;
         let taken = self.time(|| {
