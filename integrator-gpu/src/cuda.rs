@@ -24,7 +24,7 @@ const SHOW: &str = "show";
 // SAFETY: `Launch` is `repr(C)` with fields of the same types and order as in `stepper.h`, and plain numbers alone.
 unsafe impl DeviceRepr for Launch {}
 
-/// The text of a module: that of the runtime, of a system, and two kernels in one precision.
+/// The text of a module: that of the runtime, of a system with its composition, and two kernels in one precision.
 fn module_text(text: &str, precision: &str) -> String {
     let runtime = RUNTIME.concat();
     let (scalar, slot) = match precision {
@@ -36,15 +36,15 @@ fn module_text(text: &str, precision: &str) -> String {
         format!(
             "extern \"C\" __global__ void {name}(integrator::Launch launch, const integrator::Stage* stages, const double* \
              constants, const double* from, double* to, {lost}unsigned long long* lost) {{\n    \
-             integrator::Member<integrator::System, {scalar}, integrator::{slot}<{scalar}>>::{name}(launch, stages, \
-             constants, from, to, lost);\n}}\n"
+             integrator::Member<integrator::System, integrator::Composed, {scalar}, \
+             integrator::{slot}<{scalar}>>::{name}(launch, stages, constants, from, to, lost);\n}}\n"
         )
     };
     let (advance, show) = (kernel(ADVANCE, ""), kernel(SHOW, "const "));
     format!("{runtime}namespace integrator {{\n{text}}}\n{advance}{show}")
 }
 
-/// Compiles the kernels of a system in a precision, to the assembly that any driver takes.
+/// Compiles the kernels of a system with its composition in a precision, to the assembly that any driver takes.
 ///
 /// # Errors
 /// [`Error::Compiler`], [`Error::Kernel`]
@@ -91,7 +91,7 @@ impl Members {
             return Err(Error::NoDevice(ordinal, count as usize));
         }
         let module = compiled(text, precision)?;
-        let members = memory.lost.len();
+        let members = memory.lost.len() - 1;
         let bytes = 8 * (memory.constants.len() + 2 * memory.state.len() + members);
         let refused = |error: DriverError| match error.0 {
             CUresult::CUDA_ERROR_OUT_OF_MEMORY => Error::Memory(members, bytes >> 20),
@@ -118,11 +118,18 @@ impl Members {
         })
     }
 
-    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost.
+    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost, or nothing if nobody
+    /// was lost in them: to fetch a number of each member takes as long as hundreds of steps.
     pub(crate) fn advance(&mut self, launch: &Launch) -> Result<Vec<u64>, Error> {
         self.run(launch, true)?;
         std::mem::swap(&mut self.state, &mut self.other);
-        self.stream.clone_dtoh(&self.lost).map_err(call)
+        let members = self.lost.len() - 1;
+        let mut anybody = self.lost.slice_mut(members..);
+        if self.stream.clone_dtoh(&anybody).map_err(call)? == [0] {
+            return Ok(Vec::new());
+        }
+        self.stream.memset_zeros(&mut anybody).map_err(call)?;
+        self.stream.clone_dtoh(&self.lost.slice(..members)).map_err(call)
     }
 
     /// The states with the step under way completed.

@@ -135,15 +135,17 @@ impl<C: Coords> Ensemble<C> {
         let Elsewhere { t0, h, steps, opened, members } = leave(&processor);
         let (mut launch, stages) = Launch::new::<H, X, C::Leaf>(h, members.len());
         launch.done = steps - opened;
-        let (state, lost) = (columns(&states_of(&members)), members.iter().map(held).collect());
+        let state = columns(&states_of(&members));
+        let lost = members.iter().map(held).chain([0]).collect();
         let memory = Memory { stages, constants, state, shown: Vec::new(), lost };
+        let text = launch.composition(&memory.stages) + H::TEXT;
         let (place, fallback) = match device {
-            Device::Cuda(ordinal) => (Some(Place::device(ordinal, H::TEXT, C::Leaf::NAME, &memory)?), None),
-            Device::Best => match Place::device(0, H::TEXT, C::Leaf::NAME, &memory) {
+            Device::Cuda(ordinal) => (Some(Place::device(ordinal, &text, C::Leaf::NAME, &memory)?), None),
+            Device::Best => match Place::device(0, &text, C::Leaf::NAME, &memory) {
                 Ok(place) => (Some(place), None),
                 Err(reason) => (None, Some(reason)),
             },
-            Device::Text => (Some(Place::program(H::TEXT, H::FINGERPRINT, C::Leaf::NAME, memory)?), None),
+            Device::Text => (Some(Place::program(&text, H::FINGERPRINT, C::Leaf::NAME, memory)?), None),
         };
         let shape = members[0].1.clone();
         let ended = members.into_iter().enumerate().filter_map(ended).collect();

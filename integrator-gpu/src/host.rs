@@ -29,7 +29,7 @@ pub(crate) fn compiler() -> Option<String> {
     })
 }
 
-/// The text of a program for these systems, by their names, with what else stands among them.
+/// The text of a program for these systems with their compositions, by their names, with what else stands among them.
 pub(crate) fn program(systems: &[(&str, &str)], main: &str) -> String {
     let (runtime, [before, behind]) = (RUNTIME.concat(), HOST);
     let systems =
@@ -40,8 +40,12 @@ pub(crate) fn program(systems: &[(&str, &str)], main: &str) -> String {
 
 /// The `main` that serves launches of these systems, each in three precisions.
 pub(crate) fn serving(names: &[&str]) -> String {
-    let added: String =
-        names.iter().map(|name| format!("    integrator::add_system<integrator::{name}::System>(all);\n")).collect();
+    let added: String = names
+        .iter()
+        .map(|name| {
+            format!("    integrator::add_system<integrator::{name}::System, integrator::{name}::Composed>(all);\n")
+        })
+        .collect();
     format!("int main() {{\n    std::vector<integrator::Kernels> all;\n{added}    return integrator::serve(all);\n}}\n")
 }
 
@@ -57,7 +61,7 @@ pub(crate) fn compile(compiler: &str, text: &str, folder: &Path) -> io::Result<P
 }
 
 /// What a launch works on, and what it leaves behind: the states as they go on, as they are shown, and one more than the last
-/// finite step of those who are lost.
+/// finite step of those who are lost, with whether anybody was behind them.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     pub(crate) stages: Vec<Row>,

@@ -2,6 +2,9 @@
 
 use integrator_core::__private::{Composition, Hamiltonian, Lead, Precision, Rows, Stage, corrections};
 
+/// What kernels of any composition know of it: what a launch says.
+pub(crate) const ANY_COMPOSITION: &str = "typedef AnyComposition Composed;\n";
+
 /// One stage as the device reads it.
 pub(crate) type Row = [f64; 7];
 
@@ -59,6 +62,18 @@ impl Launch {
         };
         let rows = [&stages.opening, &stages.closing].into_iter().chain(stages.cycle);
         (launch, rows.chain(processor.before.rows).chain(processor.after.rows).map(row).collect())
+    }
+
+    /// What kernels of one composition know of it when they are compiled, as [`ANY_COMPOSITION`] for others.
+    pub(crate) fn composition(&self, stages: &[Row]) -> String {
+        let Self { leads_with_kick, cycle, before, after, .. } = *self;
+        let has_gradients = stages.iter().any(|[_, _, gradient, ..]| *gradient != 0.0);
+        let has_processor = (before, after) != (0, 0);
+        format!(
+            "struct Composed {{\n    static constexpr int CYCLE = {cycle};\n    static constexpr bool LEADS_WITH_KICK = \
+             {}, HAS_GRADIENTS = {has_gradients}, HAS_PROCESSOR = {has_processor};\n}};\n",
+            leads_with_kick != 0
+        )
     }
 
     /// The bytes of the fields, in their order.

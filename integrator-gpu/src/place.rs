@@ -51,7 +51,8 @@ impl Place {
         Ok(Self::Text(program, Box::new(memory), number))
     }
 
-    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost.
+    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost, or nothing if nobody
+    /// was lost in them.
     ///
     /// # Errors
     /// [`Error::Call`] and [`Error::Program`]
@@ -60,7 +61,8 @@ impl Place {
             Self::Cuda(members) => members.advance(launch),
             Self::Text(program, memory, precision) => {
                 **memory = ran(program, memory, *precision, launch)?;
-                Ok(memory.lost.clone())
+                let anybody = memory.lost.last_mut().map(std::mem::take);
+                Ok(if anybody == Some(0) { Vec::new() } else { memory.lost[..memory.lost.len() - 1].to_vec() })
             }
         }
     }
@@ -111,7 +113,7 @@ impl Place {
         match self {
             Self::Cuda(members) => members.hold(lost),
             Self::Text(_, memory, _) => {
-                memory.lost = lost.to_vec();
+                memory.lost[..lost.len()].copy_from_slice(lost);
                 Ok(())
             }
         }

@@ -19,7 +19,7 @@ use integrator_core::{
     Ensemble, InLanes, InstructionSet,
     prelude::*,
 };
-use launch::Launch;
+use launch::{ANY_COMPOSITION, Launch};
 use std::{
     env, fs,
     path::{Path, PathBuf},
@@ -81,7 +81,7 @@ impl Cases {
             constants: constants::<H>(&parameters).expect("short lists"),
             state: columns(&states),
             shown: Vec::new(),
-            lost: vec![0; members.len()],
+            lost: vec![0; members.len() + 1],
         };
         self.names.push(format!("{system} with {} in {}", X::NAME, K::NAME));
         self.jobs.push(((3 * position + precision) as u64, launch, memory));
@@ -116,7 +116,8 @@ impl Cases {
             self.jobs.iter_mut().for_each(|(_, launch, _)| launch.done += steps);
             for ((name, (_, launch, memory)), expected) in self.names.iter().zip(&self.jobs).zip(&self.expected) {
                 let (numbers, steps) = &expected[portion];
-                let done = memory.lost.iter().map(|lost| lost.checked_sub(1).unwrap_or(launch.done));
+                let lost = &memory.lost[..steps.len()];
+                let done = lost.iter().map(|lost| lost.checked_sub(1).unwrap_or(launch.done));
                 let done: Vec<_> = done.collect();
                 let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
                 if done != *steps || bits(&memory.shown) != bits(numbers) {
@@ -140,7 +141,9 @@ fn program() -> Option<PathBuf> {
     // The one with a mistake comes last.
     let rounded =
         Pendulum::TEXT.replacen("motion.p[0].fma(", "motion.p[0].add(1.0 * ", 1).replacen(", sin(", " * sin(", 1);
-    let systems: Vec<_> = SYSTEMS.iter().copied().chain([("rounded", rounded.as_str())]).collect();
+    let systems = SYSTEMS.iter().copied().chain([("rounded", rounded.as_str())]);
+    let systems: Vec<_> = systems.map(|(name, text)| (name, ANY_COMPOSITION.to_owned() + text)).collect();
+    let systems: Vec<_> = systems.iter().map(|(name, text)| (*name, text.as_str())).collect();
     let names: Vec<_> = systems.iter().map(|(name, _)| *name).collect();
     let asked = "int main(int count, char**) {\n    if (count > 1) return integrator::functions();";
     let serving = host::serving(&names).replace("int main() {", asked);

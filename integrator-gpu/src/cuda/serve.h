@@ -11,16 +11,16 @@ struct Kernels {
     Show show;
 };
 
-template <class System, class R, class K> static Kernels kernels() {
-    typedef Member<System, R, K> Of;
+template <class System, class Composition, class R, class K> static Kernels kernels() {
+    typedef Member<System, Composition, R, K> Of;
     return {2 * System::COORDINATES * K::PARTS, System::CONSTANTS, K::PARTS, Of::advance, Of::show};
 }
 
 // Those of a system in double and in single precision and compensated.
-template <class System> static void add_system(std::vector<Kernels>& to) {
-    to.push_back(kernels<System, double, Plain<double>>());
-    to.push_back(kernels<System, float, Plain<float>>());
-    to.push_back(kernels<System, double, Compensated<double>>());
+template <class System, class Composition> static void add_system(std::vector<Kernels>& to) {
+    to.push_back(kernels<System, Composition, double, Plain<double>>());
+    to.push_back(kernels<System, Composition, float, Plain<float>>());
+    to.push_back(kernels<System, Composition, double, Compensated<double>>());
 }
 
 template <class T> static bool read_numbers(std::vector<T>& to) {
@@ -39,7 +39,7 @@ static int serve(const std::vector<Kernels>& all) {
         const size_t members = size_t(launch.members);
         std::vector<Stage> stages(2 + launch.cycle + std::abs(launch.before) + std::abs(launch.after));
         std::vector<double> constants(of.constants * members), state(of.coordinates * members), shown(state.size());
-        std::vector<unsigned long long> lost(members);
+        std::vector<unsigned long long> lost(members + 1);
         if (!read_numbers(stages) || !read_numbers(constants) || !read_numbers(state) || !read_numbers(lost)) return 1;
         std::vector<double> next(state.size());
         for (size_t member = 0; member < members; ++member) {

@@ -51,10 +51,20 @@ struct Launch {
     Correction drift, kick, middle;
 };
 
-template <class System, class R, class K> struct Stepper {
+// What is known of a composition when a kernel is compiled: of any one, nothing. A kernel of one alone has the stages of a
+// step behind each other, without a question which flow leads, and computes before the first step what is the same in all.
+struct AnyComposition {
+    static constexpr int CYCLE = 0;
+    static constexpr bool LEADS_WITH_KICK = false, HAS_GRADIENTS = true, HAS_PROCESSOR = true;
+};
+
+template <class System, class Composition, class R, class K> struct Stepper {
     typedef typename System::template Motion<R, K> Motion;
     typedef typename System::template Motion<R, Plain<R>> Numbers;
     static constexpr int COORDINATES = System::COORDINATES;
+    static constexpr bool BENDS = System::BENDS && Composition::HAS_GRADIENTS;
+    // Stages of many coordinates stay in a loop: their instructions would not fit into the cache of instructions.
+    static constexpr int STAGES_AT_A_TIME = Composition::CYCLE * COORDINATES <= 64 && Composition::CYCLE > 1 ? Composition::CYCLE : 1;
 
     const Launch& launch;
     const Stage* stages;
@@ -64,15 +74,23 @@ template <class System, class R, class K> struct Stepper {
     DEVICE Stepper(const Launch& launch, const Stage* stages, Motion& motion)
         : launch(launch), stages(stages), motion(motion), longer_drift(0.0), longer_kick(0.0), longer_middle(0.0) {}
 
-    DEVICE static double once(double& longer) {
+    DEVICE int cycle_length() const { return Composition::CYCLE == 0 ? launch.cycle : Composition::CYCLE; }
+    DEVICE bool leads_with_kick() const {
+        return Composition::CYCLE == 0 ? launch.leads_with_kick != 0 : Composition::LEADS_WITH_KICK;
+    }
+
+    DEVICE static double corrected(double duration, double& longer) {
+        if constexpr (!K::COMPENSATED) return duration;
         const double now = longer;
         longer = 0.0;
-        return now;
+        return duration + now;
     }
-    DEVICE void drift(double duration, double time) { System::drift(motion, duration + once(longer_drift), time); }
-    DEVICE void flow_of_kick(double duration, double time) { System::kick(motion, duration + once(longer_kick), time); }
+    DEVICE void drift(double duration, double time) { System::drift(motion, corrected(duration, longer_drift), time); }
+    DEVICE void flow_of_kick(double duration, double time) {
+        System::kick(motion, corrected(duration, longer_kick), time);
+    }
     DEVICE void middle(double duration, double time, bool backwards) {
-        System::middle(motion, duration + once(longer_middle), time, backwards);
+        System::middle(motion, corrected(duration, longer_middle), time, backwards);
     }
     DEVICE void moving_middle(double duration, double time, bool backwards) {
         if (duration != 0.0) middle(duration, time, backwards);
@@ -80,7 +98,7 @@ template <class System, class R, class K> struct Stepper {
 
     // The exact flow of duration V + gradient |grad V|^2, put together from flows of a motion that starts at rest.
     DEVICE void gradient_kick(double duration, double gradient, double time) {
-        duration = duration + once(longer_kick);
+        duration = corrected(duration, longer_kick);
         Numbers force(motion.parameters), bent(motion.parameters);
         for (int i = 0; i < COORDINATES; ++i) {
             bent.position(i).number = force.position(i).number = motion.position(i).value();
@@ -103,7 +121,7 @@ template <class System, class R, class K> struct Stepper {
 
     DEVICE void kick(const Stage& stage, double time) {
         const double h = launch.h, duration = h * stage.kick, at = time + h * stage.kick_time;
-        if (System::BENDS && stage.gradient != 0.0) {
+        if (BENDS && stage.gradient != 0.0) {
             gradient_kick(duration, h * h * h * stage.gradient, at);
         } else if (System::PAIRED) {
             middle(duration / 2.0, at, false);
@@ -117,12 +135,12 @@ template <class System, class R, class K> struct Stepper {
         const double h = launch.h;
         constexpr bool many = System::PARTS > 2 && !System::PAIRED;
         const double before = time + h * stage.kick_time, after = time + h * (stage.kick_time + stage.drift);
-        if (launch.leads_with_kick) {
+        if (leads_with_kick()) {
             kick(stage, time);
             if (many) moving_middle(h * stage.within, before, true);
         }
         drift(h * stage.drift, time + h * stage.drift_time);
-        if (launch.leads_with_kick) {
+        if (leads_with_kick()) {
             if (many) moving_middle(h * stage.behind, after, false);
         } else {
             if (many) moving_middle(h * stage.within, before, false);
@@ -133,6 +151,7 @@ template <class System, class R, class K> struct Stepper {
     // The stages of a processor, in which what is zero is left out. They lead with their own kind of flow, which is that of
     // the composition or stands in the sign of their number.
     DEVICE void processor(const Stage* rows, int count, double time) {
+        if constexpr (!Composition::HAS_PROCESSOR) return;
         const bool leads_with_kick = count < 0;
         for (int row = 0; row < (count < 0 ? -count : count); ++row) {
             const Stage& stage = rows[row];
@@ -145,7 +164,7 @@ template <class System, class R, class K> struct Stepper {
 
     DEVICE double at(unsigned long long step) const { return launch.t0 + double(step) * launch.h; }
     DEVICE const Stage* cycle() const { return stages + 2; }
-    DEVICE const Stage* before() const { return cycle() + launch.cycle; }
+    DEVICE const Stage* before() const { return cycle() + cycle_length(); }
     DEVICE const Stage* after() const { return before() + (launch.before < 0 ? -launch.before : launch.before); }
 
     DEVICE static double passes(const Correction& correction, unsigned long long cycle) {
@@ -156,7 +175,7 @@ template <class System, class R, class K> struct Stepper {
         if (done == 0 && end > 0) {
             processor(before(), launch.before, at(0));
             stage(stages[0], at(0));
-            for (int row = 1; row < launch.cycle; ++row) stage(cycle()[row], at(0));
+            for (int row = 1; row < cycle_length(); ++row) stage(cycle()[row], at(0));
             done = 1;
         }
         for (; done < end; ++done) {
@@ -165,7 +184,8 @@ template <class System, class R, class K> struct Stepper {
                 longer_kick = passes(launch.kick, done);
                 longer_middle = passes(launch.middle, done);
             }
-            for (int row = 0; row < launch.cycle; ++row) stage(cycle()[row], at(done));
+#pragma unroll STAGES_AT_A_TIME
+            for (int row = 0; row < cycle_length(); ++row) stage(cycle()[row], at(done));
             longer_drift = longer_kick = longer_middle = 0.0;
         }
     }
@@ -174,7 +194,7 @@ template <class System, class R, class K> struct Stepper {
         if (done == 0) return;
         const Stage& closing = stages[1];
         const double h = launch.h, time = at(done - 1);
-        if (launch.leads_with_kick) {
+        if (leads_with_kick()) {
             if (closing.kick != 0.0 || closing.gradient != 0.0) kick(closing, time);
         } else if (closing.drift != 0.0) {
             drift(h * closing.drift, time + h * closing.drift_time);
@@ -190,7 +210,7 @@ struct Column {
     DEVICE double operator()(int row) const { return first[row * members]; }
 };
 
-template <class System, class R, class K> struct Member {
+template <class System, class Composition, class R, class K> struct Member {
     typedef typename System::template Motion<R, K> Motion;
     typedef typename System::template Parameters<R> Parameters;
 
@@ -220,7 +240,7 @@ template <class System, class R, class K> struct Member {
     }
 
     // Takes steps. Whoever leaves the finite numbers is taken back to the last finite step, which is noted, one more than
-    // its number, and stays there.
+    // its number, and stays there; that there is somebody stands behind the notes on all.
     DEVICE static void advance(const Launch& launch, const Stage* stages, const double* constants, const double* from,
                                double* to, unsigned long long* lost) {
         const long long member = blockIdx.x * (long long)blockDim.x + threadIdx.x;
@@ -229,15 +249,16 @@ template <class System, class R, class K> struct Member {
         load(motion, from + member, launch.members);
         if (lost[member] == 0) {
             const unsigned long long end = launch.done + launch.steps;
-            Stepper<System, R, K>(launch, stages, motion).steps(launch.done, end);
+            Stepper<System, Composition, R, K>(launch, stages, motion).steps(launch.done, end);
             if (!is_finite(motion)) {
                 load(motion, from + member, launch.members);
                 for (unsigned long long step = launch.done; step < end; ++step) {
                     const Motion last = motion;
-                    Stepper<System, R, K>(launch, stages, motion).steps(step, step + 1);
+                    Stepper<System, Composition, R, K>(launch, stages, motion).steps(step, step + 1);
                     if (!is_finite(motion)) {
                         motion = last;
                         lost[member] = step + 1;
+                        lost[launch.members] = 1;
                         break;
                     }
                 }
@@ -253,7 +274,7 @@ template <class System, class R, class K> struct Member {
         if (member >= launch.members) return;
         Motion motion(Parameters(Column{constants + member, launch.members}));
         load(motion, from + member, launch.members);
-        Stepper<System, R, K>(launch, stages, motion).close(lost[member] == 0 ? launch.done : lost[member] - 1);
+        Stepper<System, Composition, R, K>(launch, stages, motion).close(lost[member] == 0 ? launch.done : lost[member] - 1);
         store(motion, to + member, launch.members);
     }
 };

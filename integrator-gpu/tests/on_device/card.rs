@@ -59,6 +59,20 @@ impl Card {
         Some(Self { context, stream })
     }
 
+    /// Takes its memory, but for so many bytes and at most a mebibyte more.
+    pub(crate) fn fill(&self, left: usize) -> Result<Vec<CudaSlice<u8>>, Box<dyn Error>> {
+        let (mut taken, mut piece) = (Vec::new(), 1 << 32);
+        while piece >= 1 << 20 {
+            let (free, _) = self.context.mem_get_info()?;
+            match free.checked_sub(left + piece).and_then(|_| self.stream.alloc_zeros(piece).ok()) {
+                Some(slice) => taken.push(slice),
+                None => piece /= 2,
+            }
+        }
+        self.stream.synchronize()?;
+        Ok(taken)
+    }
+
     /// Its name.
     pub(crate) fn name(&self) -> String {
         self.context.name().unwrap_or_default()

@@ -5,7 +5,12 @@
 mod card;
 mod speed;
 
-use integrator_core::{Coords, Ensemble as OnProcessor, InstructionSet, prelude::*};
+use card::Card;
+use integrator_core::{
+    __private::{Composition, DeviceText, LaneScalars},
+    Coords, Ensemble as OnProcessor, InLanes, InstructionSet,
+    prelude::*,
+};
 use integrator_gpu::{Device, Ensemble, Error as GpuError};
 
 struct Pendulum {
@@ -139,23 +144,32 @@ fn states_have_the_bits_of_the_processor() {
         );
         return;
     }
-    let Some(mut device) = on_device(Ensemble::new(Yoshida4, pendulums(1_000), 0.01)) else { return };
-    let mut processor = OnProcessor::new(Yoshida4, pendulums(1_000), 0.01).expect("an ensemble");
-    for steps in [1, 10_000] {
-        device.advance(steps).expect("finite");
-        processor.advance(steps).expect("finite");
-        assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
+    holds_bits(Yoshida4, || pendulums(1_000), &[1, 10_000]);
+    holds_bits(Yoshida4, || pendulums(100).map(|(system, _)| (system, Phase::new([2.0_f32], [0.1]))), &[10_000]);
+    holds_bits(Chin4A, || orbits(1_000), &[10_000]);
+    holds_bits(TakahashiImada4, || orbits(100), &[1, 1_000]);
+    let compensated = || orbits(100).map(|(system, Phase { q, p })| (system, Phase::compensated(q, p)));
+    holds_bits(BlanesMoanSrkn11, compensated, &[10_000]);
+    holds_bits(Yoshida4, || systems(100), &[1_000]);
+}
+
+/// Holds states on the device against those on the processor after so many steps each.
+fn holds_bits<H, X, C, M>(composition: X, members: impl Fn() -> M, portions: &[u64])
+where
+    H: DeviceText + Send + Sync + 'static,
+    X: Composition<H> + InLanes<H> + Copy,
+    C: Coords,
+    C::Leaf: LaneScalars,
+    H::Coords: Coords<With<C::Leaf> = C>,
+    M: Iterator<Item = (H, Phase<C>)>,
+{
+    let Some(mut device) = on_device(Ensemble::new(composition, members(), 0.01)) else { return };
+    let mut processor = OnProcessor::new(composition, members(), 0.01).expect("an ensemble");
+    for steps in portions {
+        device.advance(*steps).expect("finite");
+        processor.advance(*steps).expect("finite");
+        assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>(), "{}", X::NAME);
     }
-    let Some(mut device) = on_device(Ensemble::new(Chin4A, orbits(1_000), 0.01)) else { return };
-    let mut processor = OnProcessor::new(Chin4A, orbits(1_000), 0.01).expect("an ensemble");
-    device.advance(10_000).expect("finite");
-    processor.advance(10_000).expect("finite");
-    assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
-    let Some(mut device) = on_device(Ensemble::new(Yoshida4, systems(100), 0.01)) else { return };
-    let mut processor = OnProcessor::new(Yoshida4, systems(100), 0.01).expect("an ensemble");
-    device.advance(1_000).expect("finite");
-    processor.advance(1_000).expect("finite");
-    assert_eq!(device.states().expect("states"), processor.states().collect::<Vec<_>>());
 }
 
 #[test]
@@ -163,6 +177,19 @@ fn a_device_that_is_not_there_is_refused() {
     let Some(_) = on_device(Ensemble::new(Yoshida4, pendulums(1), 0.01)) else { return };
     let refused = Ensemble::on(Device::Cuda(1_000), Yoshida4, pendulums(1), 0.01).err();
     assert!(matches!(refused, Some(GpuError::NoDevice(1_000, 1..))), "{refused:?}");
+}
+
+#[test]
+fn members_that_do_not_fit_are_refused() {
+    let Some(card) = Card::first() else {
+        return eprintln!("SKIPPED: there is no device whose memory could be filled");
+    };
+    let taken = card.fill(16 << 20).expect("all memory but 16 MiB");
+    let refused = Ensemble::new(Yoshida4, pendulums(1_000_000), 0.01).err();
+    // Two constants, twice two coordinates, and a note of who is lost, of 8 bytes each.
+    assert_eq!(refused, Some(GpuError::Memory(1_000_000, 53)));
+    drop(taken);
+    assert_eq!(Ensemble::new(Yoshida4, pendulums(1_000_000), 0.01).err(), None);
 }
 
 #[test]

@@ -27,13 +27,20 @@ const PENDULUM: Mix = Mix { fused: 25, quotients: 0, roots: 0 };
 const NATIVE_PENDULUM: Mix = Mix { fused: 16, quotients: 0, roots: 0 };
 const KEPLER: Mix = Mix { fused: 11, quotients: 1, roots: 1 };
 
-/// Members × steps per second of the second of two calls; the first one also loads the module.
+/// Members × steps per second of so many steps in one call, after one that loads the module.
 fn rate<C: Coords>(made: Result<Ensemble<C>, GpuError>, steps: u64) -> Option<f64> {
+    rate_of_calls(made, 1, steps)
+}
+
+/// The same of several calls.
+fn rate_of_calls<C: Coords>(made: Result<Ensemble<C>, GpuError>, calls: u64, steps: u64) -> Option<f64> {
     let mut device = on_device(made)?;
     device.advance(1).expect("finite");
     let begin = Instant::now();
-    device.advance(steps).expect("finite");
-    Some(device.len() as f64 * steps as f64 / begin.elapsed().as_secs_f64())
+    for _ in 0..calls {
+        device.advance(steps).expect("finite");
+    }
+    Some(device.len() as f64 * (calls * steps) as f64 / begin.elapsed().as_secs_f64())
 }
 
 /// The same on two threads of the processor, with fewer steps.
@@ -72,6 +79,13 @@ fn speed_is_told() {
         );
         table += &format!("{count},{}\n", rates.map(|rate| rate.to_string()).join(","));
         series.iter_mut().zip(rates).for_each(|(points, rate)| points.push((count as f64, rate)));
+    }
+    for (count, steps) in [(10_000, 100), (10_000, 1_000), (1_000_000, 10), (1_000_000, 100)] {
+        let made = Ensemble::new(Yoshida4, pendulums(count), 0.01);
+        let Some(short) = rate_of_calls(made, 100, steps) else { return };
+        println!(
+            "pendulum, exact functions: {count} members, {steps} steps for each call: {short:.3e} members × steps per second"
+        );
     }
     let at_most = |mix| card.rounds(mix, 10_000).expect("the mix");
     let most = |series: &[(f64, f64)]| series.iter().map(|(_, rate)| *rate).fold(0.0, f64::max);
