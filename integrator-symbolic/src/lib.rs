@@ -13,6 +13,7 @@
 mod differentiate;
 mod emit;
 mod errors;
+mod fragments;
 mod graph;
 mod limits;
 mod lower;
@@ -28,6 +29,7 @@ mod taylor;
 
 pub use emit::Form;
 use errors::Errors;
+use fragments::without_groups;
 pub use graph::Tally;
 use graph::exact::Exact;
 use model::Model;
@@ -57,7 +59,7 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
     if !limits::check_depth(&declarations, &mut errors) {
         return errors.into_tokens();
     }
-    scheme::expand(declarations)
+    scheme::expand(without_groups(declarations))
 }
 
 /// What `#[hamiltonian]` derives from an impl, for people; the error holds all mistakes.
@@ -78,7 +80,8 @@ pub fn known_functions() -> impl Iterator<Item = &'static str> {
 /// What is proved of the compositions that a `composition!` block declares; the error holds all that is wrong with it.
 pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
     let mut errors = Errors::default();
-    let found = limits::check_depth(&declarations, &mut errors).then(|| scheme::declared(declarations, &mut errors));
+    let found = limits::check_depth(&declarations, &mut errors)
+        .then(|| scheme::declared(without_groups(declarations), &mut errors));
     outcome(found, errors)
 }
 
@@ -87,7 +90,7 @@ pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
 pub fn sequence(tokens: TokenStream, order: Option<u32>) -> syn::Result<Proved> {
     let mut errors = Errors::default();
     let shallow = limits::check_depth(&tokens, &mut errors);
-    let found = shallow.then(|| scheme::sequence(tokens, order, &mut errors)).flatten();
+    let found = shallow.then(|| scheme::sequence(without_groups(tokens), order, &mut errors)).flatten();
     outcome(found, errors)
 }
 
@@ -115,7 +118,7 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
     if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
         return None;
     }
-    syntax::input(arguments, item, errors)
+    syntax::input(without_groups(arguments), without_groups(item), errors)
 }
 
 /// The model of an input without mistakes.

@@ -4,7 +4,9 @@
 mod systems;
 
 use integrator_symbolic::{Report, hamiltonian, known_functions, report};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::ToTokens;
+use syn::ExprBinary;
 use systems::{System, corpus};
 
 impl System {
@@ -38,6 +40,59 @@ fn the_same_system_gives_the_same_text() {
         let expansion = || hamiltonian(system.arguments.clone(), system.item.to_token_stream()).to_string();
         assert_eq!(expansion(), expansion(), "{}", system.name());
     }
+}
+
+/// A macro of `macro_rules!` passes on literals and formulas as groups without delimiters.
+#[test]
+fn fragments_of_macros_read_as_what_they_hold() {
+    let mut changed = 0;
+    for System { arguments, item } in corpus() {
+        let item = item.to_token_stream();
+        let passed_on = passed_on(item.clone());
+        let behind = |item: &TokenStream| {
+            let text = |tokens: &TokenStream| tokens.to_string().replace(char::is_whitespace, "");
+            let expanded = text(&hamiltonian(arguments.clone(), item.clone()));
+            expanded.split_once("const_:()=").map(|(_, behind)| behind.to_owned())
+        };
+        assert_eq!(behind(&passed_on), behind(&item), "{item}");
+        changed += usize::from(count(&passed_on) > count(&item));
+    }
+    assert!(changed > 30, "{changed}");
+}
+
+/// The tokens with each literal and each formula in parentheses as a fragment of its own.
+fn passed_on(tokens: TokenStream) -> TokenStream {
+    let mut before = None;
+    let mut passed = Vec::new();
+    for tree in tokens {
+        let is_behind = |marks: &str| matches!(&before, Some(TokenTree::Punct(mark)) if marks.contains(mark.as_char()));
+        let fragment = |tokens: TokenStream| TokenTree::Group(Group::new(Delimiter::None, tokens));
+        let next = match tree.clone() {
+            TokenTree::Literal(literal) if !is_behind(".#") => fragment(TokenTree::Literal(literal).into()),
+            TokenTree::Group(group) if is_behind("#!") => TokenTree::Group(group),
+            TokenTree::Group(group) => {
+                let inner = passed_on(group.stream());
+                let is_formula = is_behind("+-*/=") && syn::parse2::<ExprBinary>(group.stream()).is_ok();
+                match group.delimiter() {
+                    Delimiter::Parenthesis if is_formula => fragment(inner),
+                    delimiter => TokenTree::Group(Group::new(delimiter, inner)),
+                }
+            }
+            other => other,
+        };
+        passed.push(next);
+        before = Some(tree);
+    }
+    passed.into_iter().collect()
+}
+
+/// How many groups without delimiters there are.
+fn count(tokens: &TokenStream) -> usize {
+    let groups = tokens.clone().into_iter().filter_map(|tree| match tree {
+        TokenTree::Group(group) => Some(group),
+        _ => None,
+    });
+    groups.map(|group| usize::from(group.delimiter() == Delimiter::None) + count(&group.stream())).sum()
 }
 
 #[test]

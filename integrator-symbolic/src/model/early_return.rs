@@ -249,7 +249,6 @@ impl Reader<'_> {
                 Some(Outcome { value: Value::Unit, returned: vec![(always, value)] })
             }
             Expr::Paren(inner) => self.leaving(&inner.expr),
-            Expr::Group(inner) => self.leaving(&inner.expr),
             Expr::Block(inner) if inner.label.is_none() => self.body(Body::Block(&inner.block), Flow::Function),
             Expr::If(branch) => self.branch(branch, Flow::Function),
             Expr::Match(whole) => self.matched(whole, Flow::Function),

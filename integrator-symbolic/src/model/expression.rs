@@ -42,7 +42,6 @@ impl Reader<'_> {
         }
         match expression {
             Expr::Paren(inner) => self.grouped(&inner.expr),
-            Expr::Group(inner) => self.expression(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => {
                 self.expression(&inner.expr).map(Value::into_reference)
             }

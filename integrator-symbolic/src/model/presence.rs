@@ -20,7 +20,6 @@ pub(super) fn looked_up(text: TokenStream, root: &Path) -> TokenStream {
 fn list(expression: &Expr, root: &Path, found: &mut Vec<TokenStream>) {
     match expression {
         Expr::Paren(inner) => list(&inner.expr, root, found),
-        Expr::Group(inner) => list(&inner.expr, root, found),
         Expr::Reference(inner) => list(&inner.expr, root, found),
         Expr::Unary(inner) => list(&inner.expr, root, found),
         Expr::Cast(inner) => list(&inner.expr, root, found),
@@ -50,7 +49,6 @@ fn is_integer(index: &Expr) -> bool {
         Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => true,
         Expr::MethodCall(call) => call.method == "len",
         Expr::Paren(inner) => is_integer(&inner.expr),
-        Expr::Group(inner) => is_integer(&inner.expr),
         Expr::Binary(binary) => is_integer(&binary.left) && is_integer(&binary.right),
         _ => false,
     }
@@ -60,7 +58,6 @@ fn is_integer(index: &Expr) -> bool {
 fn differences(index: &Expr, found: &mut Vec<TokenStream>) {
     match index {
         Expr::Paren(inner) => differences(&inner.expr, found),
-        Expr::Group(inner) => differences(&inner.expr, found),
         Expr::Binary(binary) => {
             differences(&binary.left, found);
             differences(&binary.right, found);

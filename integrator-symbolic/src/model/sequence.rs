@@ -81,7 +81,6 @@ impl Reader<'_> {
     pub(super) fn sequence(&mut self, expression: &Expr) -> Option<Sequence> {
         match expression {
             Expr::Paren(inner) => self.sequence(&inner.expr),
-            Expr::Group(inner) => self.sequence(&inner.expr),
             Expr::Reference(inner) => self.sequence(&inner.expr).map(Sequence::of_references),
             Expr::Range(range) => {
                 let (Some(start), Some(end)) = (&range.start, &range.end) else {

@@ -175,7 +175,6 @@ fn peeled(kind: &Type) -> &Type {
 fn unwrapped(kind: &Type) -> &Type {
     match kind {
         Type::Paren(inner) => unwrapped(&inner.elem),
-        Type::Group(inner) => unwrapped(&inner.elem),
         other => other,
     }
 }

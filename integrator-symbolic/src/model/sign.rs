@@ -8,7 +8,6 @@ use syn::{BinOp, Expr, ExprMethodCall, Lit, Stmt};
 pub(super) fn is_never_negative(expression: &Expr) -> bool {
     match expression {
         Expr::Paren(inner) => is_never_negative(&inner.expr),
-        Expr::Group(inner) => is_never_negative(&inner.expr),
         Expr::Cast(cast) => is_never_negative(&cast.expr),
         Expr::Block(block) => match block.block.stmts.last() {
             Some(Stmt::Expr(value, None)) => is_never_negative(value),
@@ -63,7 +62,6 @@ fn same(a: &Expr, b: &Expr) -> bool {
                 is_place(&index.expr) && (is_place(&index.index) || matches!(*index.index, Expr::Lit(_)))
             }
             Expr::Paren(inner) => is_place(&inner.expr),
-            Expr::Group(inner) => is_place(&inner.expr),
             _ => false,
         }
     }

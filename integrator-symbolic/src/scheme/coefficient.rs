@@ -98,7 +98,6 @@ pub(super) fn evaluate(expression: &Expr) -> syn::Result<Coefficient> {
     let value = match expression {
         Expr::Lit(ExprLit { lit, .. }) => literal(lit)?,
         Expr::Paren(inner) => evaluate(&inner.expr)?,
-        Expr::Group(inner) => evaluate(&inner.expr)?,
         Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => -evaluate(expr)?,
         Expr::Binary(binary) => {
             let (left, right) = both(evaluate(&binary.left), evaluate(&binary.right))?;

@@ -384,7 +384,6 @@ fn of_expression(expression: &Expr) -> Formula {
     let other = || opaque(readable(&expression.to_token_stream()));
     match expression {
         Expr::Paren(inner) => of_expression(&inner.expr),
-        Expr::Group(inner) => of_expression(&inner.expr),
         Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => of_expression(expr).neg(),
         Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => of_expression(expr),
         Expr::Path(path) if path.path.segments.len() > 1 && path.qself.is_none() => {
