@@ -9,15 +9,16 @@ use integrator_bench::{
     by_hand::{
         chain::Chain,
         law::Law,
+        plane::Plane,
         points::Point,
         swarm::Swarm,
         tiles::{Attraction, Bodies},
     },
     plan::Plan,
     plot::{Dots, Row, dots},
-    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum},
+    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum, Phi4WidePlane},
     race::{Racer, race},
-    starts::{cluster, waves},
+    starts::{cluster, rows_of_waves, waves},
     table::{Table, folder},
 };
 use integrator_core::prelude::*;
@@ -77,6 +78,27 @@ impl Report {
         ];
         let rounds = if sites > 1_000_000 { 5 } else { 15 };
         self.add(name, "site-steps/s", rounds, (sites * steps) as f64, racers);
+    }
+
+    fn plane(&mut self, name: &str, rows: usize) {
+        let (stiffness, start) = (0.7, rows_of_waves(rows));
+        let h = 0.05;
+        let plan = Plan::of::<Verlet>(h);
+        let (sites, steps) = (rows * start.q[0].len(), 64);
+        let generated = Phi4WidePlane { stiffness }.run_with(Verlet, start.clone(), h).expect("a start");
+        let generated = generated.with_threads(1);
+        let [mut run, mut wall] = [generated.clone(), generated.clone()];
+        let mut two = generated.with_threads(2);
+        let by_hand = Plane { stiffness, q: start.q, p: start.p };
+        let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
+        let racers = vec![
+            Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
+            Racer::new("plain", || plain.two_pass(&plan, steps)),
+            Racer::new("by hand", || skewed.skewed(&plan, steps)),
+            Racer::new("two threads", || two.advance(steps as u64).expect("finite states")).in_threads(),
+            Racer::new("one thread", || wall.advance(steps as u64).expect("finite states")).in_threads(),
+        ];
+        self.add(name, "site-steps/s", 5, (sites * steps) as f64, racers);
     }
 
     fn bodies(&mut self, name: &str, count: usize) {
@@ -163,6 +185,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     {
         report.chain(name, sites);
     }
+    report.plane("phi4_4096x4096", 4096);
     for (name, count) in [("nbody_100", 100), ("nbody_1000", 1_000), ("nbody_10000", 10_000)] {
         report.bodies(name, count);
     }

@@ -273,37 +273,48 @@ impl Phi4 {
     }
 }
 
-/// The φ⁴ field on a square lattice with 256 sites in a row, closed in both directions.
-#[derive(Clone, Copy)]
-pub struct Phi4Plane {
-    /// Of the springs.
-    pub stiffness: f64,
-}
+/// The φ⁴ field on a square lattice with so many sites in a row, closed in both directions.
+macro_rules! phi4_plane {
+    ($name:ident, $width:literal, $about:literal) => {
+        #[doc = $about]
+        #[derive(Clone, Copy)]
+        pub struct $name {
+            /// Of the springs.
+            pub stiffness: f64,
+        }
 
-#[hamiltonian]
-impl Phi4Plane {
-    fn kinetic(&self, p: &[[f64; 256]]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..p.len() {
-            for j in 0..256 {
-                energy += 0.5 * p[i][j] * p[i][j];
+        #[hamiltonian]
+        impl $name {
+            fn kinetic(&self, p: &[[f64; $width]]) -> f64 {
+                let mut energy = 0.0;
+                for i in 0..p.len() {
+                    for j in 0..$width {
+                        energy += 0.5 * p[i][j] * p[i][j];
+                    }
+                }
+                energy
+            }
+            fn potential(&self, q: &[[f64; $width]]) -> f64 {
+                let n = q.len();
+                let mut energy = 0.0;
+                for i in 0..n {
+                    for j in 0..$width {
+                        let (right, below) = (q[i][(j + 1) % $width] - q[i][j], q[(i + 1) % n][j] - q[i][j]);
+                        energy += 0.5 * self.stiffness * (right.powi(2) + below.powi(2));
+                        energy += 0.25 * (q[i][j] * q[i][j] - 1.0).powi(2);
+                    }
+                }
+                energy
             }
         }
-        energy
-    }
-    fn potential(&self, q: &[[f64; 256]]) -> f64 {
-        let n = q.len();
-        let mut energy = 0.0;
-        for i in 0..n {
-            for j in 0..256 {
-                let (right, below) = (q[i][(j + 1) % 256] - q[i][j], q[(i + 1) % n][j] - q[i][j]);
-                energy += 0.5 * self.stiffness * (right.powi(2) + below.powi(2));
-                energy += 0.25 * (q[i][j] * q[i][j] - 1.0).powi(2);
-            }
-        }
-        energy
-    }
+    };
 }
+phi4_plane!(Phi4Plane, 256, "The φ⁴ field on a square lattice with 256 sites in a row, closed in both directions.");
+phi4_plane!(
+    Phi4WidePlane,
+    4096,
+    "The φ⁴ field on a square lattice with 4096 sites in a row, closed in both directions."
+);
 
 /// A cluster of stars.
 #[derive(Clone)]

@@ -172,11 +172,11 @@ fn long_chains_agree() {
 #[test]
 fn planes_agree() {
     let stiffness = 0.7;
-    for rows in [1, 2, 9] {
+    for rows in [1, 2, 9, 37] {
         let start = rows_of_waves(rows);
         let ours = flat(&end(&Phi4Plane { stiffness }, &start, Verlet, 0.05));
         let plan = Plan::of::<Verlet>(0.05);
-        for advance in [Plane::one_pass, Plane::two_pass] {
+        for advance in [Plane::one_pass, Plane::two_pass, Plane::skewed] {
             let mut plane = Plane { stiffness, q: start.q.clone(), p: start.p.clone() };
             advance(&mut plane, &plan, STEPS as usize);
             agree("a plane", &ours, &[plane.q.as_flattened(), plane.p.as_flattened()].concat(), 1e-12);

@@ -1,7 +1,9 @@
 //! The φ⁴ field on a plane that is closed in both directions, stepped by Verlet.
 //!
 //! A step is one pass: a row is kicked by its four neighbours, and the row before it is drifted while it is in the
-//! cache. The first row waits for the last one, which it is a neighbour of.
+//! cache. The first row waits for the last one, which it is a neighbour of. Skewed, several steps follow each other through the
+//! rows, each two rows behind the one before, so that a row is fetched once for all of them; where the ends of the plane
+//! meet, what they left out comes last.
 
 use crate::{
     enter::{Kernel, enter},
@@ -9,12 +11,15 @@ use crate::{
     vector::{Row, Vector},
 };
 
-/// How many sites a row has.
-const WIDTH: usize = 256;
+/// Sites of the rows, of positions and of momenta, that steps which follow each other have under way: a quarter of a second-level
+/// cache of a mebibyte.
+const UNDER_WAY: usize = 16 * 1024;
+/// The most steps that follow each other.
+const DEPTH: usize = 32;
 
 /// A plane under way.
 #[derive(Clone)]
-pub struct Plane {
+pub struct Plane<const WIDTH: usize> {
     /// Of the springs.
     pub stiffness: f64,
     /// Positions.
@@ -23,13 +28,21 @@ pub struct Plane {
     pub p: Vec<[f64; WIDTH]>,
 }
 
-impl Plane {
+impl<const WIDTH: usize> Plane<WIDTH> {
     /// Takes `steps` steps of Verlet, each in one pass of vectors.
     ///
     /// # Panics
     /// On a plan of another composition.
     pub fn one_pass(&mut self, plan: &Plan, steps: usize) {
-        enter(March { plane: self, flows: plan.verlet(), steps, vectors: true });
+        enter(March { plane: self, flows: plan.verlet(), steps, pass: Pass::Vectors });
+    }
+
+    /// Takes `steps` steps of Verlet, several of them in each pass of vectors.
+    ///
+    /// # Panics
+    /// On a plan of another composition.
+    pub fn skewed(&mut self, plan: &Plan, steps: usize) {
+        enter(March { plane: self, flows: plan.verlet(), steps, pass: Pass::Skewed });
     }
 
     /// Takes `steps` steps of Verlet in two plain loops over all sites each.
@@ -37,19 +50,26 @@ impl Plane {
     /// # Panics
     /// On a plan of another composition.
     pub fn two_pass(&mut self, plan: &Plan, steps: usize) {
-        enter(March { plane: self, flows: plan.verlet(), steps, vectors: false });
+        enter(March { plane: self, flows: plan.verlet(), steps, pass: Pass::Plain });
     }
 }
 
-struct March<'c> {
-    plane: &'c mut Plane,
+#[derive(Clone, Copy, PartialEq)]
+enum Pass {
+    Plain,
+    Vectors,
+    Skewed,
+}
+
+struct March<'c, const WIDTH: usize> {
+    plane: &'c mut Plane<WIDTH>,
     /// The drift that opens, a kick and a drift, and the drift that closes.
     flows: [f64; 4],
     steps: usize,
-    vectors: bool,
+    pass: Pass,
 }
 
-impl Kernel for March<'_> {
+impl<const WIDTH: usize> Kernel for March<'_, WIDTH> {
     type Out = ();
     #[inline(always)]
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) {
@@ -59,21 +79,30 @@ impl Kernel for March<'_> {
         for row in 0..rows {
             drift_row(&mut q[row], &p[row], opening);
         }
-        for step in 1..=self.steps {
+        let mut done = 0;
+        while self.pass == Pass::Skewed && done + 1 < self.steps {
+            let depth = (UNDER_WAY / WIDTH).min(DEPTH).min(rows / 4).min(self.steps - 1 - done);
+            if depth < 2 {
+                break;
+            }
+            skewed::<V, WIDTH>(*stiffness, q, p, [kick, drift], depth);
+            done += depth;
+        }
+        let vectors = self.pass != Pass::Plain;
+        for step in done + 1..=self.steps {
             let drift = if step < self.steps { drift } else { closing };
             for row in 0..rows {
-                let around = [&q[(row + rows - 1) % rows], &q[row], &q[(row + 1) % rows]];
-                if self.vectors {
-                    kick_vectors::<V>(*stiffness, around, &mut p[row], kick);
+                if vectors {
+                    kick_row::<V, WIDTH>(*stiffness, q, &mut p[row], row, kick);
                     if row >= 2 {
                         drift_row(&mut q[row - 1], &p[row - 1], drift);
                     }
                 } else {
+                    let around = [&q[(row + rows - 1) % rows], &q[row], &q[(row + 1) % rows]];
                     kick_plainly(*stiffness, around, &mut p[row], kick);
                 }
             }
-            let waiting =
-                if self.vectors { [0..1.min(rows), 1.max(rows.saturating_sub(1))..rows] } else { [0..rows, 0..0] };
+            let waiting = if vectors { [0..1.min(rows), 1.max(rows.saturating_sub(1))..rows] } else { [0..rows, 0..0] };
             for row in waiting.into_iter().flatten() {
                 drift_row(&mut q[row], &p[row], drift);
             }
@@ -81,8 +110,53 @@ impl Kernel for March<'_> {
     }
 }
 
+/// `depth` steps, each two rows behind the one before, first of the rows that do not see the ends of the plane.
 #[inline(always)]
-fn drift_row(q: &mut [f64; WIDTH], p: &[f64; WIDTH], t: f64) {
+fn skewed<V: Row, const WIDTH: usize>(
+    stiffness: f64,
+    q: &mut [[f64; WIDTH]],
+    p: &mut [[f64; WIDTH]],
+    [kick, drift]: [f64; 2],
+    depth: usize,
+) {
+    let rows = q.len();
+    for front in 0..rows {
+        for step in 0..depth {
+            let Some(row) = front.checked_sub(2 * step) else { break };
+            if (2 * step..rows - 2 * step).contains(&row) {
+                kick_row::<V, WIDTH>(stiffness, q, &mut p[row], row, kick);
+            }
+            if (2 * step + 2..rows - 2 * step).contains(&row) {
+                drift_row(&mut q[row - 1], &p[row - 1], drift);
+            }
+        }
+    }
+    for step in 0..depth {
+        for row in rows - 2 * step..rows + 2 * step {
+            let row = row % rows;
+            kick_row::<V, WIDTH>(stiffness, q, &mut p[row], row, kick);
+        }
+        for row in rows - 2 * step - 1..rows + 2 * step + 1 {
+            drift_row(&mut q[row % rows], &p[row % rows], drift);
+        }
+    }
+}
+
+/// Kicks a row by the rows around it. No closure, which would be compiled outside of the instruction set.
+#[inline(always)]
+fn kick_row<V: Row, const WIDTH: usize>(
+    stiffness: f64,
+    q: &[[f64; WIDTH]],
+    p: &mut [f64; WIDTH],
+    row: usize,
+    kick: f64,
+) {
+    let around = [&q[(row + q.len() - 1) % q.len()], &q[row], &q[(row + 1) % q.len()]];
+    kick_vectors::<V, WIDTH>(stiffness, around, p, kick);
+}
+
+#[inline(always)]
+fn drift_row<const WIDTH: usize>(q: &mut [f64; WIDTH], p: &[f64; WIDTH], t: f64) {
     for (q, p) in q.iter_mut().zip(p) {
         *q = t.mul_add(*p, *q);
     }
@@ -95,7 +169,12 @@ fn force(stiffness: f64, here: f64, neighbours: f64) -> f64 {
 }
 
 #[inline(always)]
-fn kick_plainly(stiffness: f64, [above, here, below]: [&[f64; WIDTH]; 3], p: &mut [f64; WIDTH], t: f64) {
+fn kick_plainly<const WIDTH: usize>(
+    stiffness: f64,
+    [above, here, below]: [&[f64; WIDTH]; 3],
+    p: &mut [f64; WIDTH],
+    t: f64,
+) {
     let last = WIDTH - 1;
     let at = |j: usize, left: usize, right: usize| {
         force(stiffness, here[j], (here[left] + here[right]) + (above[j] + below[j]))
@@ -108,7 +187,12 @@ fn kick_plainly(stiffness: f64, [above, here, below]: [&[f64; WIDTH]; 3], p: &mu
 }
 
 #[inline(always)]
-fn kick_vectors<V: Row>(stiffness: f64, [above, here, below]: [&[f64; WIDTH]; 3], p: &mut [f64; WIDTH], t: f64) {
+fn kick_vectors<V: Row, const WIDTH: usize>(
+    stiffness: f64,
+    [above, here, below]: [&[f64; WIDTH]; 3],
+    p: &mut [f64; WIDTH],
+    t: f64,
+) {
     let (stiffness, one, four, t) = (V::splat(stiffness), V::splat(1.0), V::splat(4.0), V::splat(t));
     let (mut left, mut middle) = (V::load(&here[WIDTH - V::LANES..]), V::load(here));
     for j in (0..WIDTH).step_by(V::LANES) {
