@@ -76,6 +76,7 @@ pub struct Terms<
 }
 
 impl<
+    'm,
     R: Real,
     S: Slot<R>,
     const LISTS: usize,
@@ -83,7 +84,7 @@ impl<
     const CONSTANTS: usize,
     const COMMON: usize,
     const D: usize,
-> Terms<'_, R, S, LISTS, PARTS, CONSTANTS, COMMON, D>
+> Terms<'m, R, S, LISTS, PARTS, CONSTANTS, COMMON, D>
 {
     /// Adds all values of the terms to sums, in the multiversioned variant for this machine.
     #[inline(always)]
@@ -98,7 +99,8 @@ impl<
         });
     }
 
-    /// Adds as many of them as fill whole vectors, and leaves the rest.
+    /// Adds as many of them as fill whole vectors, and leaves the rest. The points of a vector are gathered before the values
+    /// of the one before it are scattered, so that its values can be computed while sums wait for each other.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_vectors<
         W: Block<R>,
@@ -113,31 +115,31 @@ impl<
         for (vector, number) in common.iter_mut().zip(self.common) {
             *vector = W::splat(number);
         }
-        while self.range.len() >= W::WIDTH {
-            let terms = self.range.start..self.range.start + W::WIDTH;
-            self.range.start = terms.end;
-            let mut lists: [&[usize]; LISTS] = [&[]; LISTS];
-            for (near, whole) in lists.iter_mut().zip(self.lists) {
-                *near = &whole[terms.clone()];
-            }
-            let mut reads = [[W::of(0.0); D]; READS];
-            for (read, Read { part, list }) in reads.iter_mut().zip(T::READS) {
-                *read = gathered(self.parts[part], lists[list]);
-            }
-            let mut constants = [W::of(0.0); CONSTANTS];
+        let mut reads = [[W::of(0.0); D]; READS];
+        let mut constants = [W::of(0.0); CONSTANTS];
+        let mut numbers = [[R::of(0.0); WIDEST]; VALUES];
+        let mut next = self.gather::<W, T, READS, VALUES>(&mut reads);
+        while let Some(lists) = next {
+            let first = self.range.start;
             for (constant, table) in constants.iter_mut().zip(self.constants) {
-                *constant = W::read(&table[terms.clone()]);
+                *constant = W::read(&table[first..]);
             }
             let values = T::values::<R, W>(reads, constants, common);
-            let mut numbers = [[R::of(0.0); WIDEST]; VALUES];
             for (value, numbers) in values.into_iter().zip(&mut numbers) {
                 value.write(numbers);
             }
+            self.range.start += W::WIDTH;
+            next = self.gather::<W, T, READS, VALUES>(&mut reads);
             for lane in 0..W::WIDTH {
+                // Once for each lane: to the compiler, any sum that is written might be where an index is.
+                let mut points = [0; LISTS];
+                for (point, list) in points.iter_mut().zip(lists) {
+                    *point = list[lane];
+                }
                 let mut addend = 0;
                 while addend < T::ADDENDS.len() {
                     let Addend { list, component, value, negative } = T::ADDENDS[addend];
-                    let sum = &mut sums[lists[list][lane]][component];
+                    let sum = &mut sums[points[list]][component];
                     if negative {
                         *sum -= numbers[value][lane];
                     } else {
@@ -147,6 +149,25 @@ impl<
                 }
             }
         }
+    }
+
+    /// The lists of the indices of the next vector of terms, whose points are gathered; nothing if fewer terms are left.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn gather<W: Block<R>, T: Term<READS, CONSTANTS, COMMON, VALUES, D>, const READS: usize, const VALUES: usize>(
+        &self,
+        reads: &mut [[W; D]; READS],
+    ) -> Option<[&'m [usize]; LISTS]> {
+        if self.range.len() < W::WIDTH {
+            return None;
+        }
+        let mut lists: [&[usize]; LISTS] = [&[]; LISTS];
+        for (near, whole) in lists.iter_mut().zip(self.lists) {
+            *near = &whole[self.range.start..self.range.start + W::WIDTH];
+        }
+        for (read, Read { part, list }) in reads.iter_mut().zip(&T::READS) {
+            *read = gathered(self.parts[*part], lists[*list]);
+        }
+        Some(lists)
     }
 }
 
