@@ -60,28 +60,32 @@ fn fragments_of_macros_read_as_what_they_hold() {
     assert!(changed > 30, "{changed}");
 }
 
-/// The tokens with each literal and each formula in parentheses as a fragment of its own.
+/// The tokens with each literal, each formula in parentheses and each type of a slice as a fragment of its own.
 fn passed_on(tokens: TokenStream) -> TokenStream {
-    let mut before = None;
+    let trees: Vec<_> = tokens.into_iter().collect();
+    let fragment = |trees: &[TokenTree]| TokenTree::Group(Group::new(Delimiter::None, trees.iter().cloned().collect()));
+    let is_mark = |tree: Option<&TokenTree>, marks: &str| matches!(tree, Some(TokenTree::Punct(mark)) if marks.contains(mark.as_char()));
     let mut passed = Vec::new();
-    for tree in tokens {
-        let is_behind = |marks: &str| matches!(&before, Some(TokenTree::Punct(mark)) if marks.contains(mark.as_char()));
-        let fragment = |tokens: TokenStream| TokenTree::Group(Group::new(Delimiter::None, tokens));
-        let next = match tree.clone() {
-            TokenTree::Literal(literal) if !is_behind(".#") => fragment(TokenTree::Literal(literal).into()),
-            TokenTree::Group(group) if is_behind("#!") => TokenTree::Group(group),
-            TokenTree::Group(group) => {
-                let inner = passed_on(group.stream());
-                let is_formula = is_behind("+-*/=") && syn::parse2::<ExprBinary>(group.stream()).is_ok();
-                match group.delimiter() {
-                    Delimiter::Parenthesis if is_formula => fragment(inner),
-                    delimiter => TokenTree::Group(Group::new(delimiter, inner)),
-                }
-            }
-            other => other,
+    let mut at = 0;
+    while let Some(tree) = trees.get(at) {
+        let before = at.checked_sub(1).map(|before| &trees[before]);
+        let slice = match (is_mark(before, ":"), is_mark(Some(tree), "&"), trees.get(at + 1)) {
+            (true, true, Some(TokenTree::Group(group))) => group.delimiter() == Delimiter::Bracket,
+            _ => false,
         };
-        passed.push(next);
-        before = Some(tree);
+        at += if slice { 2 } else { 1 };
+        passed.push(match tree {
+            _ if slice => fragment(&trees[at - 2..at]),
+            TokenTree::Literal(_) if !is_mark(before, ".#") => fragment(std::slice::from_ref(tree)),
+            TokenTree::Group(group) if !is_mark(before, "#!") => {
+                let inner = passed_on(group.stream());
+                let is_formula = is_mark(before, "+-*/=") && syn::parse2::<ExprBinary>(group.stream()).is_ok();
+                let is_passed_on = is_formula && group.delimiter() == Delimiter::Parenthesis;
+                let delimiter = if is_passed_on { Delimiter::None } else { group.delimiter() };
+                TokenTree::Group(Group::new(delimiter, inner))
+            }
+            other => other.clone(),
+        });
     }
     passed.into_iter().collect()
 }

@@ -99,7 +99,7 @@ impl Shape {
     }
 
     fn of(kind: &Type, errors: &mut Errors) -> Option<Self> {
-        let (element, length) = match (kind, peeled(kind)) {
+        let (element, length) = match (unwrapped(kind), peeled(kind)) {
             (_, Type::Array(array)) => (&*array.elem, Length::of(&array.len)),
             (Type::Reference(_), Type::Slice(slice)) => (&*slice.elem, Length::OfStart),
             (Type::Reference(_), list) if let Some(element) = element_of_list(list) => (element, Length::OfStart),
