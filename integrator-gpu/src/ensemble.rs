@@ -6,6 +6,7 @@
 use crate::{
     column::read_column,
     columns::{columns, constants},
+    composed::composed,
     error::Error,
     host::Memory,
     launch::Launch,
@@ -138,7 +139,7 @@ impl<C: Coords> Ensemble<C> {
         let state = columns(&states_of(&members));
         let lost = members.iter().map(held).chain([0]).collect();
         let memory = Memory { stages, constants, state, shown: Vec::new(), lost };
-        let text = launch.composition(&memory.stages) + H::TEXT;
+        let text = composed(&launch, &memory.stages) + H::TEXT;
         let (place, fallback) = match device {
             Device::Cuda(ordinal) => (Some(Place::device(ordinal, &text, C::Leaf::NAME, &memory)?), None),
             Device::Best => match Place::device(0, &text, C::Leaf::NAME, &memory) {

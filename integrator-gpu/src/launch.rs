@@ -64,18 +64,6 @@ impl Launch {
         (launch, rows.chain(processor.before.rows).chain(processor.after.rows).map(row).collect())
     }
 
-    /// What kernels of one composition know of it when they are compiled, as [`ANY_COMPOSITION`] for others.
-    pub(crate) fn composition(&self, stages: &[Row]) -> String {
-        let Self { leads_with_kick, cycle, before, after, .. } = *self;
-        let has_gradients = stages.iter().any(|[_, _, gradient, ..]| *gradient != 0.0);
-        let has_processor = (before, after) != (0, 0);
-        format!(
-            "struct Composed {{\n    static constexpr int CYCLE = {cycle};\n    static constexpr bool LEADS_WITH_KICK = \
-             {}, HAS_GRADIENTS = {has_gradients}, HAS_PROCESSOR = {has_processor};\n}};\n",
-            leads_with_kick != 0
-        )
-    }
-
     /// The bytes of the fields, in their order.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         let Self { t0, h, members, done, steps, leads_with_kick, cycle, before, after, drift, kick, middle } = *self;

@@ -6,6 +6,7 @@
 
 mod column;
 mod columns;
+mod composed;
 mod cuda;
 mod ensemble;
 mod error;
