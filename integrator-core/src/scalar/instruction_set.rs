@@ -93,6 +93,7 @@ fn avx512_available() -> bool {
         && std::arch::is_x86_feature_detected!("avx512dq")
         && std::arch::is_x86_feature_detected!("avx512vl")
         && std::arch::is_x86_feature_detected!("avx512bw")
+        && std::arch::is_x86_feature_detected!("popcnt")
 }
 
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -160,7 +161,7 @@ pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
 #[inline]
 #[allow(unsafe_code, reason = "calling a function compiled for more than the target's features")]
 pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
-    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,popcnt")]
     fn variant<K: Kernel>(kernel: K) -> K::Out {
         align_stack();
         kernel.call()

@@ -5,7 +5,7 @@ use super::{Dual, dual};
 use crate::scalar::{
     real::Real,
     simd::{
-        block::{Block, WIDEST},
+        block::{Block, PICKED, WIDEST, pick},
         row::Row,
     },
 };
@@ -89,6 +89,10 @@ impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, 
     #[inline(always)]
     fn less_bits(self, other: Self) -> u64 {
         self.value.less_bits(other.value)
+    }
+    #[inline(always)]
+    fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize {
+        pick(words, bits, to)
     }
     #[inline(always)]
     fn after(self, next: Self) -> Self {

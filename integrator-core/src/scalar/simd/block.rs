@@ -18,6 +18,9 @@ pub trait Block<R: Real>: Real {
 
     /// One bit for each lane, the first lane lowest: whether it is less than that of `other`.
     fn less_bits(self, other: Self) -> u64;
+    /// Writes those of the words whose bits are set, the first one's lowest, to the beginning of others, and returns how many
+    /// they are. What is behind them may be written too.
+    fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize;
     /// The block that begins one element later, where `next` follows this one.
     fn after(self, next: Self) -> Self;
     /// The block that begins one element earlier, where this one follows `previous`.
@@ -33,8 +36,23 @@ pub trait Block<R: Real>: Real {
     }
 }
 
+/// How many words are picked from at a time: as many as one of 64 bits has.
+pub(crate) const PICKED: usize = u64::BITS as usize;
+
 /// The width of the widest block.
 pub(crate) const WIDEST: usize = 16;
+
+/// Picks words as a block does, one by one.
+#[inline(always)]
+pub(crate) fn pick(words: &[u32; PICKED], mut bits: u64, to: &mut [u32; PICKED]) -> usize {
+    let mut count = 0;
+    while bits != 0 {
+        to[count % PICKED] = words[bits.trailing_zeros() as usize % PICKED];
+        count += 1;
+        bits &= bits - 1;
+    }
+    count
+}
 
 /// A number is a block of one: for rests of loops, and for all that has lanes or parts of its own already.
 impl<R: Real> Block<R> for R {
@@ -55,6 +73,10 @@ impl<R: Real> Block<R> for R {
     #[inline(always)]
     fn less_bits(self, other: Self) -> u64 {
         u64::from(self.less(other).any())
+    }
+    #[inline(always)]
+    fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize {
+        pick(words, bits, to)
     }
     #[inline(always)]
     fn after(self, next: Self) -> Self {

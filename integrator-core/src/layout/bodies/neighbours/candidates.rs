@@ -4,46 +4,48 @@
 //! the radius may be listed too, and adds zero to every sum.
 
 use super::cells::Cells;
-use crate::scalar::{real::Real, simd::block::Block};
+use crate::scalar::{
+    real::Real,
+    simd::block::{Block, PICKED},
+};
 use alloc::vec::Vec;
 
-/// The candidates of a cell: the bodies in it and in those beside it, in the order of their numbers. `T` is single precision.
+/// The candidates of a cell: the bodies in it and in those beside it. `T` is single precision.
 pub(crate) struct Candidates<T: Real, const D: usize> {
-    /// The number of each, the part of the surroundings that it is in, and its slot.
+    /// Cell by cell, their slots and their places, seen from the first of the cell's own bodies.
+    found: Vec<u32>,
+    found_at: [Vec<T>; D],
+    /// Where the cell's own bodies begin among these.
+    home: usize,
+    /// In the order of numbers: the number of each, and which of those above it is.
     keys: Vec<u64>,
     /// Room for the sort, and how many keys have each digit.
     sorted: Vec<u64>,
     tally: Vec<u32>,
+    /// In the order of numbers, their slots and places; zero and infinity behind the last one.
     slots: Vec<u32>,
-    /// Their places, seen from the first of the cell's own bodies; infinity behind the last one.
     places: [Vec<T>; D],
-    /// The bodies of the cell itself among them, in the order of their slots.
-    own: Vec<u32>,
+    /// Cell by cell, where they are in the order of numbers.
+    ranks: Vec<u32>,
     /// The square of the radius.
     square: T,
     /// The sides of periodic axes that are not divided.
     images: [Option<T>; D],
 }
 
-/// How many candidates are looked at before those that are near are written down: as many as a word has bits.
-const GROUP: usize = u64::BITS as usize;
-
-/// The bits of a slot in a key.
-const SLOT: u32 = 27;
-
-/// The most bodies whose slots fit into a key.
-pub(crate) const MOST_BODIES: usize = 1 << SLOT;
-
 impl<T: Real, const D: usize> Candidates<T, D> {
     pub(crate) fn new() -> Self {
-        let places = core::array::from_fn(|_| Vec::new());
+        let none = || core::array::from_fn(|_| Vec::new());
         Self {
+            found: Vec::new(),
+            found_at: none(),
+            home: 0,
             keys: Vec::new(),
             sorted: Vec::new(),
             tally: Vec::new(),
             slots: Vec::new(),
-            places,
-            own: Vec::new(),
+            places: none(),
+            ranks: Vec::new(),
             square: T::of(0.0),
             images: [None; D],
         }
@@ -52,43 +54,39 @@ impl<T: Real, const D: usize> Candidates<T, D> {
     /// Gathers those of a cell that has a body.
     #[inline(always)]
     pub(crate) fn gather(&mut self, cells: &Cells<D>, cell: usize) {
-        let around = cells.around(cell);
+        let origin = cells.slots(cell).start;
         self.keys.clear();
-        let mut home = 0;
-        for (part, (beside, _)) in around.iter().enumerate() {
-            if *beside == cell {
-                home = part as u32;
+        self.found.clear();
+        self.found_at.iter_mut().for_each(Vec::clear);
+        for (beside, shift) in cells.around(cell) {
+            let slots = cells.slots(beside);
+            if beside == cell {
+                self.home = self.found.len();
             }
-            for slot in cells.slots(*beside) {
-                // Parts are less than 3^3, and take the five bits before the number.
-                self.keys.push(u64::from(cells.body_of[slot]) << 32 | (part as u64) << SLOT | slot as u64);
+            let bodies = cells.body_of[slots.clone()].iter().zip(self.found.len() as u64..);
+            self.keys.extend(bodies.map(|(body, which)| u64::from(*body) << 32 | which));
+            self.found.extend(slots.start as u32..slots.end as u32);
+            for axis in 0..D {
+                let (from, to) = (&cells.places[axis], &mut self.found_at[axis]);
+                let shift = shift[axis] - from[origin];
+                to.extend(from[slots.clone()].iter().map(|x| T::of(x + shift)));
             }
         }
         self.sort(cells.body_of.len());
-        let count = self.keys.len();
+        let (count, whole) = (self.keys.len(), self.keys.len().next_multiple_of(PICKED));
         self.slots.clear();
-        self.own.clear();
-        for (place, key) in self.keys.iter().enumerate() {
-            let key = *key as u32;
-            self.slots.push(key & ((1 << SLOT) - 1));
-            if key >> SLOT == home {
-                self.own.push(place as u32);
-            }
+        self.slots.extend(self.keys.iter().map(|key| self.found[*key as u32 as usize]));
+        self.slots.resize(whole, 0);
+        self.ranks.resize(count, 0);
+        for (rank, key) in self.keys.iter().enumerate() {
+            self.ranks[*key as u32 as usize] = rank as u32;
         }
-        let first = cells.slots(cell).start;
         let mut farthest = T::Block::of(0.0);
         for axis in 0..D {
-            let (places, from) = (&mut self.places[axis], &cells.places[axis]);
-            let mut shifts = [0.0; 1 << (32 - SLOT)];
-            for (shift, (_, by)) in shifts.iter_mut().zip(&around) {
-                *shift = by[axis] - from[first];
-            }
+            let (places, from) = (&mut self.places[axis], &self.found_at[axis]);
             places.clear();
-            places.extend(self.keys.iter().map(|key| {
-                let part = (*key as u32 >> SLOT) as usize;
-                T::of(from[(*key as u32 & ((1 << SLOT) - 1)) as usize] + shifts[part])
-            }));
-            places.resize(count.next_multiple_of(GROUP), T::of(0.0));
+            places.extend(self.keys.iter().map(|key| from[*key as u32 as usize]));
+            places.resize(whole, T::of(0.0));
             for block in places.chunks_exact(T::Block::WIDTH) {
                 let size = T::Block::read(block).abs();
                 farthest = T::Block::select(farthest.less(size), size, farthest);
@@ -147,19 +145,21 @@ impl<T: Real, const D: usize> Candidates<T, D> {
     /// The same where periodic axes may be undivided, or are none.
     #[inline(always)]
     fn near_where<const IMAGES: bool>(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
-        let own = self.own[own] as usize;
+        let own = self.ranks[self.home + own] as usize;
         let limit = T::Block::splat(self.square);
         let mut center = [limit; D];
         for (center, places) in center.iter_mut().zip(&self.places) {
             *center = T::Block::splat(places[own]);
         }
         let (mut count, mut before) = (0, 0);
+        let (groups, _) = self.slots.as_chunks::<PICKED>();
         if near.len() < self.slots.len() {
             near.resize(self.slots.len(), 0);
         }
-        for group in (0..self.slots.len()).step_by(GROUP) {
-            let (mut bits, places) = (0, self.places.each_ref().map(|places| &places[group..group + GROUP]));
-            for block in (0..GROUP).step_by(T::Block::WIDTH) {
+        for (group, slots) in groups.iter().enumerate() {
+            let first = group * PICKED;
+            let (mut bits, places) = (0, self.places.each_ref().map(|places| &places[first..first + PICKED]));
+            for block in (0..PICKED).step_by(T::Block::WIDTH) {
                 let mut square = T::Block::of(0.0);
                 for (axis, center) in center.iter().enumerate() {
                     let mut distance = T::Block::read(&places[axis][block..]) - *center;
@@ -171,14 +171,14 @@ impl<T: Real, const D: usize> Candidates<T, D> {
                 }
                 bits |= square.less_bits(limit) << block;
             }
-            if let Some(place) = own.checked_sub(group).filter(|place| *place < GROUP) {
-                bits &= !(1 << place);
-                before = count + (bits & ((1_u64 << place) - 1)).count_ones() as usize;
-            }
-            while bits != 0 {
-                near[count] = self.slots[group + bits.trailing_zeros() as usize];
-                count += 1;
-                bits &= bits - 1;
+            // Without branches, which would be guessed wrongly once for each body.
+            let (place, here) = (own % PICKED, own / PICKED == group);
+            bits &= !(u64::from(here) << place);
+            let lower = count + (bits & ((1 << place) - 1)).count_ones() as usize;
+            before = if here { lower } else { before };
+            // No more were picked than there are slots in the groups before.
+            if let Some(to) = near[count..].first_chunk_mut() {
+                count += T::Block::pick(slots, bits, to);
             }
         }
         [count, before].map(|number| number as u32)

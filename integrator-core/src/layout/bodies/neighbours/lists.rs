@@ -5,7 +5,7 @@
 //! changes no bit: every lane adds up its own neighbours, in the order of their numbers.
 
 use super::{
-    candidates::{Candidates, MOST_BODIES},
+    candidates::Candidates,
     cells::{Cells, Sides},
 };
 use crate::{
@@ -44,14 +44,20 @@ pub(crate) struct Lists {
 pub(crate) struct Portion {
     pub(crate) rows: Range<usize>,
     pub(crate) heads: Vec<Head>,
-    /// The slots of neighbours, one for each lane.
-    pub(crate) steps: Vec<[u32; WIDTH]>,
+    /// The slots of neighbours.
+    pub(crate) blocks: Vec<Block>,
 }
+
+/// How many steps are in a block: the slots of a lane fill a cache line.
+pub(crate) const STEPS: usize = 16;
+
+/// So many steps of a row, for each lane one after the other.
+pub(crate) type Block = [[u32; STEPS]; WIDTH];
 
 /// The lists of a row.
 #[derive(Clone, Copy)]
 pub(crate) struct Head {
-    /// The first of its steps.
+    /// The block that its steps begin with.
     pub(crate) first: usize,
     /// How many neighbours each lane has.
     pub(crate) counts: [u32; WIDTH],
@@ -80,7 +86,7 @@ impl Lists {
         for (number, portion) in portions.iter_mut().enumerate() {
             portion.rows = number * each..rows.min((number + 1) * each);
             portion.heads.clear();
-            portion.steps.clear();
+            portion.blocks.clear();
         }
         let mut slot_of = vec![0; bodies];
         for (slot, body) in cells.iter().take(1).flat_map(|cells| &cells.body_of).enumerate() {
@@ -109,7 +115,7 @@ impl Lists {
             }));
         }
         at_once(jobs);
-        if bodies < MOST_BODIES && portions.iter().all(|portion| portion.heads.len() == portion.rows.len()) {
+        if portions.iter().all(|portion| portion.heads.len() == portion.rows.len()) {
             return Self { slot_of, portions: Some(portions) };
         }
         // All others are taken in the order of their slots, which has to be that of their numbers.
@@ -137,7 +143,7 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { portion: Portion { rows, heads, steps }, cells, slots, most, .. } = self;
+        let Self { portion: Portion { rows, heads, blocks }, cells, slots, most, .. } = self;
         let bodies = slots.len();
         let (mut candidates, mut gathered) = (Candidates::<T, D>::new(), None);
         let mut near: [Vec<u32>; WIDTH] = core::array::from_fn(|_| Vec::new());
@@ -160,36 +166,25 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
                     cells => near_in_any(cells, slots, cells[0].body_of[slot], near),
                 };
             }
-            let (first, mut common, mut longest) = (steps.len(), u32::MAX, 0);
-            for count in counts {
-                (common, longest) = (common.min(count), longest.max(count));
-            }
+            let longest = counts.into_iter().max().unwrap_or(0) as usize;
+            let (first, whole) = (blocks.len(), longest.next_multiple_of(STEPS));
             heads.push(Head { first, counts, before });
-            if first + longest as usize > most {
+            if first * STEPS + whole > most {
                 heads.clear();
                 return;
             }
-            let whole = near.each_ref().map(|near| &near[..common as usize]);
-            for step in 0..common as usize {
-                let mut slots = [0; WIDTH];
-                for (slot, near) in slots.iter_mut().zip(whole) {
-                    *slot = near[step];
-                }
-                steps.push(slots);
-            }
-            // A lane that has no more neighbours repeats its last one, or itself; nothing of it is added.
-            let mut last = [0; WIDTH];
-            for (lane, last) in last.iter_mut().enumerate() {
+            blocks.resize(first + whole / STEPS, [[0; STEPS]; WIDTH]);
+            for (lane, near) in near.iter_mut().enumerate() {
+                // A lane that has no more neighbours repeats its last one, or itself; nothing of it is added.
                 let own = (row * WIDTH + lane).min(bodies - 1) as u32;
-                *last = common.checked_sub(1).map_or(own, |last| near[lane][last as usize]);
-            }
-            for step in common..longest {
-                for lane in 0..WIDTH {
-                    if step < counts[lane] {
-                        last[lane] = near[lane][step as usize];
-                    }
+                let count = counts[lane] as usize;
+                let last = count.checked_sub(1).map_or(own, |last| near[last]);
+                near.resize(near.len().max(whole), 0);
+                near[count..whole].fill(last);
+                let (steps, _) = near.as_chunks::<STEPS>();
+                for (block, steps) in blocks[first..].iter_mut().zip(steps) {
+                    block[lane] = *steps;
                 }
-                steps.push(last);
             }
         }
     }

@@ -1,6 +1,9 @@
 //! Sums over lists: eight bodies at a time, each with its own neighbours.
 
-use super::{lists::Portion, quads};
+use super::{
+    lists::{Block, Portion, STEPS},
+    quads,
+};
 use crate::{
     layout::bodies::{
         many_rows::WIDTH,
@@ -51,15 +54,14 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
-                    let steps = &portion.steps[head.first..head.first + range.most];
-                    let (common, rest) = steps.split_at(range.common);
-                    for at in common {
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, at);
+                    let blocks = &portion.blocks[head.first..];
+                    for step in 0..range.common {
+                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &slots(blocks, step));
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
                     }
-                    for (step, at) in rest.iter().enumerate() {
-                        let acting = range.acting(range.common + step);
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, at);
+                    for step in range.common..range.most {
+                        let acting = range.acting(step);
+                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &slots(blocks, step));
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], Some(acting), time);
                     }
                 }
@@ -98,8 +100,9 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
-                    for (step, at) in portion.steps[head.first..head.first + range.most].iter().enumerate() {
-                        add(at, range.acting(step));
+                    let blocks = &portion.blocks[head.first..];
+                    for step in 0..range.most {
+                        add(&slots(blocks, step), range.acting(step));
                     }
                 }
                 None => {
@@ -115,6 +118,16 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
 
 /// The mask of some lanes of a row.
 type Lanes<R> = <<R as Real>::Row<WIDTH> as Real>::Mask;
+
+/// The slots of the neighbours of a row in a step, one for each lane.
+#[inline(always)]
+fn slots(blocks: &[Block], step: usize) -> [u32; WIDTH] {
+    let (mut slots, block) = ([0; WIDTH], &blocks[step / STEPS]);
+    for (slot, lane) in slots.iter_mut().zip(block) {
+        *slot = lane[step % STEPS];
+    }
+    slots
+}
 
 /// The slots of a row; lanes behind the last body repeat it.
 #[inline(always)]

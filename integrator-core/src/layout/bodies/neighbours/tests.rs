@@ -1,6 +1,9 @@
 //! Lists have every pair that acts, and no bit tells when they were made.
 
-use super::{Arc, Cutoffs, Listed, Neighbours, Sum, lists::Lists};
+use super::{
+    Arc, Cutoffs, Listed, Neighbours, Sum,
+    lists::{Lists, STEPS},
+};
 use crate::{
     hamiltonian,
     hamiltonian::Hamiltonian,
@@ -149,7 +152,8 @@ fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads:
         for (row, head) in portion.rows.clone().zip(&portion.heads) {
             for lane in 0..WIDTH.min(bodies - row * WIDTH) {
                 let body = body_of[row * WIDTH + lane];
-                let near = (0..head.counts[lane] as usize).map(|step| portion.steps[head.first + step][lane]);
+                let step = |step: usize| portion.blocks[head.first + step / STEPS][lane][step % STEPS];
+                let near = (0..head.counts[lane] as usize).map(step);
                 let near: Vec<usize> = near.map(|slot| body_of[slot as usize]).collect();
                 let within = |radius: f64| {
                     let near = |other: &usize| *other != body && square(points[body], points[*other]) < radius * radius;

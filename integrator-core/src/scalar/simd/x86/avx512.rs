@@ -4,17 +4,19 @@ use super::{bits::bits, real::vector};
 use crate::scalar::{
     fma::Avx512,
     real::{Mask, elementary_functions},
+    simd::block::PICKED,
 };
 use core::arch::x86_64::{
     __m512, __m512d, __mmask8, __mmask16, _mm512_add_epi32, _mm512_add_epi64, _mm512_add_pd, _mm512_add_ps,
     _mm512_alignr_epi32, _mm512_alignr_epi64, _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd, _mm512_andnot_ps,
     _mm512_castpd_si512, _mm512_castps_si512, _mm512_castsi512_pd, _mm512_castsi512_ps, _mm512_cmp_pd_mask,
     _mm512_cmp_ps_mask, _mm512_div_pd, _mm512_div_ps, _mm512_fmadd_pd, _mm512_fmadd_ps, _mm512_loadu_pd,
-    _mm512_loadu_ps, _mm512_mask_blend_pd, _mm512_mask_blend_ps, _mm512_mul_pd, _mm512_mul_ps, _mm512_permutex2var_pd,
-    _mm512_permutex2var_ps, _mm512_roundscale_pd, _mm512_roundscale_ps, _mm512_set1_epi32, _mm512_set1_epi64,
-    _mm512_set1_pd, _mm512_set1_ps, _mm512_setr_epi32, _mm512_setr_epi64, _mm512_sll_epi32, _mm512_sll_epi64,
-    _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_srl_epi32, _mm512_srl_epi64, _mm512_storeu_pd, _mm512_storeu_ps,
-    _mm512_sub_pd, _mm512_sub_ps, _mm512_test_epi32_mask, _mm512_test_epi64_mask, _mm512_xor_pd, _mm512_xor_ps,
+    _mm512_loadu_ps, _mm512_loadu_si512, _mm512_mask_blend_pd, _mm512_mask_blend_ps, _mm512_maskz_compress_epi32,
+    _mm512_mul_pd, _mm512_mul_ps, _mm512_permutex2var_pd, _mm512_permutex2var_ps, _mm512_roundscale_pd,
+    _mm512_roundscale_ps, _mm512_set1_epi32, _mm512_set1_epi64, _mm512_set1_pd, _mm512_set1_ps, _mm512_setr_epi32,
+    _mm512_setr_epi64, _mm512_sll_epi32, _mm512_sll_epi64, _mm512_sqrt_pd, _mm512_sqrt_ps, _mm512_srl_epi32,
+    _mm512_srl_epi64, _mm512_storeu_pd, _mm512_storeu_ps, _mm512_storeu_si512, _mm512_sub_pd, _mm512_sub_ps,
+    _mm512_test_epi32_mask, _mm512_test_epi64_mask, _mm512_xor_pd, _mm512_xor_ps,
 };
 
 /// A mask with one bit per lane.
@@ -65,6 +67,23 @@ mask! {
     S16Mask in __mmask16
 }
 
+/// Sixteen words at a time.
+#[inline(always)]
+fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize {
+    let mut count = 0;
+    for (part, words) in words.as_chunks::<16>().0.iter().enumerate() {
+        let bits = (bits >> (16 * part)) as u16;
+        // SAFETY: sixteen words are read. As many are written behind those of the parts before, which had sixteen each at
+        // most; for the instruction set as in `instruction!`.
+        unsafe {
+            let picked = _mm512_maskz_compress_epi32(bits, _mm512_loadu_si512(words.as_ptr().cast()));
+            _mm512_storeu_si512(to.as_mut_ptr().add(count).cast(), picked);
+        }
+        count += bits.count_ones() as usize;
+    }
+    count
+}
+
 elementary_functions!(vector! {
     /// Eight doubles.
     X8: 8 of f64 in __m512d, masked by X8Mask, of the instructions Avx512;
@@ -88,6 +107,7 @@ elementary_functions!(vector! {
         let first = _mm512_permutex2var_pd(evens, _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11), odds);
         [first, _mm512_permutex2var_pd(evens, _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15), odds)]
     },
+    pick pick,
     div_pow_3_2 super::div_pow_3_2;
 });
 elementary_functions!(vector! {
@@ -115,6 +135,7 @@ elementary_functions!(vector! {
         let second = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
         [_mm512_permutex2var_ps(evens, first, odds), _mm512_permutex2var_ps(evens, second, odds)]
     },
+    pick pick,
     div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 

@@ -31,7 +31,7 @@ mod tests {
         fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
         real::{Mask, Real},
-        simd::block::Block,
+        simd::block::{Block, PICKED},
     };
 
     /// Points where the operations and comparisons have their edges: 1e-310 is subnormal in double precision, 1e-40 in
@@ -135,11 +135,23 @@ mod tests {
         }
     }
 
+    /// Words whose bits are set are picked in order.
+    fn picks<V: Block<R>, R: Real>() {
+        let words: [u32; PICKED] = std::array::from_fn(|at| 1000 + at as u32);
+        for bits in [0, 1, u64::MAX, 1 << 63, 0x8000_ffff_0001_8001, 0x9e37_79b9_7f4a_7c15, !0x9e37_79b9_7f4a_7c15] {
+            let (mut picked, expected) =
+                ([0; PICKED], (0..PICKED).filter(|at| bits >> at & 1 == 1).map(|at| words[at]));
+            let count = V::pick(&words, bits, &mut picked);
+            assert!(picked[..count].iter().copied().eq(expected), "{bits:x}: {:?}", &picked[..count]);
+        }
+    }
+
     fn every_lane_is_the_scalar<V: Block<R>, R: Real>(set: InstructionSet) {
         if InstructionSet::available().contains(&set) {
             compare::<V, R>();
             whole::<V>();
             loads_and_stores::<V, R>();
+            picks::<V, R>();
         }
     }
 

@@ -43,6 +43,7 @@ macro_rules! vector {
         after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
         deinterleave |$one:ident, $two:ident| $deinterleave:expr,
         interleave |$evens:ident, $odds:ident| $interleave:expr,
+        pick $pick:path,
         div_pow_3_2 $div_pow_3_2:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
@@ -57,7 +58,10 @@ macro_rules! vector {
                 fma::{Fused, Instructions},
                 functions::{fast_functions, fast_kernels},
                 real::{Kernel, Real},
-                simd::{block::Block, lanes::Lanes},
+                simd::{
+                    block::{Block, PICKED},
+                    lanes::Lanes,
+                },
             };
             use core::{
                 arch::x86_64::{
@@ -221,6 +225,10 @@ macro_rules! vector {
                 #[inline(always)]
                 fn less_bits(self, other: Self) -> u64 {
                     self.less(other).bits()
+                }
+                #[inline(always)]
+                fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize {
+                    $pick(words, bits, to)
                 }
                 #[inline(always)]
                 fn after(self, next: Self) -> Self {
