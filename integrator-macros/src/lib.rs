@@ -159,7 +159,7 @@ use proc_macro::TokenStream;
 /// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
 /// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`,
 ///   `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`,
-///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`, `trunc`, `fract`, `rem_euclid`
+///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `fract`, `rem_euclid`
 ///   and `%`, `mul_add`, `to_radians`, `to_degrees`, also as
 ///   `f64::sin(x)`;
 /// - helper methods of the same impl, without recursion;

@@ -129,7 +129,7 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 18] = [
     ),
     (
         "one axis without an end",
-        "let x = q[i][0] - q[j][0]; let x = x - 9.0 * (x / 9.0).round(); let (y, z) = (q[i][1] - q[j][1], q[i][2] - q[j][2]); let r2 = x * x + y * y + z * z;",
+        "let x = q[i][0] - q[j][0]; let x = x - 9.0 * (x / 9.0).round_ties_even(); let (y, z) = (q[i][1] - q[j][1], q[i][2] - q[j][2]); let r2 = x * x + y * y + z * z;",
         IF,
         Some(true),
     ),

@@ -20,7 +20,7 @@ macro_rules! values {
 /// The functions in the order of `functions.cpp`, with their values.
 fn values<R: Real>(x: f64, y: f64) -> Vec<(&'static str, f64)> {
     values!(R, x, y;
-        abs acos asin atan cbrt ceil cos exp floor ln round signum sin sqrt tan tanh trunc fast_acos fast_asin fast_atan
+        abs acos asin atan cbrt ceil cos exp floor ln round round_ties_even signum sin sqrt tan tanh trunc fast_acos fast_asin fast_atan
         fast_cbrt fast_cos fast_exp fast_ln fast_sin fast_tan fast_tanh;
         atan2 fast_atan2 max min powf remainder)
 }

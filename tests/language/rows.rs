@@ -143,7 +143,7 @@ rows! {
     hypotenuse { q[0].hypot(q[1]) + q[2].mul_add(q[3], 1.0) } => [a / a.hypot(b), b / a.hypot(b), d, c];
     degrees { q[0].to_radians() + q[1].to_degrees() } => [1.0_f64.to_radians(), 1.0_f64.to_degrees(), 0.0, 0.0];
     piecewise { q[0].min(q[1]) + q[2].max(0.0) + q[1].abs() * 2.0 + q[3].clamp(-0.1, 0.1) + q[0].signum() * q[3] } => [0.0, -1.0, 1.0, 1.0];
-    nearest_image { let d = q[0] - 2.0 * (q[0] / 2.0).round(); d * d + q[1].floor() * q[1] + q[2].ceil() * q[2] + q[3].trunc() * q[3] } => [2.0 * (a - 2.0 * (a / 2.0).round()), b.floor(), c.ceil(), d.trunc()];
+    nearest_image { let d = q[0] - 2.0 * (q[0] / 2.0).round(); d * d + q[1].floor() * q[1] + q[2].ceil() * q[2] + q[3].trunc() * q[3] + q[2].round_ties_even() * q[3] } => [2.0 * (a - 2.0 * (a / 2.0).round()), b.floor(), c.ceil(), d.trunc() + c.round_ties_even()];
     remainders { q[0].fract() * q[0] + (q[1] % 0.75).powi(2) + q[2].rem_euclid(0.75).powi(2) } => [a + a.fract(), 2.0 * (b % 0.75), 2.0 * c.rem_euclid(0.75), 0.0];
     paths { f64::sin(q[0]) + f64::powi(q[1], 2) } => [a.cos(), 2.0 * b, 0.0, 0.0];
 

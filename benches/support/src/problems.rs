@@ -401,9 +401,9 @@ impl ArgonInBox {
         for i in 0..q.len() {
             for j in 0..i {
                 let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
-                let x = x - self.side * (x / self.side).round();
-                let y = y - self.side * (y / self.side).round();
-                let z = z - self.side * (z / self.side).round();
+                let x = x - self.side * (x / self.side).round_ties_even();
+                let y = y - self.side * (y / self.side).round_ties_even();
+                let z = z - self.side * (z / self.side).round_ties_even();
                 let square = x * x + y * y + z * z;
                 if square < 6.25 {
                     let sixth = square.powi(-3);

@@ -229,7 +229,7 @@ macro_rules! value_and_slope {
     (abs $x:ident) => {
         ($x.abs(), $x.signum())
     };
-    // Steps have the slope zero wherever they have one: signum, floor, ceil, trunc, round.
+    // Steps have the slope zero wherever they have one: signum, floor, ceil, trunc, round, round_ties_even.
     ($step:ident $x:ident) => {
         ($x.$step(), F::of(0.0))
     };

@@ -125,7 +125,7 @@ of_libm! {
     unary: sqrt sqrt cbrt cbrt exp exp exp2 exp2 exp_m1 expm1 ln log ln_1p log1p log2 log2 log10 log10
            sin sin cos cos tan tan asin asin acos acos atan atan
            sinh sinh cosh cosh tanh tanh asinh asinh acosh acosh atanh atanh
-           floor floor ceil ceil trunc trunc round round;
+           floor floor ceil ceil trunc trunc round round round_ties_even rint;
     binary: powf pow atan2 atan2 hypot hypot remainder fmod;
 }
 #[cfg(not(feature = "std"))]
@@ -135,6 +135,6 @@ of_libm! {
     unary: sqrt sqrtf cbrt cbrtf exp expf exp2 exp2f exp_m1 expm1f ln logf ln_1p log1pf log2 log2f log10 log10f
            sin sinf cos cosf tan tanf asin asinf acos acosf atan atanf
            sinh sinhf cosh coshf tanh tanhf asinh asinhf acosh acoshf atanh atanhf
-           floor floorf ceil ceilf trunc truncf round roundf;
+           floor floorf ceil ceilf trunc truncf round roundf round_ties_even rintf;
     binary: powf powf atan2 atan2f hypot hypotf remainder fmodf;
 }

@@ -63,7 +63,7 @@ macro_rules! elementary_functions {
         $callback! {
             $($context)*
             unary: sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan
-                   sinh cosh tanh asinh acosh atanh abs signum floor ceil trunc round;
+                   sinh cosh tanh asinh acosh atanh abs signum floor ceil trunc round round_ties_even;
             binary: powf atan2 hypot min max remainder;
         }
     };

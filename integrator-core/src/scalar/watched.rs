@@ -104,6 +104,9 @@ macro_rules! unary {
     (round $x:ident) => {
         unary!(@whole round $x)
     };
+    (round_ties_even $x:ident) => {
+        unary!(@whole round_ties_even $x)
+    };
     (@whole $function:ident $x:ident) => {{
         let whole = Real::$function($x.0);
         note(stringify!($function), whole, [$x.0, whole]);

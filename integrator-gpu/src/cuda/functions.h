@@ -121,6 +121,7 @@ INTEGRATOR_LIBRARY(floor, floor, floorf)
 INTEGRATOR_LIBRARY(ceil, ceil, ceilf)
 INTEGRATOR_LIBRARY(trunc, trunc, truncf)
 INTEGRATOR_LIBRARY(round, round, roundf)
+INTEGRATOR_LIBRARY(round_ties_even, rint, rintf)
 INTEGRATOR_LIBRARY(acos, acos, acosf)
 INTEGRATOR_LIBRARY(acosh, acosh, acoshf)
 INTEGRATOR_LIBRARY(asin, asin, asinf)
@@ -152,6 +153,7 @@ template <class R> DEVICE R floor(R x) { return library_floor(x); }
 template <class R> DEVICE R ceil(R x) { return library_ceil(x); }
 template <class R> DEVICE R trunc(R x) { return library_trunc(x); }
 template <class R> DEVICE R round(R x) { return library_round(x); }
+template <class R> DEVICE R round_ties_even(R x) { return library_round_ties_even(x); }
 template <class R> DEVICE R signum(R x) { return x != x ? x : bits_xor(R(1.0), sign(x)); }
 template <class R> DEVICE R max(R a, R b) { return a != a ? b : (b > a ? b : a); }
 template <class R> DEVICE R min(R a, R b) { return a != a ? b : (b < a ? b : a); }

@@ -270,6 +270,7 @@ pub(crate) const TABLE: &[Row] = &[
     step("ceil", f64::ceil),
     step("trunc", f64::trunc).odd(),
     step("round", f64::round).odd(),
+    step("round_ties_even", f64::round_ties_even).odd(),
     binary(
         "remainder",
         |x, y| x % y,
@@ -357,6 +358,7 @@ mod tests {
         ("ceil", [-9.0, 0.1]),
         ("trunc", [0.1, 9.0]),
         ("round", [-9.0, 0.1]),
+        ("round_ties_even", [-9.0, 0.1]),
         ("remainder", [2.0, 9.0]),
     ];
 

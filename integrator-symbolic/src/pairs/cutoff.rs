@@ -193,7 +193,9 @@ impl Distances {
 /// Whether a number is a displacement less the nearest multiple of a side.
 fn is_nearest_image(graph: &mut Graph, id: NodeId, displacement: NodeId, side: NodeId) -> bool {
     let sides = graph.div(displacement, side);
-    let whole = graph.call("round", sides);
-    let multiple = graph.mul(side, whole);
-    graph.sub(displacement, multiple) == id
+    ["round", "round_ties_even"].into_iter().any(|rounding| {
+        let whole = graph.call(rounding, sides);
+        let multiple = graph.mul(side, whole);
+        graph.sub(displacement, multiple) == id
+    })
 }

@@ -313,7 +313,8 @@ impl Machine<'_> {
             ("is_finite", []) => Value::Bool(number.main.value.is_finite()),
             (_, []) => match number.function(name) {
                 Some(result) => {
-                    let jumps = ["floor", "ceil", "round", "trunc", "fract", "signum"].contains(&name);
+                    let jumps =
+                        ["floor", "ceil", "round", "round_ties_even", "trunc", "fract", "signum"].contains(&name);
                     self.on_edge |= jumps && !result.main.is_known() && number.main.is_known();
                     result.into()
                 }

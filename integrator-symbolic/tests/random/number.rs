@@ -193,6 +193,7 @@ impl Number {
             "floor" => self.step(f64::floor),
             "ceil" => self.step(f64::ceil),
             "round" => self.step(f64::round),
+            "round_ties_even" => self.step(f64::round_ties_even),
             "trunc" => self.step(f64::trunc),
             "fract" => self.sub(&self.step(f64::trunc)),
             _ => return None,

@@ -244,6 +244,7 @@ impl SoftBox {
         let y = y - 16.0 * (y / 16.0 - 0.5).ceil();
         let y = 16.0 * (y / 16.0).fract();
         let y = y - 16.0 * (y / 16.0).trunc();
+        let y = y - 16.0 * (y / 16.0).round_ties_even();
         let mut energy = 0.0;
         let inside = x >= -self.half && x <= self.half;
         if x > self.half {

@@ -57,7 +57,7 @@ impl Soft {
             for j in 0..i {
                 let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
                 let x = x - self.sides[0] * (x / self.sides[0]).round();
-                let y = y - self.sides[1] * (y / self.sides[1]).round();
+                let y = y - self.sides[1] * (y / self.sides[1]).round_ties_even();
                 let square = x * x + y * y + z * z;
                 if square < self.cutoff.powi(2) {
                     let overlap = square.sqrt() - self.cutoff;

@@ -58,7 +58,7 @@ mod tests {
         let mut results =
             vec![a + b, a - b, a * b, a / b, -a, a.fma(b, b), a.sqrt(), a.abs(), a.sin(), a.min(b), a.powf(b)];
         results.extend([a.sin_cos().0, a.sin_cos().1]);
-        results.extend([a.floor(), a.ceil(), a.trunc(), a.round(), a.remainder(b)]);
+        results.extend([a.floor(), a.ceil(), a.trunc(), a.round(), a.round_ties_even(), a.remainder(b)]);
         let masks = [
             a.less(b),
             a.less_or_equal(b),

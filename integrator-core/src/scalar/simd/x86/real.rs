@@ -17,6 +17,9 @@ macro_rules! unary {
     (trunc $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
         $vector(instruction!($to_whole::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>($x.0)))
     };
+    (round_ties_even $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
+        $vector(instruction!($to_whole::<{ _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC }>($x.0)))
+    };
     // Halves away from zero: the largest number below a half, with the sign of the other one, is added before that is cut
     // off. A half itself would round 0.49999999999999994 up to one.
     (round $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {{
@@ -65,7 +68,7 @@ macro_rules! vector {
             };
             use core::{
                 arch::x86_64::{
-                    _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
+                    _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEAREST_INT, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
                     _MM_FROUND_TO_ZERO,
                 },
                 array,

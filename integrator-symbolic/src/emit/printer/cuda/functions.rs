@@ -1,7 +1,7 @@
 //! The elementary functions that text for devices may call.
 
 /// The functions that have the bits of the Rust kernels on a device, or are exact there.
-pub(super) const KNOWN: [&str; 22] = [
+pub(super) const KNOWN: [&str; 23] = [
     "abs",
     "acos",
     "asin",
@@ -18,6 +18,7 @@ pub(super) const KNOWN: [&str; 22] = [
     "powf",
     "remainder",
     "round",
+    "round_ties_even",
     "signum",
     "sin",
     "sqrt",
