@@ -253,6 +253,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for SumF
 
 impl<W: Real, const D: usize> Listed<W, D> {
     /// Lists the pairs within the cutoff and a skin around it, in the memory of old lists.
+    #[inline(always)]
     fn new<R: Real>(
         q: &[[W; D]],
         bodies: usize,
@@ -264,20 +265,27 @@ impl<W: Real, const D: usize> Listed<W, D> {
     where
         W: Row<R>,
     {
-        let lane = |body: usize, member: usize| body % WIDTH * R::LANES + member * (R::LANES / R::MEMBERS);
-        let at = |member: usize, body: usize| q[body / WIDTH].map(|row| row.lane(lane(body, member)));
-        let mut members = Vec::with_capacity(cutoffs.of_members.len());
+        let (mut members, mut places) = (Vec::new(), Vec::new());
         for (member, cutoff) in cutoffs.of_members.iter().enumerate() {
-            let mut farthest: f64 = 0.0;
-            for body in 0..bodies {
-                for x in at(member, body) {
-                    farthest = farthest.max(if x.is_finite() { Real::abs(x) } else { 0.0 });
+            let mut points = vec![[0.0; D]; q.len() * WIDTH];
+            for (row, points) in q.iter().zip(points.chunks_mut(WIDTH)) {
+                for (axis, row) in row.iter().enumerate() {
+                    for (body, point) in points.iter_mut().enumerate() {
+                        point[axis] = row.lane(body * R::LANES + member * (R::LANES / R::MEMBERS));
+                    }
                 }
             }
+            points.truncate(bodies);
+            let mut farthest: f64 = 0.0;
+            for x in points.as_flattened() {
+                farthest = farthest.max(if x.is_finite() { Real::abs(*x) } else { 0.0 });
+            }
+            places.push(points);
             // Where lists are not used in this lane, none are made for it.
             let distance = if cutoff.is_short() { cutoff.distance } else { 0.0 };
             members.push((cutoff.sides, distance + skin + rounding::<R>(distance + skin, farthest)));
         }
+        let at = |member: usize, body: usize| places[member][body];
         let lists = Arc::new(Lists::new(bodies, &members, &at, threads, old));
         // Half of the skin less what the comparison itself rounds.
         let slack = 0.25 * skin * skin * (1.0 - 16.0 * epsilon::<R>());
