@@ -98,6 +98,27 @@ pub(crate) fn stencil(
     components: Components,
     leaf: impl Fn(&Graph, NodeId) -> bool,
 ) -> Option<Stencil> {
+    let mut of = |begins| stencil_of(graph, gradient, (lengths, components), begins, &leaf);
+    of(Begins::Together).or_else(|| of(Begins::Apart))
+}
+
+/// Which site sees what an iteration adds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Begins {
+    /// The first one that iterations of its loop add to: what is added to several sites is computed once.
+    Together,
+    /// The one that it is added to. A site that adds to its neighbours on both sides reads no farther than these.
+    Apart,
+}
+
+/// The stencil of `gradient` as seen from these sites.
+fn stencil_of(
+    graph: &mut Graph,
+    gradient: &[Contribution],
+    (lengths, components): (&[IndexId], Components),
+    begins: Begins,
+    leaf: &impl Fn(&Graph, NodeId) -> bool,
+) -> Option<Stencil> {
     let number = graph.loops.literal(*lengths.last()?);
     if number.is_some_and(|number| number < FEWEST) {
         return None;
@@ -108,13 +129,16 @@ pub(crate) fn stencil(
         let parent = directions.last().map(|outer| outer.place);
         directions.push(Direction::new(graph, parent, *length, farthest)?);
     }
-    let mut gathering = Gathering { leaf: &leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };
+    let mut gathering = Gathering { leaf, begins, graph, stencil: Stencil { directions, contributions: Vec::new() } };
     let iterations =
         gradient.iter().map(|contribution| gathering.iterations(contribution)).collect::<Option<Vec<_>>>()?;
     // Nothing is gained where no loops run over the lattice.
     iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
     for (contribution, own) in gradient.iter().zip(&iterations) {
         let begins = own.iter().enumerate().map(|(direction, own)| {
+            if begins == Begins::Apart {
+                return own.to_place;
+            }
             let all = iterations.iter().map(|iterations| &iterations[direction]);
             let together = all.filter(|other| own.by.is_some() && other.by == own.by);
             together.map(|other| other.to_place).min().unwrap_or_default()
@@ -135,6 +159,7 @@ fn indices(element: Element) -> impl Iterator<Item = IndexId> {
 struct Gathering<'g, L> {
     graph: &'g mut Graph,
     leaf: &'g L,
+    begins: Begins,
     stencil: Stencil,
 }
 
@@ -185,7 +210,10 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                 .eq(iterations.iter().filter_map(|iterations| iterations.by).filter(|by| loops.contains(*by)));
             let node = match self.graph.node(id) {
                 _ if !own => return None,
-                _ if (self.leaf)(self.graph, id) => rows_first.then_some(id)?,
+                // The number of an iteration in a table is how far from its site the iteration begins, one for each loop.
+                _ if (self.leaf)(self.graph, id) => {
+                    (rows_first && (self.begins == Begins::Together || loops.is_empty())).then_some(id)?
+                }
                 Node::Coordinate(element) => self.neighbour(iterations, begins, element)?,
                 Node::Sum(..) | Node::External(..) => return None,
                 Node::CompareIndex(..) if !loops.is_empty() => return None,

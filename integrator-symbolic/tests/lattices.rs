@@ -65,7 +65,7 @@ fn positions_of_a_line_follow_momenta_by_an_inverse_mass() {
 
 /// What a kinetic energy of rows and a potential say of the second index: a name, how many of them there are, the potential,
 /// and whether they are sites.
-const PLANES: [(&str, &str, &str, bool); 7] = [
+const PLANES: [(&str, &str, &str, bool); 8] = [
     ("a field on rows of 40", "40", "(q[i][(j + 1) % W] - q[i][j]).powi(2) + q[i][j].powi(4)", true),
     ("rows of few", "3", "(q[i][(j + 1) % W] - q[i][j]).powi(2)", false),
     ("rows of 40 without bonds along them", "40", "q[i][j].powi(4)", true),
@@ -74,6 +74,12 @@ const PLANES: [(&str, &str, &str, bool); 7] = [
         "bonds along and across",
         "W",
         "(q[i][(j + 1) % W] - q[i][j]).powi(4) + (q[(i + 1) % q.len()][j] - q[i][j]).powi(2)",
+        true,
+    ),
+    (
+        "the sum of the sites around",
+        "40",
+        "q[i][j] * (q[(i + 1) % q.len()][j] + q[(i + q.len() - 1) % q.len()][j] + q[i][(j + 1) % W] + q[i][(j + 39) % W])",
         true,
     ),
     ("bonds across alone, as points have them", "W", "(q[(i + 1) % q.len()][j] - q[i][j]).powi(2)", false),

@@ -112,6 +112,27 @@ impl<const W: usize> Tube<W> {
     }
 }
 
+/// Sites times the sum of the sites around them, which each has a bond with twice; rows are closed, and end across.
+struct Cross<const W: usize>;
+
+#[hamiltonian]
+impl<const W: usize> Cross<W> {
+    fn kinetic(&self, p: &[[f64; W]]) -> f64 {
+        p.iter().map(|row| row.iter().map(|p| 0.5 * p * p).sum::<f64>()).sum()
+    }
+    fn potential(&self, q: &[[f64; W]]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.0;
+        for i in 0..n {
+            for j in 1..W - 1 {
+                let around = q[(i + n - 1) % n][j] + q[(i + 1) % n][j] + q[i][j - 1] + q[i][j + 1];
+                energy += 2.0 * q[i][j].powi(4) - 0.5 * q[i][j] * around.powi(2);
+            }
+        }
+        energy
+    }
+}
+
 /// A system with its gradient by plain loops.
 trait ByHand<const W: usize>: Hamiltonian<Coords = Rows<W>> {
     const NAME: &'static str;
@@ -204,6 +225,26 @@ impl<const W: usize> ByHand<W> for Tube<W> {
     }
 }
 
+impl<const W: usize> ByHand<W> for Cross<W> {
+    const NAME: &'static str = "cross";
+
+    fn example(_rows: usize) -> Self {
+        Self
+    }
+    fn gradient(&self, q: &[[f64; W]]) -> Rows<W> {
+        let (mut gradient, rows) = (vec![[0.0; W]; q.len()], q.len());
+        for (i, j) in sites::<W>(rows).filter(|(_, j)| (1..W - 1).contains(j)) {
+            let neighbours = [[(i + rows - 1) % rows, j], [(i + 1) % rows, j], [i, j - 1], [i, j + 1]];
+            let around: f64 = neighbours.iter().map(|[i, j]| q[*i][*j]).sum();
+            gradient[i][j] += 8.0 * q[i][j].powi(3) - 0.5 * around.powi(2);
+            for [k, l] in neighbours {
+                gradient[k][l] -= q[i][j] * around;
+            }
+        }
+        gradient
+    }
+}
+
 fn sites<const W: usize>(rows: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..rows).flat_map(|i| (0..W).map(move |j| (i, j)))
 }
@@ -264,6 +305,7 @@ fn planes_of_every_kind_of_width() {
     any_height::<3, Sheet<3>>();
     any_height::<8, Tube<8>>();
     any_height::<19, Torus<19>>();
+    any_height::<21, Cross<21>>();
     any_height::<40, Sheet<40>>();
 }
 

@@ -40,6 +40,9 @@ type Iteration<'t> = dyn Fn(&mut Reader<'_>, IndexId) -> Option<Value> + 't;
 /// How many iterations a loop may have that is written out, because its body is more than a sum.
 pub(super) const FEW: u64 = 16;
 
+/// How many it may have in a term of a list, where it is written out in any case: those of the components of a point in space-time.
+const COMPONENTS: u64 = 4;
+
 impl Reader<'_> {
     /// `for pattern in sequence { ... }`
     pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
@@ -50,6 +53,10 @@ impl Reader<'_> {
         if sequence.literal {
             let sequence = self.with_conditions(sequence);
             let iterations = self.few_iterations(&sequence, &repeat.expr)?;
+            return self.write_out(repeat, &sequence, iterations);
+        }
+        if let Some(iterations) = self.few_in_term_of_list(&sequence) {
+            let sequence = self.with_conditions(sequence);
             return self.write_out(repeat, &sequence, iterations);
         }
         if self.needs_writing_out(repeat) {
@@ -165,6 +172,15 @@ impl Reader<'_> {
     pub(super) fn known_iterations(&self, sequence: &Sequence) -> Option<Range<u64>> {
         let (from, to) = (self.graph.loops.literal(sequence.from)?, self.graph.loops.literal(sequence.to)?);
         (to.saturating_sub(from) <= FEW).then_some(from..to)
+    }
+
+    /// The iterations of a loop over the components of points in a term of a list, `for &(a, b) in &self.bonds { for d in 0..3 {..} }`:
+    /// several terms are computed side by side where each is without loops.
+    pub(super) fn few_in_term_of_list(&self, sequence: &Sequence) -> Option<Range<u64>> {
+        let loops = &self.graph.loops;
+        let is_in_term = self.frames.iter().any(|frame| loops.mentions_lists(loops.get(frame.by).to));
+        self.known_iterations(sequence)
+            .filter(|range| is_in_term && range.end.saturating_sub(range.start) <= COMPONENTS)
     }
 
     /// The iterations of a loop over an array of values, which is written out; notes a mistake if they are too many.

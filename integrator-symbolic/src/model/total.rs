@@ -34,7 +34,9 @@ impl Reader<'_> {
         }
         let sequence = self.sequence(&call.receiver)?;
         let (start, step) = self.step(call)?;
+        let in_term = self.few_in_term_of_list(&sequence).is_some();
         if !sequence.literal
+            && !in_term
             && let Some(sums) = self.as_sums(&sequence, &start, &step, call)?
         {
             let totals: Vec<NodeId> =

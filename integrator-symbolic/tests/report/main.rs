@@ -144,7 +144,29 @@ fn flows_have_the_form_that_is_written() {
             v
         }
     }";
-    for (system, form) in [(row, Form::Row), (plane, Form::Plane)] {
+    let points = |body: &str| {
+        format!(
+            "impl S {{
+                fn kinetic(&self, p: &[[f64; 3]]) -> f64 {{ p.iter().flatten().map(|p| 0.5 * p * p).sum() }}
+                fn potential(&self, q: &[[f64; 3]]) -> f64 {{ let mut v = 0.0; {body} v }}
+            }}"
+        )
+    };
+    let square = "let r2: f64 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum();";
+    let bonds = points(&format!("for &(i, j) in &self.bonds {{ {square} v += (r2.sqrt() - 1.0).powi(2); }}"));
+    let loops = points("for &(i, j) in &self.bonds { for d in 0..3 { v += (q[i][d] - q[j][d]).powi(4); } }");
+    let long = points("for &(i, j) in &self.bonds { for d in 0..5 { v += (self.k[d] * (q[i][0] - q[j][0])).sin(); } }");
+    let before =
+        points(&format!("for i in 0..q.len() {{ for j in (0..q.len()).take(i) {{ {square} v += (-r2).exp(); }} }}"));
+    let systems = [
+        (row, Form::Row),
+        (plane, Form::Plane),
+        (&bonds, Form::Lists),
+        (&loops, Form::Lists),
+        (&long, Form::Plain),
+        (&before, Form::Tiles),
+    ];
+    for (system, form) in systems {
         let report = report(TokenStream::new(), tokens(system)).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(report.kick.form, form, "{report}");
     }

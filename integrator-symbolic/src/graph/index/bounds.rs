@@ -86,6 +86,8 @@ impl Loops {
         let from_left = match self.index(a) {
             Index::Monus(x, _) => is(x, b),
             Index::Min(x, y) => is(x, b) || is(y, b),
+            // It is read inside of its loop alone, and below its end there.
+            Index::Running(by) => is(self.get(by).to, b),
             _ => false,
         };
         // a <= (x - s) + s where a <= x
