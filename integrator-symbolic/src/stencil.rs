@@ -7,6 +7,7 @@
 
 mod direction;
 mod line;
+mod pieces;
 
 use crate::{
     differentiate::Contribution,
@@ -18,6 +19,7 @@ use crate::{
 use direction::Iterations;
 pub(crate) use direction::{Along, Direction, Extent};
 pub(crate) use line::{Addend, Ends, Line};
+use pieces::{Piece, pieces};
 use std::collections::{BTreeSet, HashMap};
 
 /// How far the contributions of a site look and go along a line or a row.
@@ -130,8 +132,12 @@ fn stencil_of(
         directions.push(Direction::new(graph, parent, *length, farthest)?);
     }
     let mut gathering = Gathering { leaf, begins, graph, stencil: Stencil { directions, contributions: Vec::new() } };
-    let iterations =
-        gradient.iter().map(|contribution| gathering.iterations(contribution)).collect::<Option<Vec<_>>>()?;
+    let gradient = pieces(gathering.graph, gradient, leaf)?;
+    let mut made = Vec::new();
+    for piece in gradient {
+        made.extend(gathering.iterations(&piece)?.map(|iterations| (piece.contribution, iterations)));
+    }
+    let (gradient, iterations): (Vec<_>, Vec<_>) = made.into_iter().unzip();
     // Nothing is gained where no loops run over the lattice.
     iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
     for (contribution, own) in gradient.iter().zip(&iterations) {
@@ -164,17 +170,25 @@ struct Gathering<'g, L> {
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
-    /// The iterations in which a contribution is made, direction by direction.
-    fn iterations(&mut self, contribution: &Contribution) -> Option<Vec<Iterations>> {
+    /// The iterations in which a contribution is made, direction by direction; nothing inside, where there are none.
+    fn iterations(&mut self, Piece { contribution, conditions }: &Piece) -> Option<Option<Vec<Iterations>>> {
         let indices = indices(contribution.element);
         let iterations = self.stencil.directions.iter_mut().zip(indices);
-        let iterations =
+        let mut iterations =
             iterations.map(|(direction, index)| direction.iterations(self.graph, index)).collect::<Option<Vec<_>>>()?;
+        for (condition, holds) in conditions {
+            let loops = self.graph.loops_of(*condition);
+            let mut directions = self.stencil.directions.iter().zip(&mut iterations);
+            let (direction, own) = directions.find(|(_, own)| own.by.is_some_and(|by| loops.contains(by)))?;
+            if !direction.narrow(self.graph, own, self.graph.node(*condition), *holds)? {
+                return Some(None);
+            }
+        }
         // Every loop around it runs in one direction, and nothing else is around it.
         let by: BTreeSet<LoopId> = iterations.iter().filter_map(|iterations| iterations.by).collect();
         let around: BTreeSet<LoopId> = contribution.loops().collect();
         let running = iterations.iter().filter(|iterations| iterations.by.is_some()).count();
-        (by == around && running == by.len() && running == contribution.context.len()).then_some(iterations)
+        (by == around && running == by.len() && running == contribution.context.len()).then_some(Some(iterations))
     }
 
     /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.

@@ -42,6 +42,30 @@ impl<const N: usize> FixedWalls<N> {
     }
 }
 
+/// The same, where each site asks whether it is at an end.
+struct Ends;
+
+#[hamiltonian]
+impl Ends {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() {
+            let behind = if i == 0 { 0.0 } else { q[i - 1] };
+            energy += self.spring(q[i] - behind);
+            if i + 1 >= q.len() {
+                energy += self.spring(-q[i]);
+            }
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        stretch.powi(2) / 2.0 + 0.25 * stretch.powi(3) + 0.1 * stretch.powi(4)
+    }
+}
+
 /// A ring of unequal masses on unequal springs, each site in a well of its own.
 pub(crate) struct Ring {
     mass: Vec<f64>,
@@ -188,6 +212,7 @@ fn walls_at_every_length() {
     for sites in lengths(1) {
         let expected = by_hand(&start(sites), &vec![1.0; sites], walls);
         agree("walls", sites, &followed(&Walls, start(sites)), &expected);
+        agree("ends", sites, &followed(&Ends, start(sites)), &expected);
     }
 }
 

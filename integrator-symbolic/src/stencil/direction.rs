@@ -1,7 +1,7 @@
 //! One direction of a lattice: from site to site along a line, or from row to row of a plane.
 
 use crate::graph::{
-    Graph,
+    Comparison, Graph, Node,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
 };
 use std::collections::HashMap;
@@ -61,6 +61,48 @@ impl Place {
         match self {
             Place::FromBegin(place) => Place::FromBegin(place + by),
             Place::FromEnd(place) => Place::FromEnd(place - by),
+        }
+    }
+
+    /// Whether it is a place of every lattice that is long enough.
+    fn is_inside(self) -> bool {
+        match self {
+            Place::FromBegin(place) => place >= 0,
+            Place::FromEnd(place) => place > 0,
+        }
+    }
+
+    /// The number of the place on a lattice of so many.
+    fn on(self, number: i64) -> i64 {
+        match self {
+            Place::FromBegin(place) => place,
+            Place::FromEnd(place) => number - place,
+        }
+    }
+
+    /// The end of iterations that also end before another place, where that is known for all lengths or for the one that is known.
+    fn before(self, other: Self, number: Option<i64>) -> Option<Self> {
+        if let Some(number) = number {
+            return Some(if other.on(number) < self.on(number) { other } else { self });
+        }
+        match (self, other) {
+            (Place::FromEnd(end), Place::FromEnd(other)) => Some(Place::FromEnd(end.max(other))),
+            (Place::FromBegin(end), Place::FromBegin(other)) if other > 0 => Some(Place::FromBegin(end.min(other))),
+            (Place::FromEnd(0), Place::FromBegin(other)) if other > 0 => Some(Place::FromBegin(other)),
+            _ => None,
+        }
+    }
+
+    /// The beginning of iterations that also begin at another place or behind it, where that is known likewise.
+    fn after(self, other: Self, number: Option<i64>) -> Option<Self> {
+        if let Some(number) = number {
+            return Some(if other.on(number) > self.on(number) { other } else { self });
+        }
+        match (self, other) {
+            (Place::FromBegin(begin), Place::FromBegin(other)) => Some(Place::FromBegin(begin.max(other))),
+            (Place::FromEnd(begin), Place::FromEnd(other)) if other > 0 => Some(Place::FromEnd(begin.min(other))),
+            (Place::FromBegin(0), Place::FromEnd(other)) if other > 0 => Some(Place::FromEnd(other)),
+            _ => None,
         }
     }
 }
@@ -136,6 +178,40 @@ impl Direction {
         }
         self.periodic |= linear.wraps;
         Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole })
+    }
+
+    /// Leaves of some iterations those in which a comparison of their number holds, or does not, and tells whether there may be any;
+    /// `None` where these are no range, or where a lattice that is short may have another one.
+    pub(super) fn narrow(&self, graph: &Graph, own: &mut Iterations, condition: Node, holds: bool) -> Option<bool> {
+        let Node::CompareIndex(comparison, a, b) = condition else { return None };
+        let (a, b) = (self.linear(graph, a)?, self.linear(graph, b)?);
+        let (index, bound, is_first) = if a.running.is_some() { (a, b, true) } else { (b, a, false) };
+        if index.running != own.by || index.lengths != 0 || index.wraps {
+            return None;
+        }
+        let place = self.place(Linear { constant: bound.constant - index.constant, ..bound })?;
+        let behind = place.further(1);
+        let (from, to) = match (comparison, is_first, holds) {
+            (Comparison::Less, true, true) | (Comparison::LessOrEqual, false, false) => {
+                (own.from, own.to.before(place, self.number)?)
+            }
+            (Comparison::Less, true, false) | (Comparison::LessOrEqual, false, true) => {
+                (own.from.after(place, self.number)?, own.to)
+            }
+            (Comparison::LessOrEqual, true, true) | (Comparison::Less, false, false) => {
+                (own.from, own.to.before(behind, self.number)?)
+            }
+            (Comparison::LessOrEqual, true, false) | (Comparison::Less, false, true) => {
+                (own.from.after(behind, self.number)?, own.to)
+            }
+            (Comparison::Equal, _, true) if own.whole && place.is_inside() => (place, behind),
+            (Comparison::Equal, _, false) if place == own.from => (behind, own.to),
+            (Comparison::Equal, _, false) if behind == own.to => (own.from, place),
+            (Comparison::Equal, ..) => return None,
+        };
+        own.whole &= (from, to) == (own.from, own.to);
+        (own.from, own.to) = (from, to);
+        Some(self.number.is_none_or(|number| from.on(number) < to.on(number)))
     }
 
     /// Notes where what the iterations add goes, as seen from the first place that iterations of their loop add to,

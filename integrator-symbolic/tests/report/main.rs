@@ -91,6 +91,13 @@ const KINETIC: &str = "fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.
 fn flows_have_the_form_that_is_written() {
     let rows = [
         (KINETIC, "for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }", Form::Line),
+        (KINETIC, "for i in 0..q.len() { if i > 0 { v += (q[i] - q[i - 1]).powi(4); } }", Form::Line),
+        (
+            KINETIC,
+            "for i in 0..q.len() { v += if i + 1 == q.len() { q[i].powi(2) } else { (q[i + 1] - q[i]).powi(4) }; }",
+            Form::Line,
+        ),
+        (KINETIC, "for i in 0..q.len() { if i % 2 == 0 { v += q[i].powi(4); } }", Form::Plain),
         (KINETIC, "for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).powi(2).exp(); } }", Form::Tiles),
         (
             KINETIC,

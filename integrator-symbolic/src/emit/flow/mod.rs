@@ -304,9 +304,7 @@ impl Flow {
             return Self::default();
         }
         let folded = fold_branches(&mut emitter.model.graph, gradient);
-        // What is moved behind a condition that it is there is not moved by a choice of zero elsewhere.
-        let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        if !apart && let Some(sweep) = lattice::sweep(emitter, &folded, part, components) {
+        if let Some(sweep) = lattice::sweep(emitter, &folded, part, components) {
             return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() };
         }
         Self::along(emitter, gradient, part, &Frame::Motion)
