@@ -14,6 +14,7 @@ const SYMBOLIC: MayKnow = (
     &[
         ("errors", &[]),
         ("limits", &["errors"]),
+        ("fragments", &[]),
         ("spelling", &[]),
         ("graph", &[]),
         ("differentiate", &["graph"]),
