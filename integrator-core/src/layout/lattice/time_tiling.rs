@@ -34,7 +34,7 @@ const TILE_OF_ROWS: usize = 8 * TILE;
 
 /// The number of sites by which the flows of a tile of rows may lean, a row each: they fit into a second-level cache. Flows that
 /// lean by more are tiled as many.
-const SKEWED_SITES: usize = 16 * TILE;
+const SKEWED_SITES: usize = 24 * TILE;
 
 /// The number of flows that are collected before they are applied to the lattice.
 const DEPTH: usize = 64;
