@@ -100,7 +100,8 @@ pub(crate) fn stencil(
     components: Components,
     leaf: impl Fn(&Graph, NodeId) -> bool,
 ) -> Option<Stencil> {
-    let mut of = |begins| stencil_of(graph, gradient, (lengths, components), begins, &leaf);
+    let pieces = pieces(graph, gradient, &leaf)?;
+    let mut of = |begins| stencil_of(graph, &pieces, (lengths, components), begins, &leaf);
     of(Begins::Together).or_else(|| of(Begins::Apart))
 }
 
@@ -113,10 +114,10 @@ enum Begins {
     Apart,
 }
 
-/// The stencil of `gradient` as seen from these sites.
+/// The stencil of a gradient in pieces as seen from these sites.
 fn stencil_of(
     graph: &mut Graph,
-    gradient: &[Contribution],
+    pieces: &[Piece],
     (lengths, components): (&[IndexId], Components),
     begins: Begins,
     leaf: &impl Fn(&Graph, NodeId) -> bool,
@@ -132,10 +133,9 @@ fn stencil_of(
         directions.push(Direction::new(graph, parent, *length, farthest)?);
     }
     let mut gathering = Gathering { leaf, begins, graph, stencil: Stencil { directions, contributions: Vec::new() } };
-    let gradient = pieces(gathering.graph, gradient, leaf)?;
     let mut made = Vec::new();
-    for piece in gradient {
-        made.extend(gathering.iterations(&piece)?.map(|iterations| (piece.contribution, iterations)));
+    for piece in pieces {
+        made.extend(gathering.iterations(piece)?.map(|iterations| (&piece.contribution, iterations)));
     }
     let (gradient, iterations): (Vec<_>, Vec<_>) = made.into_iter().unzip();
     // Nothing is gained where no loops run over the lattice.
@@ -155,6 +155,17 @@ fn stencil_of(
     let may_be_points = stencil.is_plane() && number.is_none() && components == Components::Unknown;
     let is_row = stencil.directions.last().is_some_and(Direction::has_neighbours);
     (!may_be_points || is_row).then_some(stencil)
+}
+
+/// What is computed of a value and what it reads, children first; `leaf` tells what is read.
+fn computed(graph: &Graph, value: NodeId, leaf: impl Fn(&Graph, NodeId) -> bool) -> BTreeSet<NodeId> {
+    let (mut nodes, mut open) = (BTreeSet::new(), vec![value]);
+    while let Some(id) = open.pop() {
+        if nodes.insert(id) && !leaf(graph, id) {
+            open.extend(graph.node(id).children());
+        }
+    }
+    nodes
 }
 
 /// The indices of a coordinate, one per direction.
@@ -207,15 +218,8 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// The value of an iteration as seen from its site: coordinates are named by how far from the site they are.
     fn seen(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<NodeId> {
-        let mut used = BTreeSet::new();
-        let mut open = vec![value];
-        while let Some(id) = open.pop() {
-            if used.insert(id) && !(self.leaf)(self.graph, id) {
-                open.extend(self.graph.node(id).children());
-            }
-        }
         let mut seen: HashMap<NodeId, NodeId> = HashMap::new();
-        for id in used {
+        for id in computed(self.graph, value, self.leaf) {
             let loops = self.graph.loops_of(id);
             let own = loops.iter().all(|by| iterations.iter().any(|iterations| iterations.by == Some(by)));
             // A table over both directions is one of rows.

@@ -4,6 +4,7 @@
 //! that hold there, of which a direction makes fewer iterations. Always true: in each iteration the pieces whose conditions hold
 //! add up to the contribution.
 
+use super::computed;
 use crate::{
     differentiate::Contribution,
     graph::{Graph, Node, NodeId, Scope},
@@ -92,17 +93,6 @@ fn split(
         }
     }
     (pieces.len() <= MOST).then_some(pieces)
-}
-
-/// What is computed of a value, children first.
-fn computed(graph: &Graph, value: NodeId, leaf: &impl Fn(&Graph, NodeId) -> bool) -> BTreeSet<NodeId> {
-    let (mut nodes, mut open) = (BTreeSet::new(), vec![value]);
-    while let Some(id) = open.pop() {
-        if nodes.insert(id) && !leaf(graph, id) {
-            open.extend(graph.node(id).children());
-        }
-    }
-    nodes
 }
 
 /// A value with another node in place of one; `None` where it is in a sum or in a method of the user.
