@@ -21,7 +21,7 @@ use integrator_bench::{
     starts::{cluster, rows_of_waves, waves},
     table::{Table, folder},
 };
-use integrator_core::prelude::*;
+use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
 /// Rounds of a race; odd, so that the median is one of them.
@@ -30,6 +30,8 @@ const ROUNDS: usize = 31;
 const MEMBERS: usize = 8192;
 /// Steps of a round of an ensemble.
 const STEPS: u64 = 1000;
+/// How long a step of a lattice is.
+const STEP: f64 = 0.05;
 
 struct Report {
     table: Table,
@@ -60,45 +62,48 @@ impl Report {
 
     fn chain(&mut self, name: &str, sites: usize) {
         let (law, start) = (Law::Fput { alpha: 0.25 }, waves(sites));
-        let h = 0.05;
-        let plan = Plan::of::<Verlet>(h);
+        let plan = Plan::of::<Verlet>(STEP);
         // As many as there are from one look to the next in a long run.
         let steps = (2_000_000 / sites).max(1024);
-        let generated = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), h).expect("a start").with_threads(1);
-        let [mut run, mut wall] = [generated.clone(), generated.clone()];
-        let mut two = generated.with_threads(2);
+        let generated = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), STEP).expect("a start");
         let by_hand = Chain { law, q: start.q, p: start.p };
         let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
-        let racers = vec![
-            Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
-            Racer::new("plain", || plain.two_pass(&plan, steps)),
-            Racer::new("by hand", || skewed.skewed(&plan, steps)),
-            Racer::new("two threads", || two.advance(steps as u64).expect("finite states")).in_threads(),
-            Racer::new("one thread", || wall.advance(steps as u64).expect("finite states")).in_threads(),
-        ];
-        let rounds = if sites > 1_000_000 { 5 } else { 15 };
-        self.add(name, "site-steps/s", rounds, (sites * steps) as f64, racers);
+        let (plain, skewed) = (|| plain.two_pass(&plan, steps), || skewed.skewed(&plan, steps));
+        self.lattice(name, if sites > 1_000_000 { 5 } else { 15 }, [sites, steps], generated, plain, skewed);
     }
 
     fn plane(&mut self, name: &str, rows: usize) {
         let (stiffness, start) = (0.7, rows_of_waves(rows));
-        let h = 0.05;
-        let plan = Plan::of::<Verlet>(h);
+        let plan = Plan::of::<Verlet>(STEP);
         let (sites, steps) = (rows * start.q[0].len(), 64);
-        let generated = Phi4WidePlane { stiffness }.run_with(Verlet, start.clone(), h).expect("a start");
+        let generated = Phi4WidePlane { stiffness }.run_with(Verlet, start.clone(), STEP).expect("a start");
+        let by_hand = Plane { stiffness, q: start.q, p: start.p };
+        let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
+        let (plain, skewed) = (|| plain.two_pass(&plan, steps), || skewed.skewed(&plan, steps));
+        self.lattice(name, 5, [sites, steps], generated, plain, skewed);
+    }
+
+    /// A lattice against two plain loops and a sweep by hand in which steps follow each other.
+    fn lattice<C: Coords<Leaf = f64>>(
+        &mut self,
+        name: &str,
+        rounds: usize,
+        [sites, steps]: [usize; 2],
+        generated: Run<C>,
+        plain: impl FnMut(),
+        skewed: impl FnMut(),
+    ) {
         let generated = generated.with_threads(1);
         let [mut run, mut wall] = [generated.clone(), generated.clone()];
         let mut two = generated.with_threads(2);
-        let by_hand = Plane { stiffness, q: start.q, p: start.p };
-        let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
         let racers = vec![
             Racer::new("generated", || run.advance(steps as u64).expect("finite states")),
-            Racer::new("plain", || plain.two_pass(&plan, steps)),
-            Racer::new("by hand", || skewed.skewed(&plan, steps)),
+            Racer::new("plain", plain),
+            Racer::new("by hand", skewed),
             Racer::new("two threads", || two.advance(steps as u64).expect("finite states")).in_threads(),
             Racer::new("one thread", || wall.advance(steps as u64).expect("finite states")).in_threads(),
         ];
-        self.add(name, "site-steps/s", 5, (sites * steps) as f64, racers);
+        self.add(name, "site-steps/s", rounds, (sites * steps) as f64, racers);
     }
 
     fn bodies(&mut self, name: &str, count: usize) {
