@@ -96,6 +96,34 @@ fn csv_reads_back_equal() {
     assert_eq!(f64::from_bits(rows[0][3]).to_bits(), (-0.0_f64).to_bits());
 }
 
+/// A box of springs, whose sites have three indices.
+struct Lattice;
+
+#[hamiltonian]
+impl Lattice {
+    fn kinetic(&self, p: &[[[f64; 3]; 1]]) -> f64 {
+        p.iter().flatten().flatten().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[[[f64; 3]; 1]]) -> f64 {
+        q.iter().flatten().flatten().map(|q| 0.5 * q * q).sum()
+    }
+}
+
+#[test]
+fn sites_of_planes_have_three_indices() {
+    let start = || Phase::new(vec![[[0.1, 0.2, 0.3]]; 2], vec![[[0.0; 3]]; 2]);
+    let samples = || Lattice.run(start(), 0.1).expect("a start").samples(1).take(4);
+    let mut text = Vec::new();
+    csv(samples(), &mut text).expect("a table");
+    let (names, rows) = read_csv(&text);
+    assert_eq!(names[1..7].join(" "), "q0_0_0 q0_0_1 q0_0_2 q1_0_0 q1_0_1 q1_0_2");
+    assert_eq!(f64::from_bits(rows[0][6]), 0.3);
+    let mut file = Cursor::new(Vec::new());
+    npz(samples(), &mut file).expect("an archive");
+    let mut archive = ZipArchive::new(file).expect("an archive");
+    assert_eq!(array(&mut archive, "q").0, [4, 2, 1, 3]);
+}
+
 #[test]
 fn npz_reads_back_equal() {
     let mut archive = archive(springs(9.0).take(50));

@@ -68,7 +68,8 @@ use proc_macro::TokenStream;
 /// |---|---|
 /// | `[f64; N]` | arrays of numbers |
 /// | `[[f64; D]; N]` | arrays of `N` points in `D` dimensions |
-/// | `&[f64]`, `&[[f64; D]]` | `Vec`s, of a length that is known at run time |
+/// | `[[[f64; L]; M]; N]` | arrays of `N` planes of sites: `M` rows of `L` sites |
+/// | `&[f64]`, `&[[f64; D]]`, `&[[[f64; L]; M]]` | `Vec`s, of a length that is known at run time |
 ///
 /// Arrays are taken by value or by reference, or apart by a pattern: `[x, y]: [f64; 2]`. `N` and `D` may be constants,
 /// or parameters of a generic type.

@@ -1,7 +1,8 @@
 //! Gradients in which every site of a lattice takes part alike, in a form in which each gets all its addends at once.
 //!
 //! Comes in: contributions to a gradient. Goes out: a stencil: each contribution is computed at a site from its
-//! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, or a plane of rows.
+//! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, a plane of rows, or a volume of
+//! planes; nothing belongs to a plane further on, so that bonds between planes are computed on both sides.
 //! Always true: the stencil adds up what comes in, iteration by iteration, with the iterations of every loop renumbered
 //! so that none belongs to a site behind; or nothing comes out, where one contribution is of another kind.
 
@@ -13,7 +14,7 @@ use crate::{
     differentiate::Contribution,
     graph::{
         Element, Graph, Node, NodeId,
-        index::{IndexId, LoopId},
+        index::{Index, IndexId, LoopId},
     },
 };
 use direction::Iterations;
@@ -25,15 +26,26 @@ use std::collections::{BTreeSet, HashMap};
 /// How far the contributions of a site look and go along a line or a row.
 const FARTHEST: i64 = 2;
 
-/// How many rows they look and go over.
+/// How many rows they look and go over, and how many planes they look over.
 const FARTHEST_ROW: i64 = 1;
 
 /// A stencil: what is computed at each site, and where the sites are that differ from the others.
 #[derive(Debug)]
 pub(crate) struct Stencil {
-    /// From row to row, where there are rows, and from site to site.
+    /// From plane to plane and from row to row, where there are any, and from site to site.
     pub(crate) directions: Vec<Direction>,
     pub(crate) contributions: Vec<SiteContribution>,
+}
+
+/// What sites make up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lattice {
+    /// One row.
+    Line,
+    /// Rows, one below the other.
+    Plane,
+    /// Planes, one behind the other.
+    Volume,
 }
 
 /// A contribution of a range of sites to themselves or to others.
@@ -52,9 +64,13 @@ impl SiteContribution {
 }
 
 impl Stencil {
-    /// Whether the sites are those of a plane.
-    pub(crate) fn is_plane(&self) -> bool {
-        self.directions.len() > 1
+    /// What the sites make up.
+    pub(crate) fn lattice(&self) -> Lattice {
+        match self.directions.len() {
+            1 => Lattice::Line,
+            2 => Lattice::Plane,
+            _ => Lattice::Volume,
+        }
     }
 
     /// How many places further on the farthest contribution goes in each direction.
@@ -68,16 +84,24 @@ impl Stencil {
     /// row, as far as one of them goes.
     pub(crate) fn places(&self) -> Vec<Vec<usize>> {
         match self.onward()[..] {
-            [rows, sites] => {
-                let onward = self.contributions.iter().map(SiteContribution::onward).filter(|onward| onward[0] > 0);
-                let below = onward.map(|onward| onward[1]).max().unwrap_or(0);
+            [ref planes @ .., rows, sites] => {
+                let in_plane = |onward: Vec<usize>| [onward[planes.len()], onward[planes.len() + 1]];
+                let onward = self.contributions.iter().map(|contribution| in_plane(contribution.onward()));
+                let below = onward.filter(|[rows, _]| *rows > 0).map(|[_, sites]| sites).max().unwrap_or(0);
                 let far = move |row| if row == 0 { sites } else { below };
-                (0..=rows).flat_map(|row| (0..=far(row)).map(move |site| vec![row, site])).collect()
+                let place = |row, site| planes.iter().copied().chain([row, site]).collect();
+                (0..=rows)
+                    .flat_map(|row| (0..=far(row)).map(move |site| (row, site)))
+                    .map(|(row, site)| place(row, site))
+                    .collect()
             }
             ref line => (0..=line.iter().sum()).map(|site| vec![site]).collect(),
         }
     }
 }
+
+/// How many directions a volume has.
+const VOLUME: usize = 3;
 
 /// How many sites a line or a row has at least, if their number is known: fewer are as fast in a plain loop.
 const FEWEST: u64 = 8;
@@ -130,9 +154,11 @@ fn stencil_of(
     for (level, length) in lengths.iter().enumerate() {
         let farthest = if level + 1 < lengths.len() { FARTHEST_ROW } else { FARTHEST };
         let parent = directions.last().map(|outer| outer.place);
-        directions.push(Direction::new(graph, parent, *length, farthest)?);
+        // From plane to plane nothing is handed on.
+        let apart = begins == Begins::Apart || lengths.len() == VOLUME && level == 0;
+        directions.push(Direction::new(graph, parent, *length, farthest, apart)?);
     }
-    let mut gathering = Gathering { leaf, begins, graph, stencil: Stencil { directions, contributions: Vec::new() } };
+    let mut gathering = Gathering { leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };
     let mut made = Vec::new();
     for piece in pieces {
         made.extend(gathering.iterations(piece)?.map(|iterations| (&piece.contribution, iterations)));
@@ -142,7 +168,7 @@ fn stencil_of(
     iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
     for (contribution, own) in gradient.iter().zip(&iterations) {
         let begins = own.iter().enumerate().map(|(direction, own)| {
-            if begins == Begins::Apart {
+            if gathering.stencil.directions[direction].apart {
                 return own.to_place;
             }
             let all = iterations.iter().map(|iterations| &iterations[direction]);
@@ -152,7 +178,7 @@ fn stencil_of(
         gathering.contribution(contribution.value, own, &begins.collect::<Vec<_>>())?;
     }
     let stencil = gathering.finished()?;
-    let may_be_points = stencil.is_plane() && number.is_none() && components == Components::Unknown;
+    let may_be_points = stencil.lattice() == Lattice::Plane && number.is_none() && components == Components::Unknown;
     let is_row = stencil.directions.last().is_some_and(Direction::has_neighbours);
     (!may_be_points || is_row).then_some(stencil)
 }
@@ -168,25 +194,19 @@ fn computed(graph: &Graph, value: NodeId, leaf: impl Fn(&Graph, NodeId) -> bool)
     nodes
 }
 
-/// The indices of a coordinate, one per direction.
-fn indices(element: Element) -> impl Iterator<Item = IndexId> {
-    [Some(element.index), element.component].into_iter().flatten()
-}
-
 struct Gathering<'g, L> {
     graph: &'g mut Graph,
     leaf: &'g L,
-    begins: Begins,
     stencil: Stencil,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     /// The iterations in which a contribution is made, direction by direction; nothing inside, where there are none.
     fn iterations(&mut self, Piece { contribution, conditions }: &Piece) -> Option<Option<Vec<Iterations>>> {
-        let indices = indices(contribution.element);
-        let iterations = self.stencil.directions.iter_mut().zip(indices);
+        let graph = &*self.graph;
+        let iterations = self.stencil.directions.iter_mut().zip(graph.loops.of_coordinate(contribution.element));
         let mut iterations =
-            iterations.map(|(direction, index)| direction.iterations(self.graph, index)).collect::<Option<Vec<_>>>()?;
+            iterations.map(|(direction, index)| direction.iterations(graph, index)).collect::<Option<Vec<_>>>()?;
         for (condition, holds) in conditions {
             let loops = self.graph.loops_of(*condition);
             let mut directions = self.stencil.directions.iter().zip(&mut iterations);
@@ -230,7 +250,14 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                 _ if !own => return None,
                 // The number of an iteration in a table is how far from its site the iteration begins, one for each loop.
                 _ if (self.leaf)(self.graph, id) => {
-                    (rows_first && (self.begins == Begins::Together || loops.is_empty())).then_some(id)?
+                    let is_over = |own: &Iterations| own.by.is_some_and(|by| loops.contains(by));
+                    let over: Vec<_> = iterations.iter().map(is_over).collect();
+                    let directions = self.stencil.directions.iter().zip(begins).zip(&over);
+                    let mut directions = directions.filter(|(_, is_over)| **is_over);
+                    let is_table = directions.all(|((direction, begins), _)| !direction.apart || *begins == 0);
+                    // Of tables over planes the runtime knows those of one number for each, or for each site.
+                    let is_known = !matches!(over[..], [true, row, site] if row != site);
+                    (rows_first && is_table && is_known).then_some(id)?
                 }
                 Node::Coordinate(element) => self.neighbour(iterations, begins, element)?,
                 Node::Sum(..) | Node::External(..) => return None,
@@ -244,23 +271,30 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// A coordinate as seen from a site.
     fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Option<NodeId> {
-        let directions = self.stencil.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices(element));
+        let indices: Vec<_> = self.graph.loops.of_coordinate(element).collect();
+        let directions = self.stencil.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices);
         let seen = directions
             .map(|((direction, (iterations, begins)), index)| direction.seen(self.graph, iterations, *begins, index));
-        match seen.collect::<Option<Vec<_>>>()?[..] {
-            [index] => Some(self.graph.coordinate(Element { index, component: None, ..element })),
-            [index, component] => Some(self.graph.coordinate(Element { index, component: Some(component), ..element })),
-            _ => None,
-        }
+        let seen = seen.collect::<Option<Vec<_>>>()?;
+        let loops = &mut self.graph.loops;
+        let (index, component) = match seen[..] {
+            [index] => (index, None),
+            [index, component] => (index, Some(component)),
+            // In another plane it is in the same row.
+            [plane, row, site] if [plane, row].iter().any(|index| matches!(loops.index(*index), Index::Running(_))) => {
+                (plane, Some(loops.intern(Index::InPlane(row, site))))
+            }
+            _ => return None,
+        };
+        Some(self.graph.coordinate(Element { index, component, ..element }))
     }
 
     /// All contributions, where no loop runs in one direction for one of them and in the other for another.
     fn finished(self) -> Option<Stencil> {
         let Stencil { directions, mut contributions } = self.stencil;
-        let of = |number: usize| directions.get(number).map(|direction| &direction.begins);
-        if let (Some(rows), Some(sites)) = (of(0), of(1))
-            && rows.keys().any(|by| sites.contains_key(by))
-        {
+        let mut loops = directions.iter().flat_map(|direction| direction.begins.keys());
+        let mut seen = BTreeSet::new();
+        if !loops.all(|by| seen.insert(*by)) {
             return None;
         }
         // What most sites have comes first, so that a sum begins with it.

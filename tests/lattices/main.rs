@@ -10,3 +10,4 @@ mod instruction_sets;
 mod lists;
 mod planes;
 mod tiles;
+mod volumes;

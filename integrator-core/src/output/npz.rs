@@ -92,7 +92,12 @@ impl Arrays {
 
 /// The shape of an array that holds so many of these coordinates.
 fn shape<C: Coords>(count: usize, coordinates: &C) -> Vec<u64> {
-    let mut axes = [count, coordinates.length(), C::COMPONENTS].map(|length| length as u64).to_vec();
-    axes.truncate(if C::COMPONENTS == 1 { 2 } else { 3 });
-    axes
+    let (components, rows) = (C::COMPONENTS, C::ROWS);
+    let inner = match (components, rows) {
+        (1, None) => vec![],
+        (_, None) => vec![components],
+        (_, Some(rows)) => vec![rows, components.checked_div(rows).unwrap_or(0)],
+    };
+    let axes = [count, coordinates.length()].into_iter().chain(inner);
+    axes.map(|length| length as u64).collect()
 }

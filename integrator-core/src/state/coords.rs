@@ -13,20 +13,25 @@ use alloc::{format, string::String};
 use alloc::{vec, vec::Vec};
 use core::fmt::Debug;
 
-/// The names that columns of so many coordinates have, `q0`, `q1` and so on; `q0_2` is the third component of the first point.
+/// The names that columns of so many coordinates have, `q0`, `q1` and so on; `q0_2` is the third component of the first point,
+/// `q0_1_2` the third site of the second row of the first plane.
 #[cfg(any(all(feature = "checkpoint", feature = "std"), feature = "output"))]
 pub fn column_names<C: Coords>(letter: char, count: usize) -> impl Iterator<Item = String> {
-    (0..count).map(move |index| match C::COMPONENTS {
-        0 | 1 => format!("{letter}{index}"),
-        components => format!("{letter}{}_{}", index / components, index % components),
+    (0..count).map(move |index| match (C::COMPONENTS, C::ROWS) {
+        (0 | 1, None) | (0, _) => format!("{letter}{index}"),
+        (components, None | Some(0)) => format!("{letter}{}_{}", index / components, index % components),
+        (components, Some(rows)) => {
+            let (plane, number, sites) = (index / components, index % components, components / rows);
+            format!("{letter}{plane}_{}_{}", number / sites, number % sites)
+        }
     })
 }
 
 /// The number of coordinates that are searched without a branch.
 const CHUNK: usize = 256;
 
-/// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `Vec<K>` or
-/// `Vec<[K; D]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
+/// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `[[[K; L]; M]; N]`,
+/// `Vec<K>`, `Vec<[K; D]>` or `Vec<[[K; L]; M]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
 /// [`Fixed<f64>`](crate::Fixed).
 #[diagnostic::on_unimplemented(
     message = "positions and momenta are arrays or vectors, and not `{Self}`",
@@ -41,12 +46,14 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The same shape, filled with slots.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
-    /// The number of numbers or points, where it is known from the type.
+    /// The number of numbers, points or planes, where it is known from the type.
     const LENGTH: Option<usize>;
-    /// The number of components of a point; one where there are no points.
+    /// The number of components of a point, or of sites of a plane; one where there are neither.
     const COMPONENTS: usize;
+    /// The number of rows of a plane, where there are planes.
+    const ROWS: Option<usize> = None;
 
-    /// The number of numbers or points.
+    /// The number of numbers, points or planes.
     fn length(&self) -> usize;
     /// The coordinates whose flat form this is; `None` where the shape has another size.
     fn from_flat(flat: Vec<Self::Leaf>) -> Option<Self>;

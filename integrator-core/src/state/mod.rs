@@ -9,5 +9,6 @@ pub(crate) mod digest;
 pub(crate) mod fixed;
 pub(crate) mod flat;
 pub(crate) mod phase;
+pub(crate) mod planes;
 pub(crate) mod point;
 pub(crate) mod precision;

@@ -397,13 +397,7 @@ fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
 /// The type of the coordinates.
 fn coordinates(model: &Model, names: &Names) -> TokenStream {
     let runtime = &names.runtime;
-    let element = match &model.shape.dimension {
-        None => quote!(f64),
-        Some(dimension) => {
-            let dimension = dimension.tokens();
-            quote!([f64; #dimension])
-        }
-    };
+    let element = model.shape.element(quote!(f64));
     match &model.shape.length {
         Length::OfStart => quote!(#runtime::Vec<#element>),
         length => {

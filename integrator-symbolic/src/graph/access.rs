@@ -1,7 +1,7 @@
 //! Access by indices: whether a value may be read where the user's text does not read it.
 
 use super::{
-    Element, Graph, Node, NodeId, Scope,
+    Graph, Node, NodeId, Scope,
     index::{DEEPEST, Index, IndexId, LoopId, LoopSet, Loops},
 };
 
@@ -25,6 +25,7 @@ impl Loops {
     /// The access of a coordinate with this index.
     fn access(&self, id: IndexId) -> Access {
         match self.index(id) {
+            Index::InPlane(row, site) => self.access(row).max(self.access(site)),
             _ if self.is_guarded(id) => Access::WhereWritten,
             // The bound of such an index was compared with the length when it was read.
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
@@ -84,7 +85,7 @@ impl Loops {
     fn computes(&self, id: IndexId) -> Access {
         match self.index(id) {
             Index::Literal(_) | Index::Length | Index::Running(_) | Index::Parameter(_) => Access::Anywhere,
-            Index::Add(a, b) | Index::Mul(a, b) | Index::Monus(a, b) | Index::Min(a, b) => {
+            Index::Add(a, b) | Index::Mul(a, b) | Index::Monus(a, b) | Index::Min(a, b) | Index::InPlane(a, b) => {
                 self.computes(a).max(self.computes(b))
             }
             Index::Div(a, b) | Index::Rem(a, b) if self.is_positive(b) => self.computes(a),
@@ -107,11 +108,11 @@ impl Graph {
     /// The access of a node beside that of its children.
     pub(super) fn own_access(&self, node: Node) -> Access {
         match node {
-            Node::Coordinate(Element { index, component, .. }) => {
+            Node::Coordinate(element) => {
                 // The number of components of a point is known.
-                let computed = component.filter(|component| self.loops.literal(*component).is_none());
-                let component = computed.map_or(Access::Anywhere, |component| self.loops.access(component));
-                self.loops.access(index).max(component)
+                let computed = |index: &IndexId| *index == element.index || self.loops.literal(*index).is_none();
+                let indices = self.loops.of_coordinate(element).filter(computed);
+                indices.map(|index| self.loops.access(index)).max().unwrap_or_default()
             }
             Node::FromIndex(index) => self.loops.computes(index),
             Node::CompareIndex(_, a, b) => self.loops.computes(a).max(self.loops.computes(b)),

@@ -56,6 +56,10 @@ impl<'p> Point<'p> {
             Index::Min(a, b) => value(a).min(value(b)),
             Index::Typed(_, a) => value(a),
             Index::Wrapped(kind, a) => kind.wrapped(value(a)),
+            Index::InPlane(row, site) => {
+                let sites = graph.loops.sites_of_row().expect("rows have a length");
+                value(row) * value(sites) + value(site)
+            }
         }
     }
 

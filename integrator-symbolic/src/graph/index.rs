@@ -51,6 +51,9 @@ pub(crate) enum Index {
     Typed(IntegerType, IndexId),
     /// The wrapped value of an integer in a type that may be too small for it, or has no sign.
     Wrapped(IntegerType, IndexId),
+    /// The number of a site in a plane, by its row and its place there: `row * sites + site`, where rows have
+    /// [`Loops::sites_of_row`].
+    InPlane(IndexId, IndexId),
 }
 
 impl Index {
@@ -65,7 +68,8 @@ impl Index {
             | Index::Rem(a, b)
             | Index::Monus(a, b)
             | Index::Min(a, b)
-            | Index::Minus(a, b) => Some([a, b]),
+            | Index::Minus(a, b)
+            | Index::InPlane(a, b) => Some([a, b]),
             Index::Typed(_, a) | Index::Wrapped(_, a) => Some([a, a]),
         }
     }
@@ -84,6 +88,7 @@ impl Index {
             Index::Minus(..) => Index::Minus(a, b),
             Index::Typed(kind, _) => Index::Typed(kind, a),
             Index::Wrapped(kind, _) => Index::Wrapped(kind, a),
+            Index::InPlane(..) => Index::InPlane(a, b),
         }
     }
 }
@@ -149,6 +154,8 @@ pub(crate) struct Loops {
     list_lengths: HashSet<IndexId>,
     /// Indices of coordinates that are below their length where a condition holds alone.
     guarded: HashSet<IndexId>,
+    /// The number of sites in a row, where coordinates are planes of rows.
+    sites_of_row: Option<IndexId>,
 }
 
 impl Loops {
@@ -369,6 +376,33 @@ impl Loops {
     /// compute, so it counts as positive.
     pub(crate) fn declare_extent(&mut self, id: IndexId) {
         self.extents.push(id);
+    }
+
+    /// States how many sites a row has, where coordinates are planes.
+    pub(crate) fn declare_rows(&mut self, sites: IndexId) {
+        self.sites_of_row = Some(sites);
+    }
+
+    /// The number of sites in a row, where coordinates are planes; one where there are no rows.
+    pub(crate) fn sites_of_row(&self) -> Option<IndexId> {
+        self.sites_of_row
+    }
+
+    /// The number of a site in a plane as a sum, with what its rows are multiplied by.
+    fn in_plane(&mut self, row: IndexId, site: IndexId) -> Index {
+        match self.sites_of_row {
+            Some(sites) => Index::Add(self.intern(Index::Mul(row, sites)), site),
+            None => self.index(site),
+        }
+    }
+
+    /// The indices of a coordinate, the outermost first.
+    pub(crate) fn of_coordinate(&self, element: Element) -> impl Iterator<Item = IndexId> {
+        let inner = element.component.map(|component| match self.index(component) {
+            Index::InPlane(row, site) => [Some(row), Some(site)],
+            _ => [Some(component), None],
+        });
+        std::iter::once(element.index).chain(inner.into_iter().flatten().flatten())
     }
 
     /// Whether all lengths of the coordinates are numbers.

@@ -91,15 +91,19 @@ impl Reader<'_> {
     /// The coordinate behind a view, or the view itself if an index is missing.
     pub(super) fn element(&mut self, view: View) -> Value {
         let rank = self.shape.as_ref().map_or(1, super::Shape::rank);
-        match view.at[..] {
-            [index] if rank == 1 => {
-                Value::Real(self.graph.coordinate(Element { part: view.part, index, component: None }))
+        let (index, component) = match view.at[..] {
+            [index] if rank == 1 => (index, None),
+            [index, component] if rank == 2 => (index, Some(component)),
+            [plane, row, site] if rank == 3 => {
+                let sites = self.shape.as_ref().and_then(|shape| shape.inner.last()).cloned();
+                let sites = sites.map(|sites| self.length(&sites));
+                let loops = &mut self.graph.loops;
+                sites.into_iter().for_each(|sites| loops.declare_rows(sites));
+                (plane, Some(loops.intern(Index::InPlane(row, site))))
             }
-            [index, component] if rank == 2 => {
-                Value::Real(self.graph.coordinate(Element { part: view.part, index, component: Some(component) }))
-            }
-            _ => Value::View(view),
-        }
+            _ => return Value::View(view),
+        };
+        Value::Real(self.graph.coordinate(Element { part: view.part, index, component }))
     }
 
     /// An integer expression as the user would write it, with the types that casts gave to it.
@@ -156,6 +160,8 @@ pub(crate) fn operation(index: Index, a: TokenStream, b: TokenStream) -> TokenSt
             let kind = Ident::new(kind.name, Span::call_site());
             quote!(#a as #kind)
         }
+        // A sum, which the printer writes.
+        Index::InPlane(..) => TokenStream::new(),
         Index::Literal(_) | Index::Running(_) | Index::Length | Index::Parameter(_) => TokenStream::new(),
     }
 }

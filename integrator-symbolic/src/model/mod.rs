@@ -98,8 +98,10 @@ pub(crate) struct Model {
     /// Whether H stays in one piece, which no composition integrates.
     pub(crate) unsplit: bool,
     pub(crate) shape: Shape,
-    /// How many numbers or points the coordinates are, and how many components a point has.
+    /// How many numbers, points or planes the coordinates are, and how many components a point or a plane has.
     pub(crate) lengths: Vec<IndexId>,
+    /// What the indices of a coordinate run over, as the user writes them.
+    pub(crate) extents: Vec<IndexId>,
     /// The parameters, by their ids.
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
@@ -219,8 +221,8 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         };
         (energies, Vec::new(), shape, called)
     };
-    let lengths = [Some(&shape.length), shape.dimension.as_ref()].into_iter().flatten();
-    let lengths = lengths.map(|length| reader.length(length)).collect();
+    let lengths = reader.lengths(&shape);
+    let extents = shape.extents().map(|length| reader.length(length)).collect();
     let rate = reader.rate(&shape);
     let sensitive = reader.sensitive_parameters();
     let invariants = reader.invariants(&shape);
@@ -240,6 +242,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         unsplit: input.unsplit.is_some(),
         shape,
         lengths,
+        extents,
         parameters,
         running,
         externals,
@@ -268,6 +271,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
     let mut graph = Graph::default();
     let zero = graph.constant(0.0);
     let lengths = vec![graph.loops.intern(Index::Length)];
+    let extents = lengths.clone();
     Some(Model {
         graph,
         kinetic: zero,
@@ -280,6 +284,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         unsplit: false,
         shape,
         lengths,
+        extents,
         parameters: Vec::new(),
         running: HashMap::new(),
         externals: Vec::new(),
@@ -600,6 +605,14 @@ impl<'i> Reader<'i> {
             self.graph.declare_never_negative(id);
         }
         id
+    }
+
+    /// How many numbers, points or planes there are, and how many components each of them has.
+    fn lengths(&mut self, shape: &Shape) -> Vec<IndexId> {
+        let components = shape.inner.iter().map(|length| self.length(length)).collect::<Vec<_>>();
+        let loops = &mut self.graph.loops;
+        let components = components.into_iter().reduce(|rows, sites| loops.intern(Index::Mul(rows, sites)));
+        std::iter::once(self.length(&shape.length)).chain(components).collect()
     }
 
     /// A length of the coordinates as an integer.

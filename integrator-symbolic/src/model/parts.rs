@@ -129,8 +129,7 @@ impl<'i> Reader<'i> {
         let judged = match own {
             Some(_) => Ok(Exact::Own),
             None => {
-                let extents = [Some(&shape.length), shape.dimension.as_ref()];
-                let extents: Vec<_> = extents.into_iter().flatten().map(|length| self.length(length)).collect();
+                let extents = self.lengths(&shape);
                 let parameters = &self.parameters;
                 let factors_of = |id: ParameterId| {
                     let factors = factors(parameters[id.0 as usize].text.clone());

@@ -54,48 +54,57 @@ impl Length {
     }
 }
 
-/// The shape of the coordinates: numbers or points, and how many.
+/// The shape of the coordinates: numbers, points, or planes of sites, and how many.
 #[derive(Clone)]
 pub(crate) struct Shape {
-    /// How many numbers or points.
+    /// How many numbers, points or planes.
     pub(crate) length: Length,
-    /// How many components a point has; `None` for numbers.
-    pub(crate) dimension: Option<Length>,
+    /// What each of them is an array of: nothing for numbers, the components of a point, the rows of a plane and their sites.
+    pub(crate) inner: Vec<Length>,
 }
 
 impl Shape {
     /// How many indices lead to a number.
     pub(crate) fn rank(&self) -> usize {
-        1 + usize::from(self.dimension.is_some())
+        1 + self.inner.len()
     }
 
     /// The length that the index at `level` runs over.
     pub(crate) fn extent(&self, level: usize) -> Option<&Length> {
-        match level {
-            0 => Some(&self.length),
-            1 => self.dimension.as_ref(),
+        self.extents().nth(level)
+    }
+
+    /// The lengths that indices run over, the outermost first.
+    pub(crate) fn extents(&self) -> impl Iterator<Item = &Length> {
+        std::iter::once(&self.length).chain(&self.inner)
+    }
+
+    /// How many components a point has, if coordinates are points.
+    pub(crate) fn dimension(&self) -> Option<&Length> {
+        match &self.inner[..] {
+            [dimension] => Some(dimension),
             _ => None,
         }
     }
 
+    /// Whether coordinates are planes, one behind the other.
+    pub(crate) fn is_volume(&self) -> bool {
+        self.inner.len() == 2
+    }
+
     /// The shape as a type of the user's language.
     pub(crate) fn text(&self) -> String {
-        let length = self.length.text();
-        if let Length::OfStart = self.length {
-            return match &self.dimension {
-                None => "&[f64]".to_owned(),
-                Some(dimension) => format!("&[[f64; {}]]", dimension.text()),
-            };
-        }
-        match &self.dimension {
-            None => format!("[f64; {length}]"),
-            Some(dimension) => format!("[[f64; {}]; {length}]", dimension.text()),
+        let element =
+            self.inner.iter().rev().fold("f64".to_owned(), |element, length| format!("[{element}; {}]", length.text()));
+        match &self.length {
+            Length::OfStart => format!("&[{element}]"),
+            length => format!("[{element}; {}]", length.text()),
         }
     }
 
     /// Whether a length is a constant, whose value is not known here.
     pub(crate) fn has_constant(&self) -> bool {
-        self.length.is_constant() || self.dimension.as_ref().is_some_and(Length::is_constant)
+        self.extents().any(Length::is_constant)
     }
 
     fn of(kind: &Type, errors: &mut Errors) -> Option<Self> {
@@ -108,20 +117,26 @@ impl Shape {
                 return None;
             }
         };
-        let dimension = match peeled(element) {
-            number if is_f64(number) => None,
-            Type::Array(point) if is_f64(&point.elem) => Some(Length::of(&point.len)),
-            other => {
-                unexpected(other, errors);
-                return None;
-            }
-        };
-        Some(Self { length, dimension })
+        let (mut inner, mut element) = (Vec::new(), peeled(element));
+        while let Type::Array(array) = element
+            && inner.len() < DEEPEST
+        {
+            inner.push(Length::of(&array.len));
+            element = unwrapped(&array.elem);
+        }
+        if !is_f64(element) {
+            unexpected(element, errors);
+            return None;
+        }
+        Some(Self { length, inner })
     }
 }
 
-const EXPECTED: &str = "coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or \
-                        slices `&[f64]` and `&[[f64; D]]`";
+/// The most arrays within the coordinates: a plane is one of rows.
+const DEEPEST: usize = 2;
+
+const EXPECTED: &str = "coordinates are f64 numbers, points or planes: `[f64; N]`, `[[f64; D]; N]`, `[[[f64; L]; M]; N]`, \
+                        references to them, or slices `&[f64]`, `&[[f64; D]]` and `&[[[f64; L]; M]]`";
 
 /// What to write instead of some types.
 const INSTEAD: [(&str, &str); 2] = [

@@ -90,6 +90,7 @@ impl Value {
             Value::Integer(_) => "an integer",
             Value::Condition(_) => "a condition",
             Value::View(view) if view.at.is_empty() => "the whole array of coordinates",
+            Value::View(view) if view.at.len() > 1 => "a row",
             Value::View(_) => "a point",
             Value::Array(_) => "an array",
             Value::List(_) => "a part of a list",

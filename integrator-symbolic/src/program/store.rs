@@ -4,7 +4,7 @@ use crate::{
     differentiate::Contribution,
     graph::{
         Element, Graph, Scope,
-        index::{Index, IndexId, Loops},
+        index::{Index, Loops},
     },
 };
 
@@ -17,19 +17,15 @@ pub(crate) fn is_protected(graph: &mut Graph, contribution: &Contribution) -> bo
 
 /// Whether no coordinate is moved by two contributions or by two iterations of a loop.
 pub(crate) fn is_direct(loops: &Loops, gradient: &[Contribution]) -> bool {
-    let indices = |element: Element| [Some(element.index), element.component];
     let once = gradient.iter().all(|contribution| {
-        contribution.loops().all(|by| {
-            let named = indices(contribution.element).into_iter().flatten();
-            named.into_iter().any(|index| loops.index(index) == Index::Running(by))
-        })
+        contribution
+            .loops()
+            .all(|by| loops.of_coordinate(contribution.element).any(|index| loops.index(index) == Index::Running(by)))
     });
     let apart = |a: Element, b: Element| {
-        let differ = |(a, b): (Option<IndexId>, Option<IndexId>)| {
-            let numbers = a.zip(b).and_then(|(a, b)| loops.literal(a).zip(loops.literal(b)));
-            numbers.is_some_and(|(a, b)| a != b)
-        };
-        a.part != b.part || indices(a).into_iter().zip(indices(b)).any(differ)
+        let differ = |(a, b)| loops.literal(a).zip(loops.literal(b)).is_some_and(|(a, b)| a != b);
+        let mut indices = loops.of_coordinate(a).zip(loops.of_coordinate(b));
+        a.part != b.part || indices.any(differ)
     };
     once && gradient
         .iter()

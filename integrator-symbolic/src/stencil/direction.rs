@@ -11,6 +11,8 @@ use std::collections::HashMap;
 pub(crate) struct Direction {
     /// The running index of the places.
     pub(crate) place: LoopId,
+    /// Whether what is added to several places is computed at each of them. Tables are read at a place of its own then.
+    pub(super) apart: bool,
     /// How far behind its place what was the index of a loop begins: a table over that loop is read so much further on.
     pub(crate) begins: HashMap<LoopId, i64>,
     /// How many places at the beginning have contributions of their own, or lack one.
@@ -137,7 +139,13 @@ struct Linear {
 
 impl Direction {
     /// The direction of so many places, inside the loop over another one.
-    pub(super) fn new(graph: &mut Graph, parent: Option<LoopId>, length: IndexId, farthest: i64) -> Option<Self> {
+    pub(super) fn new(
+        graph: &mut Graph,
+        parent: Option<LoopId>,
+        length: IndexId,
+        farthest: i64,
+        apart: bool,
+    ) -> Option<Self> {
         if graph.loops.count() >= LoopSet::CAPACITY {
             return None;
         }
@@ -145,6 +153,7 @@ impl Direction {
         let zero = graph.loops.intern(Index::Literal(0));
         Some(Self {
             place: graph.loops.range(Loop { parent, from: zero, to: length }),
+            apart,
             begins: HashMap::new(),
             first: 0,
             last: 0,
@@ -238,8 +247,8 @@ impl Direction {
             (Place::FromEnd(_), Place::FromBegin(_)) => return None,
         };
         if let Some(by) = iterations.by {
-            self.begins.insert(by, begins);
-            if iterations.whole {
+            self.begins.insert(by, if self.apart { 0 } else { begins });
+            if iterations.whole && !self.apart {
                 self.first = self.first.max(begins.unsigned_abs());
                 self.last = self.last.max(begins.unsigned_abs());
             }

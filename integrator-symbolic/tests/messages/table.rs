@@ -211,7 +211,7 @@ pub(crate) const ITEMS: &[Row] = &[
         "impl System {\nfn kinetic(&self, p: [f32; 1]) -> f64 { p[0] }\nfn potential(&self, q: [[u8; 2]; 1]) -> f64 { 0.0 } }",
         &[
             "2:22 coordinates are written in `f64`; a system runs in single precision where its start has numbers in `f32`",
-            "3:24 coordinates are f64 numbers or points: `[f64; N]`, `[[f64; D]; N]`, references to them, or slices `&[f64]` and `&[[f64; D]]`",
+            "3:25 coordinates are f64 numbers, points or planes: `[f64; N]`, `[[f64; D]; N]`, `[[[f64; L]; M]; N]`, references to them, or slices `&[f64]`, `&[[f64; D]]` and `&[[[f64; L]; M]]`",
         ],
     ),
     (

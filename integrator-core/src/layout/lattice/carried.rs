@@ -76,7 +76,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
     /// Whether numbers and what they carry are taken apart: where sites are moved in blocks that fit into registers.
     pub(crate) const ENABLED: bool = K::COMPENSATED
         && <R::Block as Block<R>>::WIDTH > 1
-        && matches!(H::STENCIL_RADII, Some(radii) if !radii.of_rows)
+        && matches!(H::STENCIL_RADII, Some(radii) if !radii.of_layers)
         && H::PARTS.len() <= 2
         && !H::PIECEWISE_IN_TIME
         && is_short::<H::Coords>();

@@ -5,4 +5,5 @@ pub(crate) mod plane;
 pub(crate) mod sites;
 pub(crate) mod stencil;
 pub(crate) mod time_tiling;
+pub(crate) mod volume;
 pub(crate) mod window;

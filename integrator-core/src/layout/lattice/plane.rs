@@ -29,7 +29,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `T` of a plane.
     #[inline(always)]
     pub fn drift_rows<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut rows = self.rows();
+        let mut rows = self.layers();
         let range = 0..rows.length;
         rows.apply_rows::<H, Drift>(R::of(duration), time, range);
     }
@@ -37,14 +37,14 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `V` of a plane.
     #[inline(always)]
     pub fn kick_rows<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut rows = self.rows();
+        let mut rows = self.layers();
         let range = 0..rows.length;
         rows.apply_rows::<H, Kick>(R::of(-duration), time, range);
     }
 
-    /// All rows.
+    /// All layers: the rows of a plane, or the planes of a volume.
     #[inline(always)]
-    pub fn rows(&mut self) -> Sites<'_, R, C::Leaf, P> {
+    pub fn layers(&mut self) -> Sites<'_, R, C::Leaf, P> {
         let sites = self.sites();
         Sites { columns: C::COMPONENTS, length: sites.length.checked_div(C::COMPONENTS).unwrap_or(0), ..sites }
     }
@@ -72,12 +72,13 @@ impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
         let flow = PhantomData::<(H, F)>;
         let mut none = RowCarries::default();
         let carries = carries.as_deref_mut().unwrap_or(&mut none);
-        R::enter(Plane { columns, rows, first, range, read, moved, carries, parameters, step, time, flow });
+        let around = AdjacentPlanes::none();
+        R::enter(Plane { columns, rows, first, range, around, read, moved, carries, parameters, step, time, flow });
     }
 }
 
 /// What a flow moves.
-trait Moves {
+pub(super) trait Moves {
     /// Whether it moves the positions.
     const POSITIONS: bool;
 }
@@ -135,25 +136,44 @@ impl<R: Real> RowCarries<R> {
     }
 }
 
+/// The planes adjacent to one of a volume.
+pub(super) struct AdjacentPlanes<'m, S> {
+    /// The index of the plane, and the number of planes.
+    pub(super) plane: [usize; 2],
+    /// Whether the plane differs from those of the volume's interior.
+    pub(super) at_boundary: bool,
+    /// The coordinates that the flow depends on in the planes before and behind; nothing beyond an end.
+    pub(super) read: [&'m [S]; 2],
+}
+
+impl<S> AdjacentPlanes<'_, S> {
+    /// A plane that is no volume's has none.
+    #[inline(always)]
+    fn none() -> Self {
+        Self { plane: [0, 1], at_boundary: false, read: [&[]; 2] }
+    }
+}
+
 /// A flow of some rows of a plane.
-struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
+pub(super) struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
     /// The number of sites in a row.
-    columns: usize,
+    pub(super) columns: usize,
     /// The number of rows of the whole plane.
-    rows: usize,
+    pub(super) rows: usize,
     /// The index of the first row in the slices.
-    first: usize,
+    pub(super) first: usize,
     /// The rows that are moved.
-    range: Range<usize>,
+    pub(super) range: Range<usize>,
+    pub(super) around: AdjacentPlanes<'m, S>,
     /// The coordinates that the flow depends on, row by row.
-    read: &'m [S],
+    pub(super) read: &'m [S],
     /// Those that it moves.
-    moved: &'m mut [S],
-    carries: &'m mut RowCarries<R>,
-    parameters: &'m H::Parameters<R>,
-    step: R,
-    time: f64,
-    flow: PhantomData<(H, F)>,
+    pub(super) moved: &'m mut [S],
+    pub(super) carries: &'m mut RowCarries<R>,
+    pub(super) parameters: &'m H::Parameters<R>,
+    pub(super) step: R,
+    pub(super) time: f64,
+    pub(super) flow: PhantomData<(H, F)>,
 }
 
 impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
@@ -166,7 +186,13 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
     /// A row of the coordinates that the flow depends on; nothing beyond an end.
     #[inline(always)]
     fn at(&self, row: Option<usize>) -> &[S] {
-        row.map_or(&self.read[..0], |row| &self.read[(row - self.first) * self.columns..][..self.columns])
+        row.map_or(&self.read[..0], |row| self.row_of(self.read, row))
+    }
+
+    /// A row of a plane; nothing where there is no plane.
+    #[inline(always)]
+    fn row_of<'s>(&self, plane: &'s [S], row: usize) -> &'s [S] {
+        plane.get((row - self.first) * self.columns..).map_or(&[], |rows| &rows[..self.columns.min(rows.len())])
     }
 
     /// Moves a row, and leaves in `carry` its contributions to the next one.
@@ -179,8 +205,10 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
             if boundary.ahead > 0 { Some(row + 1).filter(|below| *below < self.rows).or(beyond(0)) } else { None };
         let differs = row < boundary.first || row + boundary.last >= self.rows;
         let reads_beyond = boundary.behind > 0 && above.is_none() || boundary.ahead > 0 && below.is_none();
-        let (at_boundary, read) = (differs || reads_beyond, [self.at(above), self.at(below)]);
-        let adjacent = AdjacentRows { row, rows: self.rows, at_boundary, read, carry };
+        let at_boundary = differs || reads_beyond || self.around.at_boundary;
+        let [before, behind] = self.around.read.map(|plane| self.row_of(plane, row));
+        let (plane, read) = (self.around.plane, [self.at(above), self.at(below), before, behind]);
+        let adjacent = AdjacentRows { row, rows: self.rows, plane, at_boundary, read, carry };
         let (read, first, length, flow) = (self.at(Some(row)), 0, self.columns, PhantomData::<F>);
         let Self { parameters, step, time, .. } = *self;
         StencilPass::<H, F, R, S> { read, moved, first, length, adjacent, parameters, step, time, flow }
@@ -259,8 +287,6 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         mut carry: [H::Contributions<W>; MAX_RADIUS],
     ) -> [H::Contributions<W>; MAX_RADIUS] {
         let [nearest, farthest] = Self::reads::<W>();
-        let ([reads_above, reads_below], [above, below]) = (Self::READS_ADJACENT, self.adjacent.read);
-        let (length, row, rows) = (self.length, self.adjacent.row, self.adjacent.rows);
         let before = site as isize - W::WIDTH as isize;
         let mut blocks = self.blocks_around::<W>(self.read, before);
         let mut adjacent = self.adjacent_blocks(blocks, before);
@@ -268,25 +294,29 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         // read.
         let (sites, begin) = (count * W::WIDTH, site - self.first);
         let ahead = begin + (farthest - MAX_RADIUS) * W::WIDTH;
-        let above = if reads_above { above } else { self.read };
-        let below = if reads_below { below } else { self.read };
-        let above = above[ahead..][..sites].chunks_exact(W::WIDTH);
+        let of_row = |row: usize| {
+            let read = if Self::READS_ADJACENT[row] { self.adjacent.read[row] } else { self.read };
+            read[ahead..][..sites].chunks_exact(W::WIDTH)
+        };
         let here = self.read[ahead..][..sites].chunks_exact(W::WIDTH);
-        let below = below[ahead..][..sites].chunks_exact(W::WIDTH);
+        let here = here.zip(of_row(0).zip(of_row(1))).zip(of_row(2).zip(of_row(3)));
+        let row = self.row();
         let moved = self.moved[begin..][..sites].chunks_exact_mut(W::WIDTH);
         let row_carry = self.adjacent.carry[begin..][..sites].chunks_exact_mut(W::WIDTH);
-        for ((((above, here), below), moved), row_carry) in above.zip(here).zip(below).zip(moved).zip(row_carry) {
+        for ((((here, (above, below)), (previous, next)), moved), row_carry) in here.zip(moved).zip(row_carry) {
             blocks.copy_within(nearest + 1..=farthest, nearest);
             blocks[farthest] = S::read(here);
-            if reads_above {
-                adjacent[0].copy_within(nearest + 1..=farthest, nearest);
-                adjacent[0][farthest] = S::read(above);
-            }
-            if reads_below {
-                adjacent[1].copy_within(nearest + 1..=farthest, nearest);
-                adjacent[1][farthest] = S::read(below);
-            }
-            let window = Window { blocks, adjacent, site, length, row, rows, at_boundary: false, scalar: PhantomData };
+            let mut slide = |row: usize, read| {
+                if Self::READS_ADJACENT[row] {
+                    adjacent[row].copy_within(nearest + 1..=farthest, nearest);
+                    adjacent[row][farthest] = S::read(read);
+                }
+            };
+            slide(0, above);
+            slide(1, below);
+            slide(2, previous);
+            slide(3, next);
+            let window = Window { blocks, adjacent, site, row, at_boundary: false, scalar: PhantomData };
             let own = H::contributions::<R, W>(&window, self.parameters, self.time);
             S::update(moved, self.step, Self::sum(own, carry, row_carry));
             carry = [own, carry[0]];

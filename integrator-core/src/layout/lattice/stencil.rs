@@ -8,7 +8,7 @@
 
 use crate::{
     hamiltonian::Hamiltonian,
-    layout::lattice::window::{Blocks, MAX_RADIUS, Window},
+    layout::lattice::window::{ADJACENT, Blocks, MAX_RADIUS, RowPosition, Window},
     scalar::{
         real::Real,
         simd::block::{Block, WIDEST},
@@ -58,6 +58,22 @@ impl Boundary {
     }
 }
 
+/// Whether a stencil reads what is before and what is behind along a direction that the lattice may not have.
+const fn is_read(boundary: Option<Boundary>) -> [bool; 2] {
+    match boundary {
+        Some(boundary) => [boundary.behind > 0, boundary.ahead > 0],
+        None => [false; 2],
+    }
+}
+
+/// Whether nothing depends on others along such a direction.
+const fn is_pointwise(boundary: Option<Boundary>) -> bool {
+    match boundary {
+        Some(boundary) => boundary.is_pointwise(),
+        None => true,
+    }
+}
+
 /// The stencil of a flow: what every site of a lattice computes from its neighbourhood. Written by `#[hamiltonian]`;
 /// `F` is [`Drift`] or [`Kick`].
 pub trait Stencil<F>: Hamiltonian {
@@ -70,6 +86,9 @@ pub trait Stencil<F>: Hamiltonian {
 
     /// The boundary across the rows of a plane.
     const ROW_BOUNDARY: Option<Boundary> = None;
+
+    /// The boundary across planes; no contribution goes to another one.
+    const PLANE_BOUNDARY: Option<Boundary> = None;
 
     /// The contributions of a block of sites.
     fn contributions<R: Real, W: Block<R>>(
@@ -102,10 +121,13 @@ pub(crate) struct AdjacentRows<'m, R, S> {
     pub(crate) row: usize,
     /// The number of rows.
     pub(crate) rows: usize,
-    /// Whether the row differs from those of the plane's interior.
+    /// The index of its plane, and the number of planes.
+    pub(crate) plane: [usize; 2],
+    /// Whether the row differs from those of the lattice's interior.
     pub(crate) at_boundary: bool,
-    /// The coordinates that the flow depends on in the rows above and below; nothing beyond an end.
-    pub(crate) read: [&'m [S]; 2],
+    /// The coordinates that the flow depends on in the rows above and below, and in the same row of the planes before and
+    /// behind; nothing beyond an end.
+    pub(crate) read: [&'m [S]; ADJACENT],
     /// The contributions of the row above to this one; after the pass those of this one to the row below.
     pub(crate) carry: &'m mut [R],
 }
@@ -114,26 +136,24 @@ impl<R, S> AdjacentRows<'_, R, S> {
     /// A line has no adjacent rows.
     #[inline(always)]
     pub(crate) fn none() -> Self {
-        Self { row: 0, rows: 1, at_boundary: false, read: [&[], &[]], carry: &mut [] }
+        Self { row: 0, rows: 1, plane: [0, 1], at_boundary: false, read: [&[]; ADJACENT], carry: &mut [] }
     }
 }
 
 impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
-    /// Whether the stencil reads the rows above and below.
-    pub(crate) const READS_ADJACENT: [bool; 2] = match H::ROW_BOUNDARY {
-        Some(rows) => [rows.behind > 0, rows.ahead > 0],
-        None => [false; 2],
+    /// Whether the stencil reads each of the adjacent rows.
+    pub(crate) const READS_ADJACENT: [bool; ADJACENT] = {
+        let [above, below] = is_read(H::ROW_BOUNDARY);
+        let [before, behind] = is_read(H::PLANE_BOUNDARY);
+        [above, below, before, behind]
     };
 
     /// Whether a row contributes to the next one.
     pub(crate) const CARRIES_BETWEEN_ROWS: bool = matches!(H::ROW_BOUNDARY, Some(Boundary { forward: 1.., .. }));
 
     /// Whether every site depends on itself alone, as for a kinetic energy that is a sum of squares.
-    const POINTWISE: bool = H::BOUNDARY.is_pointwise()
-        && match H::ROW_BOUNDARY {
-            Some(rows) => rows.is_pointwise(),
-            None => true,
-        };
+    const POINTWISE: bool =
+        H::BOUNDARY.is_pointwise() && is_pointwise(H::ROW_BOUNDARY) && is_pointwise(H::PLANE_BOUNDARY);
 
     /// Moves the coordinates of `sites`: whole blocks, then one by one the sites that fill none.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -226,7 +246,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
             return self.interior_of_row(site, count, carry);
         }
         let [nearest, farthest] = Self::reads::<W>();
-        let (begin, row, rows) = (site - self.first, self.adjacent.row, self.adjacent.rows);
+        let (begin, row) = (site - self.first, self.row());
         let mut blocks = [W::of(0.0); 2 * MAX_RADIUS + 1];
         if const { !Self::POINTWISE } {
             blocks = self.blocks_around(self.read, site as isize - W::WIDTH as isize);
@@ -240,8 +260,8 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
                 blocks[index] = blocks[index + 1];
             }
             blocks[farthest] = S::read(read);
-            let (adjacent, length) = ([blocks; 2], self.length);
-            let window = Window { blocks, adjacent, site, length, row, rows, at_boundary: false, scalar: PhantomData };
+            let adjacent = [blocks; ADJACENT];
+            let window = Window { blocks, adjacent, site, row, at_boundary: false, scalar: PhantomData };
             let own = H::contributions::<R, W>(&window, self.parameters, self.time);
             S::update(moved, self.step, Self::sum(own, carry, &mut []));
             carry = [own, carry[0]];
@@ -320,10 +340,17 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
     fn boundary_contributions<W: Block<R>>(&self, site: usize) -> H::Contributions<W> {
         let blocks = self.blocks_around(self.read, site as isize);
         let is_plane = const { H::ROW_BOUNDARY.is_some() };
-        let adjacent = if is_plane { self.adjacent_blocks(blocks, site as isize) } else { [blocks; 2] };
-        let (length, row, rows) = (self.length, self.adjacent.row, self.adjacent.rows);
-        let window = Window { blocks, adjacent, site, length, row, rows, at_boundary: true, scalar: PhantomData };
+        let adjacent = if is_plane { self.adjacent_blocks(blocks, site as isize) } else { [blocks; ADJACENT] };
+        let row = self.row();
+        let window = Window { blocks, adjacent, site, row, at_boundary: true, scalar: PhantomData };
         H::contributions::<R, W>(&window, self.parameters, self.time)
+    }
+
+    /// Where the row is.
+    #[inline(always)]
+    pub(crate) fn row(&self) -> RowPosition {
+        let (length, AdjacentRows { row, rows, plane, .. }) = (self.length, &self.adjacent);
+        RowPosition { length, row: *row, rows: *rows, plane: *plane }
     }
 
     /// The indices in [`Window::blocks`] of the first and the last block that the stencil reads.
@@ -349,15 +376,14 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         blocks
     }
 
-    /// The same in the rows above and below, where the stencil reads them.
+    /// The same in the adjacent rows, where the stencil reads them.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn adjacent_blocks<W: Block<R>>(&self, blocks: Blocks<W>, site: isize) -> [Blocks<W>; 2] {
-        let [reads_above, reads_below] = Self::READS_ADJACENT;
-        let [above, below] = self.adjacent.read;
-        [
-            if reads_above { self.blocks_around(above, site) } else { blocks },
-            if reads_below { self.blocks_around(below, site) } else { blocks },
-        ]
+    pub(crate) fn adjacent_blocks<W: Block<R>>(&self, blocks: Blocks<W>, site: isize) -> [Blocks<W>; ADJACENT] {
+        // Written out, so that all windows stay in registers.
+        let of_row = |row: usize| {
+            if Self::READS_ADJACENT[row] { self.blocks_around(self.adjacent.read[row], site) } else { blocks }
+        };
+        [of_row(0), of_row(1), of_row(2), of_row(3)]
     }
 
     /// The block of coordinates that begins at a site, which may lie beyond an end.

@@ -1,5 +1,6 @@
 //! Time skewing of long lattices: several flows move a tile of sites while it is in the cache, and threads move chunks
-//! of the lattice in parallel. A plane is a line of rows: its tiles, chunks and offsets are counted in them.
+//! of the lattice in parallel. A plane is a line of rows, and a volume one of planes: tiles, chunks and offsets are counted in
+//! these layers.
 //!
 //! A flow reads a site's neighbours as the flow before left them. So each flow of a tile ends short of the one before
 //! it, by the skew offset that keeps what the next tile is going to read. At the borders between threads, and where the
@@ -36,6 +37,9 @@ const TILE_OF_ROWS: usize = 8 * TILE;
 /// lean by more are tiled as many.
 const SKEWED_SITES: usize = 24 * TILE;
 
+/// The fewest flows of a tile of layers, however many sites these have: they go through a third-level cache together.
+const SHALLOWEST: usize = 16;
+
 /// The number of flows that are collected before they are applied to the lattice.
 const DEPTH: usize = 64;
 
@@ -68,16 +72,29 @@ pub struct Flow {
 pub struct StencilRadii {
     drift: Boundary,
     kick: Boundary,
-    /// Whether they are counted in rows of a plane.
-    pub(crate) of_rows: bool,
+    /// Whether they are counted in layers: rows of a plane, or planes of a volume.
+    pub(crate) of_layers: bool,
 }
 
 impl StencilRadii {
-    /// The radii of the flows of `H`: across the rows of a plane, or else along a line.
+    /// The radii of the flows of `H`: across planes, across the rows of a plane, or else along a line.
     pub const fn of<H: Stencil<Drift> + Stencil<Kick>>() -> Self {
-        match (<H as Stencil<Drift>>::ROW_BOUNDARY, <H as Stencil<Kick>>::ROW_BOUNDARY) {
-            (Some(drift), Some(kick)) => Self { drift, kick, of_rows: true },
-            _ => Self { drift: <H as Stencil<Drift>>::BOUNDARY, kick: <H as Stencil<Kick>>::BOUNDARY, of_rows: false },
+        let rows = Self::across(<H as Stencil<Drift>>::ROW_BOUNDARY, <H as Stencil<Kick>>::ROW_BOUNDARY);
+        let planes = Self::across(<H as Stencil<Drift>>::PLANE_BOUNDARY, <H as Stencil<Kick>>::PLANE_BOUNDARY);
+        match (planes, rows) {
+            (Some(layers), _) | (None, Some(layers)) => layers,
+            (None, None) => {
+                let (drift, kick) = (<H as Stencil<Drift>>::BOUNDARY, <H as Stencil<Kick>>::BOUNDARY);
+                Self { drift, kick, of_layers: false }
+            }
+        }
+    }
+
+    /// Those across layers, if both flows have these.
+    const fn across(drift: Option<Boundary>, kick: Option<Boundary>) -> Option<Self> {
+        match (drift, kick) {
+            (Some(drift), Some(kick)) => Some(Self { drift, kick, of_layers: true }),
+            _ => None,
         }
     }
 
@@ -140,7 +157,7 @@ impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K>
         H::apply_to_sites::<R, K>(&mut segment, flow, sites);
     }
     fn forget(&mut self) {
-        if const { matches!(H::STENCIL_RADII, Some(StencilRadii { of_rows: true, .. })) } {
+        if const { matches!(H::STENCIL_RADII, Some(StencilRadii { of_layers: true, .. })) } {
             self.carries.forget();
         }
     }
@@ -185,7 +202,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     /// Applies the collected flows.
     pub(crate) fn finish(&mut self) {
         if let (Some(radii), Some(sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
-            let width = if radii.of_rows { 1 } else { Wide::<R, K>::WIDTH };
+            let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
             advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
         }
         self.flows.clear();
@@ -263,11 +280,11 @@ fn advance_lattice(
         most => threads.unwrap_or_else(all_threads).clamp(1, most),
     };
     let (mut tile, mut depth, mut cached) = (TILE, DEPTH, CACHED);
-    if radii.of_rows {
+    if radii.of_layers {
         cached = CACHED_PLANE;
         count = count.min(length / (LEAST_DEPTH * ROWS_PER_FLOW)).max(1);
         tile = (TILE_OF_ROWS / columns.max(1)).max(1);
-        depth = (SKEWED_SITES / columns.max(1)).clamp(2, DEPTH).min(length / count / ROWS_PER_FLOW);
+        depth = (SKEWED_SITES / columns.max(1)).clamp(SHALLOWEST, DEPTH).min(length / count / ROWS_PER_FLOW);
     }
     if length * columns < cached || depth < 2 {
         flows.iter().for_each(|flow| lattice.apply(flow, 0..length));

@@ -1,5 +1,5 @@
 //! The stencil window: the coordinates around a site of a lattice, or around as many sites as a block holds. The
-//! lattice is a line of sites, or a plane of rows of them.
+//! lattice is a line of sites, a plane of rows of them, or a volume of planes.
 
 use crate::scalar::{
     real::{Mask, Real},
@@ -10,22 +10,33 @@ use core::{marker::PhantomData, ops::Range};
 /// The largest radius of a stencil, in sites.
 pub(crate) const MAX_RADIUS: usize = 2;
 
+/// The number of rows that are adjacent to a row: two in its plane, and two in the planes around.
+pub(crate) const ADJACENT: usize = 4;
+
 /// The blocks of a window behind, here and ahead; those that the stencil does not read hold no coordinates.
 pub(crate) type Blocks<W> = [W; 2 * MAX_RADIUS + 1];
+
+/// Where a row is in its lattice.
+#[derive(Clone, Copy)]
+pub(crate) struct RowPosition {
+    /// The number of sites in the line or in a row.
+    pub(crate) length: usize,
+    /// The index of the row.
+    pub(crate) row: usize,
+    /// The number of rows, of a plane where there are several.
+    pub(crate) rows: usize,
+    /// The index of the row's plane, and the number of planes.
+    pub(crate) plane: [usize; 2],
+}
 
 /// The coordinates around a block of sites, and the position of the block in the lattice.
 pub struct Window<R: Real, W: Block<R>> {
     pub(crate) blocks: Blocks<W>,
-    /// The same in the rows above and below.
-    pub(crate) adjacent: [Blocks<W>; 2],
+    /// The same in the adjacent rows: in those above and below, and in the same row of the planes before and behind.
+    pub(crate) adjacent: [Blocks<W>; ADJACENT],
     /// The index of the block's first site.
     pub(crate) site: usize,
-    /// The number of sites in the line or in a row.
-    pub(crate) length: usize,
-    /// The index of the block's row.
-    pub(crate) row: usize,
-    /// The number of rows.
-    pub(crate) rows: usize,
+    pub(crate) row: RowPosition,
     /// Whether some site of the block may differ from those of the lattice's interior.
     pub(crate) at_boundary: bool,
     pub(crate) scalar: PhantomData<R>,
@@ -35,13 +46,19 @@ impl<R: Real, W: Block<R>> Window<R, W> {
     /// The number of sites in the line or in a row.
     #[inline(always)]
     pub fn length(&self) -> usize {
-        self.length
+        self.row.length
     }
 
-    /// The number of rows.
+    /// The number of rows, of a plane where there are several.
     #[inline(always)]
     pub fn rows(&self) -> usize {
-        self.rows
+        self.row.rows
+    }
+
+    /// The number of planes.
+    #[inline(always)]
+    pub fn planes(&self) -> usize {
+        self.row.plane[1]
     }
 
     /// The coordinates at an offset, behind the sites if it is negative.
@@ -60,6 +77,18 @@ impl<R: Real, W: Block<R>> Window<R, W> {
     #[inline(always)]
     pub fn below(&self, offset: isize) -> W {
         Self::shifted(self.adjacent[1], offset)
+    }
+
+    /// The coordinates in the same row of the plane before.
+    #[inline(always)]
+    pub fn previous_plane(&self, offset: isize) -> W {
+        Self::shifted(self.adjacent[2], offset)
+    }
+
+    /// The coordinates in the same row of the plane behind.
+    #[inline(always)]
+    pub fn next_plane(&self, offset: isize) -> W {
+        Self::shifted(self.adjacent[3], offset)
     }
 
     #[inline(always)]
@@ -85,7 +114,7 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         }
         let mut elements = [R::of(0.0); WIDEST];
         for (lane, element) in elements[..W::WIDTH].iter_mut().enumerate() {
-            let at = (first + lane as isize).rem_euclid(self.length as isize) as usize;
+            let at = (first + lane as isize).rem_euclid(self.row.length as isize) as usize;
             if at < table.len() {
                 *element = table[at];
             }
@@ -106,9 +135,33 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         self.of_row(table, down).map_or(W::of(0.0), |row| self.table(row.as_ref(), offset))
     }
 
+    /// The element of a table over planes, so many planes behind the block's; zero where it has none.
+    #[inline(always)]
+    pub fn table_over_planes(&self, table: &[R], behind: isize) -> W {
+        W::splat(self.of_plane(table, behind).copied().unwrap_or(R::of(0.0)))
+    }
+
+    /// The elements of a table over planes, rows and sites, so many planes behind the block's, rows below it, and at an offset
+    /// from its sites; zero where it has none.
+    #[inline(always)]
+    pub fn table_of_planes<Rows: AsRef<[R]>>(
+        &self,
+        table: &[impl AsRef<[Rows]>],
+        [behind, down]: [isize; 2],
+        offset: isize,
+    ) -> W {
+        self.of_plane(table, behind).map_or(W::of(0.0), |plane| self.table_of_rows(plane.as_ref(), down, offset))
+    }
+
     #[inline(always)]
     fn of_row<'t, T>(&self, table: &'t [T], down: isize) -> Option<&'t T> {
-        table.get((self.row as isize + down).rem_euclid(self.rows as isize) as usize)
+        table.get((self.row.row as isize + down).rem_euclid(self.row.rows as isize) as usize)
+    }
+
+    #[inline(always)]
+    fn of_plane<'t, T>(&self, table: &'t [T], behind: isize) -> Option<&'t T> {
+        let [plane, planes] = self.row.plane;
+        table.get((plane as isize + behind).rem_euclid(planes as isize) as usize)
     }
 
     /// A value at the sites of a range, zero at others.
@@ -127,13 +180,25 @@ impl<R: Real, W: Block<R>> Window<R, W> {
     /// A value in the rows of a range, zero in others.
     #[inline(always)]
     pub fn row_masked(&self, rows: Range<usize>, value: W) -> W {
-        if self.at_boundary && !rows.contains(&self.row) { W::of(0.0) } else { value }
+        if self.at_boundary && !rows.contains(&self.row.row) { W::of(0.0) } else { value }
     }
 
     /// A sum, to which a value is added in the few rows of a range near an end of the plane.
     #[inline(always)]
     pub fn row_masked_add(&self, rows: Range<usize>, sum: W, value: W) -> W {
-        if self.at_boundary && rows.contains(&self.row) { sum + value } else { sum }
+        if self.at_boundary && rows.contains(&self.row.row) { sum + value } else { sum }
+    }
+
+    /// A value in the planes of a range, zero in others.
+    #[inline(always)]
+    pub fn plane_masked(&self, planes: Range<usize>, value: W) -> W {
+        if self.at_boundary && !planes.contains(&self.row.plane[0]) { W::of(0.0) } else { value }
+    }
+
+    /// A sum, to which a value is added in the few planes of a range near an end of the volume.
+    #[inline(always)]
+    pub fn plane_masked_add(&self, planes: Range<usize>, sum: W, value: W) -> W {
+        if self.at_boundary && planes.contains(&self.row.plane[0]) { sum + value } else { sum }
     }
 
     /// The mask of the block's sites that lie in a range.

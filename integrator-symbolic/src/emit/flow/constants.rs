@@ -235,9 +235,9 @@ fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &
 fn own_flow(model: &Model, names: &Names, part: usize) -> TokenStream {
     let (runtime, method) = (&names.runtime, &model.parts[part].own);
     let [q, p] = ["q", "p"].map(|coordinates| format_ident!("{coordinates}"));
-    let points = |coordinates: &Ident| match model.shape.dimension {
-        None => quote!(#coordinates),
-        Some(_) => quote!(#coordinates.as_chunks_mut().0),
+    let points = |coordinates: &Ident| {
+        let chunked = |list, _: &Length| quote!(#list.as_chunks_mut().0);
+        model.shape.inner.iter().fold(quote!(#coordinates), chunked)
     };
     let [of_q, of_p] = [points(&q), points(&p)];
     let call = match model.shape.length {

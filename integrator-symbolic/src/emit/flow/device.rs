@@ -162,10 +162,11 @@ impl Shape {
                     .to_owned())
             }
         };
-        let shape = Self {
-            length: length(&model.shape.length)?,
-            dimension: model.shape.dimension.as_ref().map(length).transpose()?,
-        };
+        if model.shape.is_volume() {
+            return Err("lattices in three dimensions have no text for devices yet".to_owned());
+        }
+        let shape =
+            Self { length: length(&model.shape.length)?, dimension: model.shape.dimension().map(length).transpose()? };
         match 2 * shape.count() {
             numbers if numbers > MOST_COORDINATES => Err(format!(
                 "a device keeps the state of a member in registers, {MOST_COORDINATES} numbers at most, and this one has \

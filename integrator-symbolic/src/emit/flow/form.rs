@@ -5,6 +5,7 @@ use crate::{
     differentiate::Contribution,
     emit::printer::{block::Emitter, fields::Fields, names::Names},
     model::Model,
+    stencil::Lattice,
     syntax::Input,
 };
 use std::fmt;
@@ -20,6 +21,8 @@ pub enum Form {
     Line,
     /// Along the rows of a plane of sites, each of which looks at its neighbours.
     Plane,
+    /// Plane by plane, along the rows of each.
+    Volume,
     /// Bodies side by side in one row of a vector: a sum over pairs, by rotations of the row.
     Row,
     /// Bodies side by side in rows of eight: a sum over pairs, tile by tile.
@@ -38,6 +41,7 @@ impl Form {
             Self::Lists => "lists",
             Self::Line => "line",
             Self::Plane => "plane",
+            Self::Volume => "volume",
             Self::Row => "row",
             Self::Tiles => "tiles",
             Self::Neighbours => "neighbours",
@@ -53,6 +57,7 @@ impl fmt::Display for Form {
             Self::Lists => "terms of lists side by side, in vectors; all else as the formulas stand",
             Self::Line => "neighbour sums along a line of sites, in vectors",
             Self::Plane => "neighbour sums along the rows of a plane, in vectors",
+            Self::Volume => "neighbour sums along the rows of planes, one behind the other, in vectors",
             Self::Row => "pair sums by rotations of one row of bodies",
             Self::Tiles => "pair sums in tiles of eight bodies by eight",
             Self::Neighbours => {
@@ -86,7 +91,10 @@ pub(crate) fn forms(
     [drift, kick].map(|flow| match flow.sweep {
         None if flow.over_lists => Form::Lists,
         None => Form::Plain,
-        Some(sweep) if sweep.is_plane() => Form::Plane,
-        Some(_) => Form::Line,
+        Some(sweep) => match sweep.lattice() {
+            Lattice::Line => Form::Line,
+            Lattice::Plane => Form::Plane,
+            Lattice::Volume => Form::Volume,
+        },
     })
 }

@@ -40,9 +40,10 @@ pub(super) struct Interaction {
 impl Interaction {
     /// That of a model, if its potential is one of pairs and its kinetic energy one of bodies.
     pub(super) fn of(model: &mut Model) -> Option<Self> {
-        let dimension = match &model.shape.dimension {
-            None => 1,
-            Some(dimension) => dimension.literal()?,
+        let dimension = match &model.shape.inner[..] {
+            [] => 1,
+            [dimension] => dimension.literal()?,
+            _ => return None,
         };
         // A body alone has no pairs.
         if model.shape.length.literal().is_some_and(|length| length < 2) {

@@ -92,7 +92,7 @@ pub(crate) fn judged(input: &Input, coordinates: &Coordinates, model: &mut Model
 
 /// The number of components of the points that coordinates are.
 fn dimension(shape: &Shape) -> Result<u64, Obstacle> {
-    let dimension = shape.dimension.as_ref().and_then(|dimension| dimension.literal());
+    let dimension = shape.dimension().and_then(|dimension| dimension.literal());
     let many = shape.length.literal().is_none_or(|length| length > 1);
     dimension.filter(|_| many).ok_or_else(|| {
         let text = shape.text();

@@ -13,7 +13,7 @@ use crate::{
     graph::{Graph, Part, Scope},
     model::Model,
     program::{Sink, Store},
-    stencil::{Components, Direction, Stencil, stencil},
+    stencil::{Components, Direction, Lattice, Stencil, stencil},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -29,22 +29,21 @@ pub(crate) struct Sweep {
 /// What the gradient of the potential tells of coordinates with two indices. A kinetic energy looks the same for points as
 /// for rows of sites.
 pub(super) fn components(emitter: &mut Emitter<'_>, potential: &[Contribution]) -> Components {
-    let Model { graph, parameters, lengths, .. } = &mut *emitter.model;
-    let has_unknown_width =
-        lengths.len() > 1 && lengths.last().is_some_and(|width| graph.loops.literal(*width).is_none());
+    let Model { graph, parameters, extents, .. } = &mut *emitter.model;
+    let has_unknown_width = matches!(extents[..], [_, width] if graph.loops.literal(width).is_none());
     if !has_unknown_width {
         return Components::Unknown;
     }
     let folded = fold_branches(graph, potential);
     let leaf = |graph: &Graph, id| is_leaf(graph, parameters, id);
-    stencil(graph, &folded, lengths, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
+    stencil(graph, &folded, extents, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
 }
 
 /// The stencil of `gradient`, if all sites take part alike.
 pub(super) fn alike(emitter: &mut Emitter<'_>, gradient: &[Contribution], components: Components) -> Option<Stencil> {
     let model = &mut *emitter.model;
-    let Model { graph, parameters, lengths, .. } = &mut *model;
-    let mut stencil = stencil(graph, gradient, lengths, components, |graph, id| is_leaf(graph, parameters, id))?;
+    let Model { graph, parameters, extents, .. } = &mut *model;
+    let mut stencil = stencil(graph, gradient, extents, components, |graph, id| is_leaf(graph, parameters, id))?;
     for Direction { place, begins, .. } in &stencil.directions {
         let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
         let index = model.running.get(&first)?.clone();
@@ -81,8 +80,12 @@ pub(crate) fn sweep(
 impl Sweep {
     /// The flow, as the runtime goes about it.
     pub(crate) fn flow(&self) -> TokenStream {
-        let rows = if self.is_plane() { "_rows" } else { "" };
-        let method = format_ident!("{}{rows}", self.flow.to_string().to_lowercase());
+        let units = match self.lattice() {
+            Lattice::Line => "",
+            Lattice::Plane => "_rows",
+            Lattice::Volume => "_planes",
+        };
+        let method = format_ident!("{}{units}", self.flow.to_string().to_lowercase());
         quote!(motion.#method::<Self>(duration, time);)
     }
 
@@ -108,9 +111,10 @@ impl Sweep {
         let boundaries = self.stencil.directions.iter().zip(onward).rev();
         let mut boundaries = boundaries.map(|(direction, onward)| boundary_of(direction, onward, runtime));
         let sites = boundaries.next();
-        let rows = boundaries.next().map(|rows| {
+        let across = [format_ident!("ROW_BOUNDARY"), format_ident!("PLANE_BOUNDARY")];
+        let across = across.iter().zip(boundaries).map(|(name, boundary)| {
             quote! {
-                const ROW_BOUNDARY: ::core::option::Option<#runtime::Boundary> = ::core::option::Option::Some(#rows);
+                const #name: ::core::option::Option<#runtime::Boundary> = ::core::option::Option::Some(#boundary);
             }
         });
         let (window, parameters, time) = (body.argument("window"), body.argument("parameters"), body.argument("time"));
@@ -119,7 +123,7 @@ impl Sweep {
             type Contributions<#wide: ::core::marker::Copy> = [#wide; #count];
 
             const BOUNDARY: #runtime::Boundary = #sites;
-            #rows
+            #(#across)*
 
             #[inline(always)]
             fn contributions<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
@@ -130,9 +134,9 @@ impl Sweep {
         }
     }
 
-    /// Whether it moves the sites of a plane.
-    pub(crate) fn is_plane(&self) -> bool {
-        self.stencil.is_plane()
+    /// What the sites that it moves make up.
+    pub(crate) fn lattice(&self) -> Lattice {
+        self.stencil.lattice()
     }
 }
 
@@ -154,8 +158,12 @@ fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenSt
 }
 
 /// What lets the runtime move a lattice a segment at a time: the stencil radii of its flows, and its sites.
-pub(crate) fn parts(is_plane: bool, names: &Names) -> (TokenStream, TokenStream) {
-    let [all, apply] = if is_plane { ["rows", "apply_to_rows"] } else { ["sites", "apply"] };
+pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStream) {
+    let [all, apply] = match lattice {
+        Lattice::Line => ["sites", "apply"],
+        Lattice::Plane => ["layers", "apply_to_rows"],
+        Lattice::Volume => ["layers", "apply_to_planes"],
+    };
     let [all, apply] = [all, apply].map(|name| format_ident!("{name}"));
     let Names { runtime, scalar, leaf, .. } = names;
     let radii = quote! {

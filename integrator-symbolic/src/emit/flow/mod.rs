@@ -136,9 +136,9 @@ impl Flows {
                 const WIDE: bool = true;
             )
         });
-        let is_plane = |flow: &Flow| flow.sweep.as_ref().map(Sweep::is_plane);
-        let alike = is_plane(drift).filter(|plane| is_plane(kick) == Some(*plane));
-        let (radii, sites) = alike.map(|is_plane| lattice::parts(is_plane, names)).unzip();
+        let lattice = |flow: &Flow| flow.sweep.as_ref().map(Sweep::lattice);
+        let alike = lattice(drift).filter(|of_drift| lattice(kick) == Some(*of_drift));
+        let (radii, sites) = alike.map(|alike| lattice::parts(alike, names)).unzip();
         (quote!(#wide #radii), sites)
     }
 
@@ -431,8 +431,7 @@ fn buffer(
         Part::Position => quote!(q),
         Part::Momentum => quote!(p),
     };
-    let dimension = shape.dimension.as_ref().map(Length::tokens);
-    let element = dimension.as_ref().map_or(zero.clone(), |dimension| quote!([#zero; #dimension]));
+    let element = shape.element(zero);
     let length = shape.length.tokens();
     let on_stack = match shape.length {
         Length::Literal(length) => length <= SMALL,
@@ -445,10 +444,10 @@ fn buffer(
         quote!(let mut gradient = #runtime::repeated(#length, #element);)
     };
     let (moved, application) = (frame.moved(), apply(quote!((*slot)), quote!(*gradient)));
-    let within = match dimension {
-        None => application,
-        Some(_) => quote!(for (slot, gradient) in ::core::iter::zip(slot, gradient) { #application }),
-    };
+    let within = shape
+        .inner
+        .iter()
+        .fold(application, |within, _| quote!(for (slot, gradient) in ::core::iter::zip(slot, gradient) { #within }));
     let close =
         quote!(for (slot, gradient) in ::core::iter::zip(#moved.#coordinates.iter_mut(), &gradient) { #within });
     (open, close)

@@ -331,8 +331,7 @@ fn coordinate_name(graph: &Graph, model: &Model, element: Element) -> Option<Str
         Part::Position => "q",
         Part::Momentum => "p",
     };
-    let first = index(element.index)?;
-    let separator = if first.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "_" };
-    let second = element.component.map_or(Some(String::new()), |component| Some(format!("_{}", index(component)?)))?;
-    Some(format!("{letter}{separator}{first}{second}"))
+    let indices = graph.loops.of_coordinate(element).map(index).collect::<Option<Vec<_>>>()?.join("_");
+    let separator = if indices.starts_with(|first: char| first.is_ascii_digit()) { "" } else { "_" };
+    Some(format!("{letter}{separator}{indices}"))
 }

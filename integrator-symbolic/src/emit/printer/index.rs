@@ -5,13 +5,14 @@ use super::{
     fields::{Fields, is_constant},
     frame::Frame,
 };
+use crate::stencil::Lattice;
 use crate::{
     graph::{
         Element, Part,
         index::{Index, IndexId, LoopId},
     },
     model::{
-        Length,
+        Length, Shape,
         integer::{operand, operation, receiver, signed_operation},
     },
 };
@@ -58,22 +59,25 @@ impl Printer<'_> {
 
     /// The indices of a coordinate; of a body that is an argument, those behind the body's.
     pub(crate) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
-        let component = element.component.map(|component| {
-            let component = self.index(fields, component);
-            quote!([#component])
-        });
-        match self.frame {
-            Frame::System
-            | Frame::Constants
-            | Frame::Motion
-            | Frame::OwnTime
-            | Frame::Apart
-            | Frame::Sites(_)
-            | Frame::Series { .. } => {
-                let index = self.index(fields, element.index);
-                quote!([#index] #component)
+        match (self.frame, element.component) {
+            (Frame::Bodies(_), None) => quote!([0]),
+            (Frame::Bodies(_), Some(component)) => {
+                let component = self.index(fields, component);
+                quote!([#component])
             }
-            Frame::Bodies(_) => component.unwrap_or_else(|| quote!([0])),
+            (
+                Frame::System
+                | Frame::Constants
+                | Frame::Motion
+                | Frame::OwnTime
+                | Frame::Apart
+                | Frame::Sites(_)
+                | Frame::Series { .. },
+                _,
+            ) => {
+                let indices = self.graph.loops.of_coordinate(element).map(|index| self.index(fields, index));
+                quote!(#([#indices])*)
+            }
         }
     }
 
@@ -100,6 +104,11 @@ impl Printer<'_> {
             }
             _ => {}
         }
+        if let Index::InPlane(row, site) = known {
+            let sites = self.graph.loops.sites_of_row().map(|sites| self.inner_index(fields, sites));
+            let [row, site] = [row, site].map(|id| self.inner_index(fields, id));
+            return quote!(#row * #sites + #site);
+        }
         if let Some(both) = known.operands() {
             let [a, b] = both.map(|id| self.inner_index(fields, id));
             return operation(known, receiver(&self.graph.loops, known, both[0], a), b);
@@ -107,13 +116,11 @@ impl Printer<'_> {
         match known {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length if let Frame::Sites(lattice) = self.frame => {
-                if lattice.is_plane() {
-                    quote!(window.rows())
-                } else {
-                    quote!(window.length())
-                }
-            }
+            Index::Length if let Frame::Sites(lattice) = self.frame => match lattice.lattice() {
+                Lattice::Line => quote!(window.length()),
+                Lattice::Plane => quote!(window.rows()),
+                Lattice::Volume => quote!(window.planes()),
+            },
             Index::Length
                 if self.dialect == Dialect::Generic
                     && !matches!(self.frame, Frame::Constants | Frame::Series { .. }) =>
@@ -187,6 +194,17 @@ pub(super) fn part_name(part: Part) -> Ident {
     match part {
         Part::Position => format_ident!("q"),
         Part::Momentum => format_ident!("p"),
+    }
+}
+
+impl Shape {
+    /// The type, or the value, of what the coordinates are a list of, where that of a number is `number`.
+    pub(crate) fn element(&self, number: TokenStream) -> TokenStream {
+        let array = |element, length: &Length| {
+            let length = length.tokens();
+            quote!([#element; #length])
+        };
+        self.inner.iter().rev().fold(number, array)
     }
 }
 

@@ -11,7 +11,8 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites.
+/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites, behind a zero
+/// for planes where there are any.
 fn contribution(onward: &[usize]) -> Ident {
     let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();
     format_ident!("contribution_{}", onward.join("_"))
@@ -25,12 +26,15 @@ impl Printer<'_> {
             Index::Sub(_, far) => (false, self.graph.loops.literal(far).unwrap_or_default()),
             _ => (true, 0),
         };
-        let row = match element.component.map(|_| far(element.index)) {
-            None | Some((_, 0)) => quote!(at),
-            Some((true, _)) => quote!(below),
-            Some((false, _)) => quote!(above),
+        let far: Vec<_> = self.graph.loops.of_coordinate(element).map(far).collect();
+        let row = match far[..] {
+            [.., (true, 1..), _] if far.len() == 2 || far[0].1 == 0 => quote!(below),
+            [.., (false, 1..), _] if far.len() == 2 || far[0].1 == 0 => quote!(above),
+            [(true, 1..), _, _] => quote!(next_plane),
+            [(false, 1..), _, _] => quote!(previous_plane),
+            _ => quote!(at),
         };
-        let (is_ahead, far) = far(element.component.unwrap_or(element.index));
+        let (is_ahead, far) = far.last().copied().unwrap_or((true, 0));
         let far = Literal::u64_unsuffixed(far);
         if is_ahead { quote!(window.#row(#far)) } else { quote!(window.#row(-#far)) }
     }
@@ -38,17 +42,22 @@ impl Printer<'_> {
     /// A prepared constant, the same at all sites, or what a table holds for them.
     pub(crate) fn spread(&self, lattice: &Stencil, name: Ident, loops: LoopSet) -> TokenStream {
         let wide = self.scalar;
+        // Rows are counted from the sites outwards.
         let place = |by: LoopId| {
-            let mut directions = lattice.directions.iter().enumerate();
+            let mut directions = lattice.directions.iter().rev().enumerate();
             directions.find_map(|(number, direction)| {
                 let ahead = Literal::i64_unsuffixed(-*direction.begins.get(&by)?);
                 Some((number, ahead))
             })
         };
-        match (&loops.iter().filter_map(place).collect::<Vec<_>>()[..], lattice.is_plane()) {
-            ([(_, rows), (_, sites)], _) => quote!(window.table_of_rows(&parameters.#name, #rows, #sites)),
-            ([(0, rows)], true) => quote!(window.table_over_rows(&parameters.#name, #rows)),
-            ([(_, sites)], _) => quote!(window.table(&parameters.#name, #sites)),
+        match &loops.iter().filter_map(place).collect::<Vec<_>>()[..] {
+            [(_, planes), (_, rows), (_, sites)] => {
+                quote!(window.table_of_planes(&parameters.#name, [#planes, #rows], #sites))
+            }
+            [(_, rows), (_, sites)] => quote!(window.table_of_rows(&parameters.#name, #rows, #sites)),
+            [(0, sites)] => quote!(window.table(&parameters.#name, #sites)),
+            [(1, rows)] => quote!(window.table_over_rows(&parameters.#name, #rows)),
+            [(_, planes)] => quote!(window.table_over_planes(&parameters.#name, #planes)),
             _ => quote!(#wide::splat(parameters.#name)),
         }
     }
@@ -64,8 +73,12 @@ impl Printer<'_> {
             quote!(#from..#to)
         };
         let (mut value, mut few) = (value, None);
-        let methods = [(quote!(masked), quote!(masked_add)), (quote!(row_masked), quote!(row_masked_add))];
-        // Sites come last, rows before them.
+        let methods = [
+            (quote!(masked), quote!(masked_add)),
+            (quote!(row_masked), quote!(row_masked_add)),
+            (quote!(plane_masked), quote!(plane_masked_add)),
+        ];
+        // Sites come last, rows before them, planes first.
         for (along, (within, plus)) in of.along.iter().rev().zip(methods) {
             match along.places {
                 Extent::All => {}

@@ -189,8 +189,8 @@ impl Formulas<'_> {
             Part::Position => "q",
             Part::Momentum => "p",
         };
-        let component = element.component.map(|component| format!("[{}]", self.index(component))).unwrap_or_default();
-        format!("{letter}[{}]{component}", self.index(element.index))
+        let indices = self.model.graph.loops.of_coordinate(element).map(|index| format!("[{}]", self.index(index)));
+        format!("{letter}{}", indices.collect::<String>())
     }
 
     fn index(&self, id: IndexId) -> String {
@@ -213,6 +213,8 @@ impl Formulas<'_> {
             Index::Typed(_, a) => self.index(a),
             Index::Wrapped(kind, a) => format!("{} as {}", inner(a), kind.name),
             Index::Min(a, b) => format!("min({}, {})", self.index(a), self.index(b)),
+            // Coordinates alone have such an index, and they show its parts.
+            Index::InPlane(row, site) => format!("({}, {})", self.index(row), self.index(site)),
         }
     }
 

@@ -38,8 +38,8 @@ pub(super) fn orders(
     mut kinetic: Vec<Contribution>,
     potential: &[Contribution],
 ) -> Option<Orders> {
-    let Model { graph, parameters, lengths, .. } = &mut *model;
-    let stencil = stencil(graph, potential, lengths, Components::Unknown, |graph, id| is_leaf(graph, parameters, id))?;
+    let Model { graph, parameters, extents, .. } = &mut *model;
+    let stencil = stencil(graph, potential, extents, Components::Unknown, |graph, id| is_leaf(graph, parameters, id))?;
     let mut line = stencil.line(graph)?;
     let mut forces: Vec<_> = line.addends.iter().map(|addend| addend.contribution.clone()).collect();
     let recurrences = Recurrences::of(graph, [&mut kinetic, &mut forces]);

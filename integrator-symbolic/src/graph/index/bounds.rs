@@ -35,6 +35,11 @@ impl Loops {
                 (Some(a), Some(b)) => Index::Min(a, b),
                 (a, b) => return a.or(b),
             },
+            Index::InPlane(row, site) => {
+                let number = self.in_plane(row, site);
+                let number = self.intern(number);
+                return self.upper(number);
+            }
             Index::Parameter(id) => return self.range_of(id).map(|(_, greatest)| greatest),
             Index::Literal(_) | Index::Length | Index::Minus(..) | Index::Wrapped(..) => return None,
         };
@@ -62,6 +67,11 @@ impl Loops {
             Index::Div(a, b) => Index::Div(self.lower(a)?, self.upper(b)?),
             Index::Rem(..) => Index::Literal(0),
             Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
+            Index::InPlane(row, site) => {
+                let number = self.in_plane(row, site);
+                let number = self.intern(number);
+                return self.lower(number);
+            }
             Index::Parameter(id) => return self.range_of(id).map(|(least, _)| least),
             Index::Literal(_) | Index::Length | Index::Minus(..) => return None,
         };
