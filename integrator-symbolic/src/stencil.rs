@@ -73,6 +73,20 @@ impl Stencil {
         }
     }
 
+    /// Whether rows hand something on that takes no longer to compute again than to be kept.
+    fn hands_on_to_rows_what_is_cheap(&self, graph: &Graph, leaf: &impl Fn(&Graph, NodeId) -> bool) -> bool {
+        let is_to_row =
+            |contribution: &&SiteContribution| matches!(contribution.onward()[..], [.., rows, _] if rows > 0);
+        let mut handed_on = self.contributions.iter().filter(is_to_row).peekable();
+        let is_cheap = |contribution: &SiteContribution| {
+            let mut nodes: Vec<_> = computed(graph, contribution.value, leaf).into_iter().collect();
+            nodes.retain(|id| !leaf(graph, *id) && !matches!(graph.node(*id), Node::Coordinate(_) | Node::Time));
+            let is_operation = |id: &NodeId| matches!(graph.node(*id), Node::Add(..) | Node::Mul(..) | Node::Neg(_));
+            nodes.len() <= CHEAP && nodes.iter().all(is_operation)
+        };
+        handed_on.peek().is_some() && handed_on.all(is_cheap)
+    }
+
     /// How many places further on the farthest contribution goes in each direction.
     pub(crate) fn onward(&self) -> Vec<usize> {
         let farthest =
@@ -100,6 +114,9 @@ impl Stencil {
     }
 }
 
+/// The most additions and multiplications that take no longer than storing and loading a number.
+const CHEAP: usize = 3;
+
 /// How many directions a volume has.
 const VOLUME: usize = 3;
 
@@ -125,8 +142,12 @@ pub(crate) fn stencil(
     leaf: impl Fn(&Graph, NodeId) -> bool,
 ) -> Option<Stencil> {
     let pieces = pieces(graph, gradient, &leaf)?;
-    let mut of = |begins| stencil_of(graph, &pieces, (lengths, components), begins, &leaf);
-    of(Begins::Together).or_else(|| of(Begins::Apart))
+    let of = |graph: &mut Graph, begins| stencil_of(graph, &pieces, (lengths, components), begins, &leaf);
+    let Some(together) = of(graph, Begins::Together) else { return of(graph, Begins::Apart) };
+    if together.hands_on_to_rows_what_is_cheap(graph, &leaf) {
+        return of(graph, Begins::RowsApart).or(Some(together));
+    }
+    Some(together)
 }
 
 /// Which site sees what an iteration adds.
@@ -134,6 +155,8 @@ pub(crate) fn stencil(
 enum Begins {
     /// The first one that iterations of its loop add to: what is added to several sites is computed once.
     Together,
+    /// The same along rows; across these the one that it is added to.
+    RowsApart,
     /// The one that it is added to. A site that adds to its neighbours on both sides reads no farther than these.
     Apart,
 }
@@ -154,8 +177,12 @@ fn stencil_of(
     for (level, length) in lengths.iter().enumerate() {
         let farthest = if level + 1 < lengths.len() { FARTHEST_ROW } else { FARTHEST };
         let parent = directions.last().map(|outer| outer.place);
-        // From plane to plane nothing is handed on.
-        let apart = begins == Begins::Apart || lengths.len() == VOLUME && level == 0;
+        let apart = match begins {
+            // From plane to plane nothing is handed on.
+            Begins::Together => lengths.len() == VOLUME && level == 0,
+            Begins::RowsApart => level + 1 < lengths.len(),
+            Begins::Apart => true,
+        };
         directions.push(Direction::new(graph, parent, *length, farthest, apart)?);
     }
     let mut gathering = Gathering { leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };

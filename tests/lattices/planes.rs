@@ -410,7 +410,7 @@ fn threads_on_rows_change_no_bit() {
     tiles_change_no_bit!(Closed::<2051>, Yoshida4, start::<2051>(97), [(3, 4)]);
 }
 
-/// Springs on a torus whose sizes the type knows.
+/// Springs on a torus whose sizes the type knows. Those across rows are of a kind whose pull is handed on.
 struct Springs<const W: usize, const N: usize>;
 
 #[hamiltonian]
@@ -428,7 +428,7 @@ impl<const W: usize, const N: usize> Springs<W, N> {
         let mut energy = 0.0;
         for i in 0..N {
             for j in 0..W {
-                energy += 0.5 * (q[i][(j + 1) % W] - q[i][j]).powi(2) + 0.5 * (q[(i + 1) % N][j] - q[i][j]).powi(2);
+                energy += 0.5 * (q[i][(j + 1) % W] - q[i][j]).powi(2) + 0.25 * (q[(i + 1) % N][j] - q[i][j]).powi(4);
             }
         }
         energy
@@ -458,7 +458,10 @@ fn springs_bit_by_bit<const W: usize, const N: usize>() {
     for step in 1..=STEPS {
         for (i, j) in sites::<W>(N) {
             let right = |j: usize| q[i][(j + 1) % W] - q[i][j];
-            let below = |i: usize| q[(i + 1) % N][j] - q[i][j];
+            let below = |i: usize| {
+                let stretch = q[(i + 1) % N][j] - q[i][j];
+                stretch * stretch * stretch
+            };
             let (along, above) = (-(right(j) + below(i)) + right((j + W - 1) % W), below((i + N - 1) % N));
             p[i][j] = match i {
                 0 => fma(-STEP, above, fma(-STEP, along, p[i][j])),

@@ -176,9 +176,11 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
             self.interior::<W>(site, blocks, Self::zero_carry());
             return site + blocks * W::WIDTH;
         }
-        let mut carry = self.carry_into::<W>(site);
+        // What the last block of a ring hands on to the first one is its own in the end.
+        let last = self.last_of_ring::<W>(&sites);
+        let mut carry = last.map_or_else(|| self.carry_into::<W>(site), |own| [own; MAX_RADIUS]);
         while site < H::BOUNDARY.first && site + W::WIDTH <= end {
-            carry = self.boundary_block(site, carry);
+            carry = self.boundary_block(site, carry, None);
             site += W::WIDTH;
         }
         let blocks = self.interior_blocks::<W>(site..end);
@@ -187,10 +189,18 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
             site += blocks * W::WIDTH;
         }
         while site + W::WIDTH <= end {
-            carry = self.boundary_block(site, carry);
+            carry = self.boundary_block(site, carry, last.filter(|_| site + W::WIDTH == end));
             site += W::WIDTH;
         }
         site
+    }
+
+    /// The contributions of the last block, where `sites` are a ring of blocks whose last one is followed by the first.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn last_of_ring<W: Block<R>>(&self, sites: &Range<usize>) -> Option<H::Contributions<W>> {
+        let is_ring = const { W::WIDTH > 1 && H::BOUNDARY.periodic && H::BOUNDARY.forward > 0 };
+        let is_whole = *sites == (0..self.length) && self.length.is_multiple_of(W::WIDTH);
+        (is_ring && is_whole).then(|| self.boundary_contributions::<W>(self.length - W::WIDTH))
     }
 
     /// Moves sites one by one.
@@ -201,7 +211,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         } else {
             let mut carry = self.carry_into::<R>(sites.start);
             for site in sites {
-                carry = self.boundary_block(site, carry);
+                carry = self.boundary_block(site, carry, None);
             }
         }
     }
@@ -219,14 +229,16 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         end.saturating_sub(sites.start) / W::WIDTH
     }
 
-    /// Moves a block that may have sites of the boundary; `carry` as in [`Self::interior`].
+    /// Moves a block that may have sites of the boundary, whose own contributions may be known; `carry` as in
+    /// [`Self::interior`].
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn boundary_block<W: Block<R>>(
         &mut self,
         site: usize,
         carry: [H::Contributions<W>; MAX_RADIUS],
+        own: Option<H::Contributions<W>>,
     ) -> [H::Contributions<W>; MAX_RADIUS] {
-        let own = self.boundary_contributions::<W>(site);
+        let own = own.unwrap_or_else(|| self.boundary_contributions::<W>(site));
         let begin = site - self.first;
         let row_carry = if const { H::ROW_BOUNDARY.is_some() } { &mut self.adjacent.carry[begin..] } else { &mut [] };
         S::update(&mut self.moved[begin..], self.step, Self::sum(own, carry, row_carry));
