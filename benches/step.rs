@@ -9,9 +9,9 @@ use integrator_bench::{
     by_hand::{
         carried,
         chain::Chain,
+        field::Field,
         law::Law,
         oscillators, plain,
-        plane::Plane,
         points::{Point, scalar, wide},
         row,
         tiles::{Attraction, Bodies},
@@ -155,7 +155,7 @@ impl Report {
         let plan = Plan::of::<Verlet>(h);
         let run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start");
         let mut run = run.with_threads(1);
-        let one_pass = Plane { stiffness: system.stiffness, q: start.q, p: start.p };
+        let one_pass = Field { stiffness: system.stiffness, q: start.q, p: start.p };
         let [mut one_pass, mut plain] = [one_pass.clone(), one_pass];
         let racers = vec![
             Racer::new("generated", || run.advance(steps as u64).expect("finite states")),

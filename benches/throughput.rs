@@ -8,17 +8,17 @@
 use integrator_bench::{
     by_hand::{
         chain::Chain,
+        field::{Field, Layer},
         law::Law,
-        plane::Plane,
         points::Point,
         swarm::Swarm,
         tiles::{Attraction, Bodies},
     },
     plan::Plan,
     plot::{Dots, Row, dots},
-    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum, Phi4WidePlane},
+    problems::{FastPendulum, Fput, HenonHeiles, Kepler, Pendulum, Phi4Volume, Phi4WidePlane},
     race::{Racer, race},
-    starts::{cluster, rows_of_waves, waves},
+    starts::{cluster, planes_of_waves, rows_of_waves, waves},
     table::{Table, folder},
 };
 use integrator_core::{Coords, prelude::*};
@@ -72,12 +72,20 @@ impl Report {
         self.lattice(name, if sites > 1_000_000 { 5 } else { 15 }, [sites, steps], generated, plain, skewed);
     }
 
-    fn plane(&mut self, name: &str, rows: usize) {
-        let (stiffness, start) = (0.7, rows_of_waves(rows));
+    /// A field on rows or planes.
+    fn field<T: Layer>(
+        &mut self,
+        name: &str,
+        system: impl Hamiltonian<Coords = Vec<T>>,
+        stiffness: f64,
+        start: Phase<Vec<T>>,
+    ) where
+        Vec<T>: Coords<Leaf = f64, With<f64> = Vec<T>>,
+    {
         let plan = Plan::of::<Verlet>(STEP);
-        let (sites, steps) = (rows * start.q[0].len(), 64);
-        let generated = Phi4WidePlane { stiffness }.run_with(Verlet, start.clone(), STEP).expect("a start");
-        let by_hand = Plane { stiffness, q: start.q, p: start.p };
+        let (sites, steps) = (start.q.len() * T::SITES, 64);
+        let generated = system.run_with::<f64, _>(Verlet, start.clone(), STEP).expect("a start");
+        let by_hand = Field { stiffness, q: start.q, p: start.p };
         let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
         let (plain, skewed) = (|| plain.two_pass(&plan, steps), || skewed.skewed(&plan, steps));
         self.lattice(name, 5, [sites, steps], generated, plain, skewed);
@@ -190,7 +198,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     {
         report.chain(name, sites);
     }
-    report.plane("phi4_4096x4096", 4096);
+    let stiffness = 0.7;
+    report.field("phi4_4096x4096", Phi4WidePlane { stiffness }, stiffness, rows_of_waves(4096));
+    report.field("phi4_128x128x128", Phi4Volume { stiffness }, stiffness, planes_of_waves(128));
     for (name, count) in [("nbody_100", 100), ("nbody_1000", 1_000), ("nbody_10000", 10_000)] {
         report.bodies(name, count);
     }

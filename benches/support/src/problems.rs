@@ -316,6 +316,36 @@ phi4_plane!(
     "The φ⁴ field on a square lattice with 4096 sites in a row, closed in both directions."
 );
 
+/// The φ⁴ field on a cubic lattice with 128 rows of 128 sites in a plane, closed in all directions.
+#[derive(Clone, Copy)]
+pub struct Phi4Volume {
+    /// Of the springs between neighbours.
+    pub stiffness: f64,
+}
+
+#[hamiltonian]
+impl Phi4Volume {
+    fn kinetic(&self, p: &[[[f64; 128]; 128]]) -> f64 {
+        p.iter().flatten().flatten().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[[[f64; 128]; 128]]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.0;
+        for k in 0..n {
+            for j in 0..128 {
+                for i in 0..128 {
+                    let x = q[k][j][i];
+                    let (right, below) = (q[k][j][(i + 1) % 128] - x, q[k][(j + 1) % 128][i] - x);
+                    let behind = q[(k + 1) % n][j][i] - x;
+                    energy += 0.5 * self.stiffness * (right.powi(2) + below.powi(2) + behind.powi(2));
+                    energy += 0.25 * (x * x - 1.0).powi(2);
+                }
+            }
+        }
+        energy
+    }
+}
+
 /// A cluster of stars.
 #[derive(Clone)]
 pub struct Cluster {

@@ -126,6 +126,13 @@ pub fn rows_of_waves<const W: usize>(rows: usize) -> Phase<Vec<[f64; W]>> {
     Phase::new(q, p)
 }
 
+/// The same wave along all rows of all planes of a volume.
+pub fn planes_of_waves<const W: usize, const ROWS: usize>(planes: usize) -> Phase<Vec<[[f64; W]; ROWS]>> {
+    let Phase { q, p } = rows_of_waves(planes * ROWS);
+    let [q, p] = [q, p].map(|rows| rows.as_chunks().0.to_vec());
+    Phase::new(q, p)
+}
+
 /// Points near those of a cubic grid, shaken a little, with small momenta that sum to about nothing.
 fn shaken_grid(count: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
     // Whole numbers of a linear congruence: the same on every machine.

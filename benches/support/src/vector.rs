@@ -6,7 +6,7 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 /// A float that vectors are made of.
-pub(crate) trait Number: Copy + Send + Sync + Default + PartialOrd + 'static {
+pub trait Number: Copy + Send + Sync + Default + PartialOrd + 'static {
     /// Rounded to this precision.
     fn of(x: f64) -> Self;
     /// Widened.
@@ -58,7 +58,7 @@ number!(f64, u64, 64, 52);
 number!(f32, u32, 32, 23);
 
 /// Several numbers side by side.
-pub(crate) trait Vector:
+pub trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     type Number: Number;
@@ -89,7 +89,7 @@ pub(crate) trait Vector:
 }
 
 /// Vectors of doubles whose lanes can change places.
-pub(crate) trait Row: Vector<Number = f64> {
+pub trait Row: Vector<Number = f64> {
     /// The first `N` lanes moved to the front by `BY` places in a ring.
     fn rotate<const BY: usize, const N: usize>(self) -> Self;
     /// All lanes one place on in their ring.

@@ -10,17 +10,17 @@ use integrator_bench::{
     by_hand::{
         carried,
         chain::Chain,
+        field::Field,
         law::Law,
         oscillators, plain,
-        plane::Plane,
         points::{self, Point},
         row,
         swarm::Swarm,
         tiles::{Attraction, Bodies},
     },
     plan::Plan,
-    problems::{Argon, Fput, Phi4, Phi4Plane, SineGordon, Toda},
-    starts::{Problems, argon, cluster, rows_of_waves, waves},
+    problems::{Argon, Fput, Phi4, Phi4Plane, Phi4Volume, SineGordon, Toda},
+    starts::{Problems, argon, cluster, planes_of_waves, rows_of_waves, waves},
 };
 use integrator_core::{Coords, prelude::*};
 
@@ -176,11 +176,24 @@ fn planes_agree() {
         let start = rows_of_waves(rows);
         let ours = flat(&end(&Phi4Plane { stiffness }, &start, Verlet, 0.05));
         let plan = Plan::of::<Verlet>(0.05);
-        for advance in [Plane::one_pass, Plane::two_pass, Plane::skewed] {
-            let mut plane = Plane { stiffness, q: start.q.clone(), p: start.p.clone() };
+        for advance in [Field::one_pass, Field::two_pass, Field::skewed] {
+            let mut plane = Field { stiffness, q: start.q.clone(), p: start.p.clone() };
             advance(&mut plane, &plan, STEPS as usize);
             agree("a plane", &ours, &[plane.q.as_flattened(), plane.p.as_flattened()].concat(), 1e-12);
         }
+    }
+}
+
+#[test]
+fn volumes_agree() {
+    let (stiffness, start) = (0.7, planes_of_waves(17));
+    let ours = flat(&end(&Phi4Volume { stiffness }, &start, Verlet, 0.05));
+    let plan = Plan::of::<Verlet>(0.05);
+    for advance in [Field::one_pass, Field::two_pass, Field::skewed] {
+        let mut volume = Field { stiffness, q: start.q.clone(), p: start.p.clone() };
+        advance(&mut volume, &plan, STEPS as usize);
+        let [q, p] = [&volume.q, &volume.p].map(|half| half.as_flattened().as_flattened());
+        agree("a volume", &ours, &[q, p].concat(), 1e-12);
     }
 }
 

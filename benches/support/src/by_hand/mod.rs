@@ -11,7 +11,7 @@
 //! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
 //! | [`orbits`] | five planets on Kepler orbits side by side in registers |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
-//! | [`plane`] | the φ⁴ field on a plane, in one pass per step, and in two plain passes |
+//! | [`field`] | the φ⁴ field on a plane or a volume, in one pass per step, several steps one after the other, and in two plain passes |
 //! | [`tangent`] | a state and one deviation vector beside it |
 //! | [`taylor`] | Taylor integrators of the five problems |
 //! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
@@ -20,6 +20,7 @@
 
 pub mod carried;
 pub mod chain;
+pub mod field;
 pub mod law;
 #[cfg(target_arch = "x86_64")]
 pub mod liquid;
@@ -28,7 +29,6 @@ pub mod orbits;
 pub mod oscillators;
 pub mod pace;
 pub mod plain;
-pub mod plane;
 pub mod points;
 pub mod row;
 pub mod swarm;
