@@ -40,7 +40,7 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     pub p: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
     /// The prepared constants of each body.
     constants: Vec<[R::Row<WIDTH>; S]>,
-    /// The sums of forces, chunk after chunk; in the end the first chunk has the total.
+    /// The sums of forces, chunk after chunk, once pairs were summed; in the end the first chunk has the total.
     gradients: Vec<[R::Row<WIDTH>; D]>,
     /// The lists of neighbours, where a cutoff makes these short.
     pub(crate) neighbours: Neighbours<R, D>,
@@ -111,7 +111,7 @@ impl<R: Real, K: Precision, P: Clone, const D: usize, const S: usize> Clone for 
             q: copied(&self.q),
             p: copied(&self.p),
             constants: copied(&self.constants),
-            gradients: copied(&self.gradients),
+            gradients: Vec::new(),
             neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,
@@ -139,9 +139,8 @@ where
             p.push(pack::<R, C, WIDTH, D>(&bodies, states, |state| &state.p));
             rows_of_constants.push(load_constants::<R, P::Single, WIDTH, S>(&bodies, constants));
         }
-        let (gradients, parameters) = (zeros(chunks(bodies) * rows), P::gather(constants));
-        let constants = rows_of_constants;
-        Self { q, p, constants, gradients, neighbours: Neighbours::none(), threads: 1, bodies, parameters }
+        let (constants, parameters) = (rows_of_constants, P::gather(constants));
+        Self { q, p, constants, gradients: Vec::new(), neighbours: Neighbours::none(), threads: 1, bodies, parameters }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         for row in 0..self.q.len() {
@@ -186,8 +185,11 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        self.sum_forces::<H>(time);
         let step = Real::of(-duration);
+        if let Some(cutoffs) = self.cutoffs::<H>(time) {
+            return self.kick_by_neighbours::<H>(&cutoffs, step, time);
+        }
+        self.sum_over_pairs::<H>(time);
         let Self { p, gradients, .. } = self;
         for row in 0..p.len() {
             let (p, gradient) = (&mut p[row], &gradients[row]);
@@ -196,63 +198,37 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             }
         }
     }
-    /// Sums the forces on each body: over its neighbours, where a cutoff makes lists of them short; else over all pairs.
+    /// The cutoffs, where these make lists of neighbours short in any lane.
     #[inline(always)]
-    fn sum_forces<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
+    fn cutoffs<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<Cutoffs<D>> {
         // A constant, so that nothing is compiled for lists where there is no cutoff.
-        if const { H::LISTED_FROM == usize::MAX } {
-            return self.sum_over_pairs::<H>(time);
-        }
-        if H::LISTED_FROM <= self.bodies {
-            let cutoffs = Cutoffs::of::<H, R, S>(&self.parameters, time);
-            if cutoffs.any() {
-                return self.sum_over_neighbours::<H>(&cutoffs, time);
-            }
-        }
-        self.sum_over_pairs::<H>(time);
-    }
-    /// The same over neighbours; over all pairs in the lanes of members whose cutoff covers the box.
-    #[cfg_attr(debug_assertions, inline)]
-    fn sum_over_neighbours<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, cutoffs: &Cutoffs<D>, time: f64) {
-        let others = (!cutoffs.all()).then(|| {
-            self.sum_over_pairs::<H>(time);
-            copied(&self.gradients[..self.q.len()])
-        });
-        let Self { gradients, neighbours, .. } = self;
-        let q = values_of_rows(&self.q);
-        let sum = Sum::<H, R, D, S> {
-            q: &q,
-            constants: &self.constants,
-            bodies: self.bodies,
-            parameters: &self.parameters,
-            time,
-            threads: self.threads,
-        };
-        neighbours.sum_forces(sum, cutoffs, &mut gradients[..q.len()]);
-        if let Some(others) = others {
-            let short = cutoffs.lanes::<R, R::Row<WIDTH>>();
-            for (gradient, other) in gradients.iter_mut().zip(others) {
-                for d in 0..D {
-                    gradient[d] = Real::select(Real::less(Real::of(0.0), short), gradient[d], other[d]);
-                }
-            }
-        }
-    }
-    /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
-    pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
         if const { H::LISTED_FROM == usize::MAX } {
             return None;
         }
         if H::LISTED_FROM > self.bodies {
             return None;
         }
-        let cutoffs = Cutoffs::of::<H, R, S>(&self.parameters, time);
-        if !cutoffs.all() {
-            return None;
+        Some(Cutoffs::of::<H, R, S>(&self.parameters, time)).filter(Cutoffs::any)
+    }
+    /// The flow of `V` by neighbours; by all pairs in the lanes of members whose cutoff covers the box.
+    #[cfg_attr(debug_assertions, inline)]
+    fn kick_by_neighbours<H>(&mut self, cutoffs: &Cutoffs<D>, step: R::Row<WIDTH>, time: f64)
+    where
+        H: ManyBody<D, S, Parameters<R> = P>,
+    {
+        let covered = !cutoffs.all();
+        if covered {
+            self.sum_over_pairs::<H>(time);
         }
-        let q = values_of_rows(&self.q);
-        let sum = Sum::<H, R, D, S> {
-            q: &q,
+        let Self { q, p, constants, gradients, neighbours, threads, bodies, parameters } = self;
+        let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *bodies, parameters, time, threads: *threads };
+        neighbours.kick(sum, cutoffs, covered.then_some(&gradients[..]), step, p);
+    }
+    /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
+    pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
+        let cutoffs = self.cutoffs::<H>(time).filter(Cutoffs::all)?;
+        let sum = Sum::<H, R, _, D, S> {
+            q: &self.q,
             constants: &self.constants,
             bodies: self.bodies,
             parameters: &self.parameters,
@@ -266,6 +242,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     fn sum_over_pairs<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
         let Self { q, constants, gradients, threads, bodies, parameters, .. } = self;
         let (rows, bodies, count, system) = (q.len(), *bodies, chunks(*bodies), PhantomData);
+        gradients.resize(count * rows, [Real::of(0.0); D]);
         let sum = |number: usize, gradient: &mut [[R::Row<WIDTH>; D]]| {
             R::enter(PairChunk::<H, R, K, D, S> {
                 q,
@@ -322,7 +299,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             q: values_of_rows(&self.q),
             p: zeros(self.q.len()),
             constants: copied(&self.constants),
-            gradients: copied(&self.gradients),
+            gradients: Vec::new(),
             neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,

@@ -10,22 +10,27 @@ use crate::scalar::{
 };
 use alloc::vec::Vec;
 
-/// The candidates of a cell: the bodies in it and in those beside it. `T` is single precision.
+/// The candidates of a cell: those of the bodies in it and in those beside it that may be near one of its own. `T` is single
+/// precision.
 pub(crate) struct Candidates<T: Real, const D: usize> {
-    /// Cell by cell, their slots and their places, seen from the first of the cell's own bodies.
+    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity behind
+    /// the last one.
     found: Vec<u32>,
     found_at: [Vec<T>; D],
     /// Where the cell's own bodies begin among these.
     home: usize,
-    /// In the order of numbers: the number of each, and which of those above it is.
+    /// Numbers from zero on, and those of them that are candidates.
+    numbers: Vec<u32>,
+    kept: Vec<u32>,
+    /// In the order of numbers of bodies: the number of each candidate, and which of all above it is.
     keys: Vec<u64>,
     /// Room for the sort, and how many keys have each digit.
     sorted: Vec<u64>,
     tally: Vec<u32>,
-    /// In the order of numbers, their slots and places; zero and infinity behind the last one.
+    /// In the order of numbers, the slots and places of candidates; zero and infinity behind the last one.
     slots: Vec<u32>,
     places: [Vec<T>; D],
-    /// Cell by cell, where they are in the order of numbers.
+    /// Cell by cell, where candidates are in the order of numbers.
     ranks: Vec<u32>,
     /// The square of the radius.
     square: T,
@@ -40,6 +45,8 @@ impl<T: Real, const D: usize> Candidates<T, D> {
             found: Vec::new(),
             found_at: none(),
             home: 0,
+            numbers: Vec::new(),
+            kept: Vec::new(),
             keys: Vec::new(),
             sorted: Vec::new(),
             tally: Vec::new(),
@@ -54,38 +61,56 @@ impl<T: Real, const D: usize> Candidates<T, D> {
     /// Gathers those of a cell that has a body.
     #[inline(always)]
     pub(crate) fn gather(&mut self, cells: &Cells<D>, cell: usize) {
-        let origin = cells.slots(cell).start;
+        self.find(cells, cell);
+        self.keep(cells.slots(cell).len());
         self.keys.clear();
+        let bodies = self.kept.iter().map(|which| (cells.body_of[self.found[*which as usize] as usize], *which));
+        self.keys.extend(bodies.map(|(body, which)| u64::from(body) << 32 | u64::from(which)));
+        self.sort(cells.body_of.len());
+        let whole = self.keys.len().next_multiple_of(PICKED);
+        self.slots.clear();
+        self.slots.resize(whole, 0);
+        for places in &mut self.places {
+            places.clear();
+            places.resize(whole, T::of(f64::INFINITY));
+        }
+        let found = self.found.len();
+        self.ranks.resize(self.ranks.len().max(found), 0);
+        let (ranks, slots, from) = (&mut self.ranks[..found], &mut self.slots, &self.found[..]);
+        for ((rank, key), slot) in self.keys.iter().enumerate().zip(slots) {
+            let which = *key as u32 as usize;
+            *slot = from[which];
+            ranks[which] = rank as u32;
+        }
+        for (places, from) in self.places.iter_mut().zip(&self.found_at) {
+            for (place, key) in places.iter_mut().zip(&self.keys) {
+                *place = from[*key as u32 as usize];
+            }
+        }
+    }
+
+    /// Looks up who is in a cell and in those beside it, and how far the radius is at such places.
+    #[inline(always)]
+    fn find(&mut self, cells: &Cells<D>, cell: usize) {
+        let own = cells.slots(cell).start;
         self.found.clear();
         self.found_at.iter_mut().for_each(Vec::clear);
-        for (beside, shift) in cells.around(cell) {
-            let slots = cells.slots(beside);
-            if beside == cell {
-                self.home = self.found.len();
+        for (slots, shift) in cells.around(cell) {
+            if slots.contains(&own) {
+                self.home = self.found.len() + own - slots.start;
             }
-            let bodies = cells.body_of[slots.clone()].iter().zip(self.found.len() as u64..);
-            self.keys.extend(bodies.map(|(body, which)| u64::from(*body) << 32 | which));
             self.found.extend(slots.start as u32..slots.end as u32);
             for axis in 0..D {
                 let (from, to) = (&cells.places[axis], &mut self.found_at[axis]);
-                let shift = shift[axis] - from[origin];
+                let shift = shift[axis] - from[own];
                 to.extend(from[slots.clone()].iter().map(|x| T::of(x + shift)));
             }
         }
-        self.sort(cells.body_of.len());
-        let (count, whole) = (self.keys.len(), self.keys.len().next_multiple_of(PICKED));
-        self.slots.clear();
-        self.slots.extend(self.keys.iter().map(|key| self.found[*key as u32 as usize]));
-        self.slots.resize(whole, 0);
-        self.ranks.resize(count, 0);
-        for (rank, key) in self.keys.iter().enumerate() {
-            self.ranks[*key as u32 as usize] = rank as u32;
-        }
+        let whole = self.found.len().next_multiple_of(PICKED);
         let mut farthest = T::Block::of(0.0);
         for axis in 0..D {
-            let (places, from) = (&mut self.places[axis], &self.found_at[axis]);
-            places.clear();
-            places.extend(self.keys.iter().map(|key| from[*key as u32 as usize]));
+            let places = &mut self.found_at[axis];
+            let count = places.len();
             places.resize(whole, T::of(0.0));
             for block in places.chunks_exact(T::Block::WIDTH) {
                 let size = T::Block::read(block).abs();
@@ -101,6 +126,54 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         let spacing = f64::from(f32::EPSILON);
         let radius = cells.radius * (1.0 + 8.0 * spacing) + 8.0 * D as f64 * spacing * farthest.min(f64::MAX / 1e9);
         self.square = T::of(radius * radius);
+    }
+
+    /// Keeps the cell's own bodies, so many of them, and those that are near the box around these. Differences and squares are
+    /// rounded in the same way as those of two bodies, and are not greater: nobody is left out who is near a body.
+    #[inline(always)]
+    fn keep(&mut self, own: usize) {
+        let (home, count) = (self.home..self.home + own, self.found.len());
+        let mut sides = [[T::Block::of(f64::NEG_INFINITY), T::Block::of(f64::INFINITY)]; D];
+        for ((sides, image), places) in sides.iter_mut().zip(&self.images).zip(&self.found_at) {
+            // Who is beyond the box may be near by way of its image.
+            if image.is_none() {
+                let (mut low, mut high) = (places[home.start], places[home.start]);
+                for place in &places[home.clone()] {
+                    low = T::select(place.less(low), *place, low);
+                    high = T::select(high.less(*place), *place, high);
+                }
+                *sides = [low, high].map(T::Block::splat);
+            }
+        }
+        let (limit, inside) = (T::Block::splat(self.square), T::Block::of(0.0));
+        let known = self.numbers.len() as u32;
+        self.numbers.extend(known..known.max(self.found_at[0].len() as u32));
+        self.kept.resize(self.kept.len().max(self.numbers.len()), 0);
+        let (groups, _) = self.numbers.as_chunks::<PICKED>();
+        let mut kept = 0;
+        for (group, numbers) in groups.iter().take(count.div_ceil(PICKED)).enumerate() {
+            let first = group * PICKED;
+            let (mut bits, places) = (0, self.found_at.each_ref().map(|places| &places[first..first + PICKED]));
+            for block in (0..PICKED).step_by(T::Block::WIDTH) {
+                let mut square = inside;
+                for (places, [low, high]) in places.iter().zip(sides) {
+                    let place = T::Block::read(&places[block..]);
+                    let distance = (low - place).max(place - high).max(inside);
+                    square = distance.fma(distance, square);
+                }
+                bits |= square.less_bits(limit) << block;
+            }
+            // Those up to a number, in this group.
+            let up_to = |number: usize| match number.saturating_sub(first) {
+                number @ 0..PICKED => (1 << number) - 1,
+                _ => u64::MAX,
+            };
+            bits = (bits | up_to(home.end) & !up_to(home.start)) & up_to(count);
+            if let Some(to) = self.kept[kept..].first_chunk_mut() {
+                kept += T::Block::pick(numbers, bits, to);
+            }
+        }
+        self.kept.truncate(kept);
     }
 
     /// Sorts keys by the numbers of so many bodies, digit by digit.

@@ -14,6 +14,9 @@ pub(crate) type Sides<const D: usize> = [f64; D];
 /// The most axes that are divided: more would have more cells beside each one than bodies near it.
 const DIVIDED: usize = 3;
 
+/// The most cells that are beside one, and itself.
+const AROUND: usize = 3_usize.pow(DIVIDED as u32);
+
 /// The fewest cells along a periodic axis that is divided: with fewer, the cells on both sides are the same one.
 const FEWEST: usize = 3;
 
@@ -34,12 +37,9 @@ pub(crate) struct Cells<const D: usize> {
 }
 
 impl<const D: usize> Cells<D> {
-    /// Sorts bodies; `at` gives the coordinates of one.
-    pub(crate) fn new(bodies: usize, at: &dyn Fn(usize) -> [f64; D], sides: Sides<D>, radius: f64) -> Self {
-        let mut points = Vec::with_capacity(bodies);
-        for body in 0..bodies {
-            points.push(wrapped(at(body), sides));
-        }
+    /// Sorts bodies that are at some points.
+    pub(crate) fn new(mut points: Vec<[f64; D]>, sides: Sides<D>, radius: f64) -> Self {
+        points.iter_mut().for_each(|point| *point = wrapped(*point, sides));
         let (counts, origin, width) = division(&points, sides, radius);
         let cell = |point: &[f64; D]| {
             let mut cell = 0;
@@ -58,13 +58,16 @@ impl<const D: usize> Cells<D> {
         for cell in 1..begins.len() {
             begins[cell] += begins[cell - 1];
         }
-        let (mut next, mut body_of) = (begins.clone(), vec![0; bodies]);
-        for (body, cell) in cell_of.iter().enumerate() {
+        let (mut next, mut body_of) = (begins.clone(), vec![0; points.len()]);
+        let mut places = core::array::from_fn(|_| vec![0.0; points.len()]);
+        for (body, (cell, point)) in cell_of.iter().zip(&points).enumerate() {
             let slot = &mut next[*cell as usize];
             body_of[*slot as usize] = body as u32;
+            for axis in 0..D {
+                places[axis][*slot as usize] = point[axis];
+            }
             *slot += 1;
         }
-        let places = core::array::from_fn(|axis| body_of.iter().map(|body| points[*body as usize][axis]).collect());
         Self { sides, radius, counts, begins, body_of, cell_of, places }
     }
 
@@ -81,8 +84,8 @@ impl<const D: usize> Cells<D> {
     pub(crate) fn near(&self, body: u32, near: &mut Vec<u32>) {
         let cell = self.cell_of[body as usize] as usize;
         let Some(own) = self.slots(cell).find(|slot| self.body_of[*slot] == body) else { return };
-        for (cell, shift) in self.around(cell) {
-            for slot in self.slots(cell) {
+        for (slots, shift) in self.around(cell) {
+            for slot in slots {
                 let mut square = 0.0;
                 for (axis, shift) in shift.iter().enumerate() {
                     let distance = self.places[axis][slot] + shift - self.places[axis][own];
@@ -103,36 +106,45 @@ impl<const D: usize> Cells<D> {
         if self.counts[axis] == 1 { self.sides[axis] } else { 0.0 }
     }
 
-    /// A cell and those beside it, each with what is added to the places in it.
-    pub(super) fn around(&self, cell: usize) -> Vec<(usize, [f64; D])> {
-        let (mut around, mut rest, mut stride) = (vec![(0, [0.0; D])], cell, 1);
-        for axis in 0..D {
-            let (count, side) = (self.counts[axis], self.sides[axis]);
-            let along = rest % count;
-            let mut wider = Vec::with_capacity(around.len() * 3);
-            for (number, shift) in around {
-                let mut add = |along: usize, by: f64| {
-                    let mut shift: [f64; D] = shift;
-                    shift[axis] = by;
-                    wider.push((number + along * stride, shift));
-                };
-                if count > 1 && along > 0 {
-                    add(along - 1, 0.0);
-                } else if count > 1 && side > 0.0 {
-                    add(count - 1, -side);
-                }
-                add(along, 0.0);
-                if along + 1 < count {
-                    add(along + 1, 0.0);
-                } else if count > 1 && side > 0.0 {
-                    add(0, side);
-                }
+    /// The slots in a cell and in those beside it, each with what is added to the places in it; cells that follow each other
+    /// are taken together.
+    pub(super) fn around(&self, cell: usize) -> Vec<(Range<usize>, [f64; D])> {
+        let (mut at, mut rest) = ([0; D], cell);
+        for (at, count) in at.iter_mut().zip(self.counts) {
+            (*at, rest) = (rest % count, rest / count);
+        }
+        let mut around = Vec::<(Range<usize>, [f64; D])>::with_capacity(AROUND);
+        for number in 0..3_usize.pow(D.min(DIVIDED) as u32) {
+            let Some((beside, shift)) = self.beside(at, number) else { continue };
+            let slots = self.slots(beside);
+            match around.last_mut() {
+                Some((last, same)) if last.end == slots.start && *same == shift => last.end = slots.end,
+                _ => around.push((slots, shift)),
             }
-            around = wider;
-            rest /= count;
-            stride *= count;
         }
         around
+    }
+
+    /// One of the cells around that which is so far along the axes, and what is added to the places in it. Each digit of the
+    /// number to the base of three says on which side it is.
+    fn beside(&self, at: [usize; D], mut number: usize) -> Option<(usize, [f64; D])> {
+        let (mut beside, mut stride, mut shift) = (0, 1, [0.0; D]);
+        for axis in 0..D {
+            let (count, side) = (self.counts[axis], self.sides[axis]);
+            let by = if axis < DIVIDED { number % 3 } else { 1 };
+            number /= 3;
+            // One more than where it is, or beyond one end, which is where the other end is.
+            let mut along = at[axis] + by;
+            if along == 0 || along > count {
+                if count == 1 || side <= 0.0 {
+                    return None;
+                }
+                (along, shift[axis]) = if along == 0 { (count, -side) } else { (1, side) };
+            }
+            beside += (along - 1) * stride;
+            stride *= count;
+        }
+        Some((beside, shift))
     }
 }
 

@@ -1,6 +1,10 @@
 //! Lists that a motion hands to another one of the same system: to that of an energy, or of a state that was changed from outside.
 
-use super::{Arc, Listed, Neighbours, Vec, epsilon, lists::Lists};
+use super::{
+    Arc, Neighbours, Vec,
+    listed::{Listed, epsilon},
+    lists::Lists,
+};
 use crate::{layout::bodies::many_rows::WIDTH, scalar::real::Real, system::motion::Found};
 
 /// Lists for a motion that may compute in other numbers.
@@ -18,7 +22,7 @@ struct FoundLists<const D: usize> {
 impl<R: Real, const D: usize> Neighbours<R, D> {
     /// The lists of one state, for another motion of so many bodies with the same constants.
     pub(crate) fn found(&self, bodies: usize) -> Option<Found> {
-        let listed = self.listed.as_ref().filter(|_| R::LANES == 1)?;
+        let listed = self.last().filter(|_| R::LANES == 1)?;
         let mut reference = Vec::with_capacity(bodies);
         for body in 0..bodies {
             reference.push(listed.reference[body / WIDTH].map(|row| row.lane(body % WIDTH)));

@@ -4,10 +4,7 @@
 //! neighbours of all eight, then the second ones. Always true: which bodies make a row depends on where they are, and
 //! changes no bit: every lane adds up its own neighbours, in the order of their numbers.
 
-use super::{
-    candidates::Candidates,
-    cells::{Cells, Sides},
-};
+use super::{candidates::Candidates, cells::Cells};
 use crate::{
     layout::{
         bodies::many_rows::WIDTH,
@@ -44,20 +41,14 @@ pub(crate) struct Lists {
 pub(crate) struct Portion {
     pub(crate) rows: Range<usize>,
     pub(crate) heads: Vec<Head>,
-    /// The slots of neighbours.
-    pub(crate) blocks: Vec<Block>,
+    /// The slots of neighbours, one for each lane in a step.
+    pub(crate) steps: Vec<[u32; WIDTH]>,
 }
-
-/// How many steps are in a block: the slots of a lane fill a cache line.
-pub(crate) const STEPS: usize = 16;
-
-/// So many steps of a row, for each lane one after the other.
-pub(crate) type Block = [[u32; STEPS]; WIDTH];
 
 /// The lists of a row.
 #[derive(Clone, Copy)]
 pub(crate) struct Head {
-    /// The block that its steps begin with.
+    /// The first of its steps.
     pub(crate) first: usize,
     /// How many neighbours each lane has.
     pub(crate) counts: [u32; WIDTH],
@@ -66,19 +57,9 @@ pub(crate) struct Head {
 }
 
 impl Lists {
-    /// Lists the bodies that are within a radius of each other in any of the members, whose bodies `at` places; in the
+    /// Lists so many bodies that are within a radius of each other in any of the members, in whose cells they are; in the
     /// memory of old lists.
-    pub(crate) fn new<const D: usize>(
-        bodies: usize,
-        members: &[(Sides<D>, f64)],
-        at: &(dyn Fn(usize, usize) -> [f64; D] + Sync),
-        threads: usize,
-        old: Option<Self>,
-    ) -> Self {
-        let mut cells = Vec::with_capacity(members.len());
-        for (member, (sides, radius)) in members.iter().enumerate() {
-            cells.push(Cells::new(bodies, &|body| at(member, body), *sides, *radius));
-        }
+    pub(crate) fn new<const D: usize>(bodies: usize, cells: &[Cells<D>], threads: usize, old: Option<Self>) -> Self {
         let rows = bodies.div_ceil(WIDTH);
         let each = rows.div_ceil(PORTIONS).max(LEAST_ROWS);
         let mut portions = old.and_then(|old| old.portions).unwrap_or_default();
@@ -86,14 +67,14 @@ impl Lists {
         for (number, portion) in portions.iter_mut().enumerate() {
             portion.rows = number * each..rows.min((number + 1) * each);
             portion.heads.clear();
-            portion.blocks.clear();
+            portion.steps.clear();
         }
         let mut slot_of = vec![0; bodies];
         for (slot, body) in cells.iter().take(1).flat_map(|cells| &cells.body_of).enumerate() {
             slot_of[*body as usize] = slot as u32;
         }
         let most = (bodies / 4).min(MOST_NUMBERS / bodies.max(1)) * WIDTH;
-        let (cells, slots) = (&cells[..], &slot_of[..]);
+        let slots = &slot_of[..];
         let share = portions.len().div_ceil(threads.max(1)).max(1);
         let mut jobs = Vec::<Job<'_>>::with_capacity(threads);
         for portions in portions.chunks_mut(share) {
@@ -143,7 +124,7 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
 
     #[inline(always)]
     fn call(self) {
-        let Self { portion: Portion { rows, heads, blocks }, cells, slots, most, .. } = self;
+        let Self { portion: Portion { rows, heads, steps }, cells, slots, most, .. } = self;
         let bodies = slots.len();
         let (mut candidates, mut gathered) = (Candidates::<T, D>::new(), None);
         let mut near: [Vec<u32>; WIDTH] = core::array::from_fn(|_| Vec::new());
@@ -167,24 +148,23 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
                 };
             }
             let longest = counts.into_iter().max().unwrap_or(0) as usize;
-            let (first, whole) = (blocks.len(), longest.next_multiple_of(STEPS));
+            let first = steps.len();
             heads.push(Head { first, counts, before });
-            if first * STEPS + whole > most {
+            if first + longest > most {
                 heads.clear();
                 return;
             }
-            blocks.resize(first + whole / STEPS, [[0; STEPS]; WIDTH]);
-            for (lane, near) in near.iter_mut().enumerate() {
+            steps.resize(first + longest, [0; WIDTH]);
+            let steps = &mut steps[first..];
+            for (lane, near) in near.iter().enumerate() {
+                let (listed, rest) = steps.split_at_mut(counts[lane] as usize);
+                for (step, slot) in listed.iter_mut().zip(near) {
+                    step[lane] = *slot;
+                }
                 // A lane that has no more neighbours repeats its last one, or itself; nothing of it is added.
                 let own = (row * WIDTH + lane).min(bodies - 1) as u32;
-                let count = counts[lane] as usize;
-                let last = count.checked_sub(1).map_or(own, |last| near[last]);
-                near.resize(near.len().max(whole), 0);
-                near[count..whole].fill(last);
-                let (steps, _) = near.as_chunks::<STEPS>();
-                for (block, steps) in blocks[first..].iter_mut().zip(steps) {
-                    block[lane] = *steps;
-                }
+                let last = listed.last().map_or(own, |step| step[lane]);
+                rest.iter_mut().for_each(|step| step[lane] = last);
             }
         }
     }

@@ -10,6 +10,7 @@
 mod candidates;
 pub(crate) mod cells;
 mod found;
+mod listed;
 pub(crate) mod lists;
 mod skin;
 mod sums;
@@ -19,20 +20,27 @@ mod tests;
 use crate::{
     layout::{
         bodies::{
-            load_store::element,
+            load_store::{element, values},
             many_rows::WIDTH,
             pair_sums::{ManyBody, add},
         },
         threads::{Job, at_once},
     },
     scalar::{
-        real::{Kernel, Mask, Real},
+        real::{Kernel, Real},
         simd::row::Row,
     },
+    state::{aligned::Aligned, precision::Slot},
 };
-use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
+use alloc::{
+    boxed::Box,
+    sync::{Arc, Weak},
+    vec,
+    vec::Vec,
+};
 use cells::Sides;
 use core::{marker::PhantomData, ops::Range};
+use listed::Listed;
 use lists::{Lists, PORTIONS};
 use skin::{FIRST_SKIN, next_skin};
 use sums::{Energies, Forces};
@@ -88,102 +96,124 @@ impl<const D: usize> Cutoffs<D> {
     }
 }
 
-/// Lists of neighbours, and where bodies were when these were made.
-struct Listed<W, const D: usize> {
-    lists: Arc<Lists>,
-    reference: Vec<[W; D]>,
-    /// The square of half of the skin.
-    slack: f64,
-    skin: f64,
-}
-
-/// The lists of a motion, and what sums need beside them. A copy shares the lists.
+/// The lists of a motion, and what sums need beside them. A copy borrows the lists for as long as the motion keeps them, so
+/// that new ones take the place of the old ones in memory.
 pub(crate) struct Neighbours<R: Real, const D: usize> {
     listed: Option<Arc<Listed<R::Row<WIDTH>, D>>>,
+    borrowed: Weak<Listed<R::Row<WIDTH>, D>>,
     /// How many sums were taken over these lists.
     sums: u32,
-    /// Coordinates and constants of the bodies in their slots, four numbers at a time.
-    points: Vec<[R; 4]>,
+    /// Coordinates and constants of the bodies in their slots, four numbers at a time, none of which is in two cache lines.
+    points: Aligned<R>,
     /// What is added up for the bodies in their slots.
     results: Vec<[[R; WIDTH]; D]>,
 }
 
 impl<R: Real, const D: usize> Clone for Neighbours<R, D> {
     fn clone(&self) -> Self {
-        Self { listed: self.listed.clone(), sums: self.sums, ..Self::none() }
+        let mut copy = Self::none();
+        copy.share(self);
+        copy
     }
 }
 
 impl<R: Real, const D: usize> Neighbours<R, D> {
     /// Those of a motion whose neighbours were never asked for.
     pub(crate) fn none() -> Self {
-        Self { listed: None, sums: 0, points: Vec::new(), results: Vec::new() }
+        let points = Aligned::new(0, &|_| R::of(0.0));
+        Self { listed: None, borrowed: Weak::new(), sums: 0, points, results: Vec::new() }
     }
 
-    /// Takes over the lists of another motion.
+    /// Borrows the lists of another motion.
     pub(crate) fn share(&mut self, from: &Self) {
-        (self.listed, self.sums) = (from.listed.clone(), from.sums);
+        let Some(listed) = from.last() else { return };
+        // What the other one has borrowed from here stays here.
+        self.listed = self.listed.take().filter(|own| Arc::ptr_eq(own, &listed));
+        (self.borrowed, self.sums) = (Arc::downgrade(&listed), from.sums);
     }
 
-    /// The gradient of the energy of all pairs by the coordinates of each body.
-    pub(crate) fn sum_forces<H: ManyBody<D, S>, const S: usize>(
+    /// The lists that were used last, if they are still there.
+    fn last(&self) -> Option<Arc<Listed<R::Row<WIDTH>, D>>> {
+        self.borrowed.upgrade().or_else(|| self.listed.clone())
+    }
+
+    /// Adds a multiple of the gradient of the energy of all pairs, by the coordinates of each body, to momenta; in lanes where
+    /// lists are not used, that of the gradients that are given.
+    pub(crate) fn kick<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         &mut self,
-        sum: Sum<'_, H, R, D, S>,
+        sum: Sum<'_, H, R, L, D, S>,
         cutoffs: &Cutoffs<D>,
-        gradient: &mut [[R::Row<WIDTH>; D]],
+        others: Option<&[[R::Row<WIDTH>; D]]>,
+        factor: R::Row<WIDTH>,
+        p: &mut [[L; D]],
     ) {
-        R::enter(SumForces { neighbours: self, sum, cutoffs, gradient });
+        R::enter(Kick { neighbours: self, sum, cutoffs, others, factor, p });
     }
 
-    /// Makes new lists, unless the old ones still have all pairs that act.
+    /// Makes new lists, unless the last ones still have all pairs that act.
     #[inline(always)]
-    fn renew(&mut self, q: &[[R::Row<WIDTH>; D]], bodies: usize, cutoffs: &Cutoffs<D>, threads: usize) {
-        if self.listed.as_ref().is_some_and(|listed| listed.holds(q)) {
+    fn renew<L: Slot<R::Row<WIDTH>>>(
+        &mut self,
+        q: &[[L; D]],
+        bodies: usize,
+        cutoffs: &Cutoffs<D>,
+        threads: usize,
+    ) -> Arc<Listed<R::Row<WIDTH>, D>> {
+        let last = self.last();
+        if let Some(listed) = last.as_ref().filter(|listed| listed.holds(q)) {
             self.sums += 1;
-            return;
+            return listed.clone();
         }
         let mut distance: f64 = 0.0;
         for cutoff in &cutoffs.of_members {
             distance = distance.max(if cutoff.distance.is_finite() { cutoff.distance } else { 0.0 });
         }
-        let skin = match &self.listed {
-            None => FIRST_SKIN * distance,
-            Some(listed) => next_skin(distance, listed.skin, self.sums, D),
-        };
+        let skin = last.map_or(FIRST_SKIN * distance, |listed| next_skin(distance, listed.skin, self.sums, D));
         let old = self.listed.take().and_then(Arc::into_inner).and_then(|listed| Arc::into_inner(listed.lists));
-        self.listed = Some(Arc::new(Listed::new::<R>(q, bodies, cutoffs, skin, threads, old)));
-        self.sums = 1;
+        let listed = Arc::new(Listed::new::<R, L>(q, bodies, cutoffs, skin, threads, old));
+        (self.listed, self.borrowed, self.sums) = (Some(listed.clone()), Weak::new(), 1);
+        listed
     }
 
     /// Puts coordinates and constants into slots.
     #[inline(always)]
-    fn fill<const S: usize>(&mut self, q: &[[R::Row<WIDTH>; D]], constants: &[[R::Row<WIDTH>; S]], slots: &[u32]) {
+    fn fill<L: Slot<R::Row<WIDTH>>, const S: usize>(
+        &mut self,
+        q: &[[L; D]],
+        constants: &[[R::Row<WIDTH>; S]],
+        slots: &[u32],
+    ) {
         let quads = quads(D + S);
-        self.points.resize(slots.len() * quads, [R::of(0.0); 4]);
-        let mut numbers = [R::of(0.0); WIDTH];
+        let length = slots.len() * quads * 4;
+        if self.points.len() != length {
+            self.points = Aligned::new(length, &|_| R::of(0.0));
+        }
+        let (points, _) = self.points.as_chunks_mut();
         for (row, slots) in slots.chunks(WIDTH).enumerate() {
-            for number in 0..D + S {
-                let values = if number < D { q[row][number] } else { constants[row][number - D] };
-                values.write(&mut numbers);
-                for (slot, value) in slots.iter().zip(numbers) {
-                    self.points[*slot as usize * quads + number / 4][number % 4] = value;
+            for quad in 0..quads {
+                let mut numbers = [[R::of(0.0); WIDTH]; 4];
+                for (number, at) in numbers.iter_mut().zip(quad * 4..D + S) {
+                    let values = if at < D { q[row][at].value() } else { constants[row][at - D] };
+                    values.write(number);
+                }
+                for (lane, slot) in slots.iter().enumerate() {
+                    points[*slot as usize * quads + quad] = numbers.each_ref().map(|number| number[lane]);
                 }
             }
         }
     }
 
     /// The energy of all pairs and of all bodies alone.
-    pub(crate) fn energy<H: ManyBody<D, S>, const S: usize>(
+    pub(crate) fn energy<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         mut self,
-        Sum { q, constants, bodies, parameters, time, threads }: Sum<'_, H, R, D, S>,
+        Sum { q, constants, bodies, parameters, time, threads }: Sum<'_, H, R, L, D, S>,
         cutoffs: &Cutoffs<D>,
     ) -> R {
         let mut total = R::of(0.0);
-        self.renew(q, bodies, cutoffs, threads);
-        let Some(listed) = self.listed.clone() else { return total };
+        let listed = self.renew(q, bodies, cutoffs, threads);
         let lists = &*listed.lists;
         self.fill(q, constants, &lists.slot_of);
-        let points = &self.points[..];
+        let (points, _) = self.points.as_chunks();
         let mut results = vec![[[R::of(0.0); WIDTH]]; q.len()];
         in_portions(lists, &mut results, threads, &|number, rows, results| {
             let portion = lists.portions.as_ref().map(|portions| &portions[number]);
@@ -192,7 +222,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         });
         for row in 0..q.len() {
             let slots = &lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
-            let own = H::energy_alone::<R, R::Row<WIDTH>>(parameters, q[row], constants[row], time);
+            let own = H::energy_alone::<R, R::Row<WIDTH>>(parameters, values(&q[row]), constants[row], time);
             let [sum] = gathered::<R, R::Row<WIDTH>, 1>(&results, slots);
             let sum = own.map_or(sum, |own| own + sum);
             for lane in 0..slots.len() {
@@ -204,8 +234,8 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
 }
 
 /// What a sum over neighbours reads of a motion.
-pub(crate) struct Sum<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> {
-    pub(crate) q: &'s [[R::Row<WIDTH>; D]],
+pub(crate) struct Sum<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
+    pub(crate) q: &'s [[L; D]],
     pub(crate) constants: &'s [[R::Row<WIDTH>; S]],
     pub(crate) bodies: usize,
     pub(crate) parameters: &'s H::Parameters<R>,
@@ -213,113 +243,53 @@ pub(crate) struct Sum<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: u
     pub(crate) threads: usize,
 }
 
-/// The gradient of the energy of all pairs by the coordinates of each body, in the variant for the instruction set.
-struct SumForces<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> {
+/// A kick by the forces of neighbours, in the variant for the instruction set.
+struct Kick<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
     neighbours: &'s mut Neighbours<R, D>,
-    sum: Sum<'s, H, R, D, S>,
+    sum: Sum<'s, H, R, L, D, S>,
     cutoffs: &'s Cutoffs<D>,
-    gradient: &'s mut [[R::Row<WIDTH>; D]],
+    others: Option<&'s [[R::Row<WIDTH>; D]]>,
+    factor: R::Row<WIDTH>,
+    p: &'s mut [[L; D]],
 }
 
-impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for SumForces<'_, H, R, D, S> {
+impl<H, R, L, const D: usize, const S: usize> Kernel for Kick<'_, H, R, L, D, S>
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    L: Slot<R::Row<WIDTH>>,
+{
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self { neighbours, sum: Sum { q, constants, bodies, parameters, time, threads }, cutoffs, gradient } = self;
-        neighbours.renew(q, bodies, cutoffs, threads);
-        let Some(listed) = neighbours.listed.clone() else { return };
+        let Self { neighbours, sum, cutoffs, others, factor, p } = self;
+        let Sum { q, constants, bodies, parameters, time, threads } = sum;
+        let listed = neighbours.renew(q, bodies, cutoffs, threads);
         let lists = &*listed.lists;
         neighbours.fill(q, constants, &lists.slot_of);
         let Neighbours { points, results, .. } = neighbours;
         results.resize(q.len(), [[R::of(0.0); WIDTH]; D]);
-        let points = &points[..];
+        let (points, _) = points.as_chunks();
         in_portions(lists, results, threads, &|number, rows, results| {
             let portion = lists.portions.as_ref().map(|portions| &portions[number]);
             let system = PhantomData::<fn(H)>;
             R::enter(Forces { points, portion, rows, bodies, parameters, time, results, system });
         });
+        let short = Real::less(Real::of(0.0), cutoffs.lanes::<R, R::Row<WIDTH>>());
         for row in 0..q.len() {
             let slots = &lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
-            let own = H::one_body::<R, R::Row<WIDTH>>(parameters, q[row], constants[row], time);
+            let own = H::one_body::<R, R::Row<WIDTH>>(parameters, values(&q[row]), constants[row], time);
             let sum = gathered::<R, R::Row<WIDTH>, D>(results, slots);
-            gradient[row] = match own {
-                Some(own) => add(own, sum),
-                None => sum,
-            };
-        }
-    }
-}
-
-impl<W: Real, const D: usize> Listed<W, D> {
-    /// Lists the pairs within the cutoff and a skin around it, in the memory of old lists.
-    #[inline(always)]
-    fn new<R: Real>(
-        q: &[[W; D]],
-        bodies: usize,
-        cutoffs: &Cutoffs<D>,
-        skin: f64,
-        threads: usize,
-        old: Option<Lists>,
-    ) -> Self
-    where
-        W: Row<R>,
-    {
-        let (mut members, mut places) = (Vec::new(), Vec::new());
-        for (member, cutoff) in cutoffs.of_members.iter().enumerate() {
-            let mut points = vec![[0.0; D]; q.len() * WIDTH];
-            for (row, points) in q.iter().zip(points.chunks_mut(WIDTH)) {
-                for (axis, row) in row.iter().enumerate() {
-                    for (body, point) in points.iter_mut().enumerate() {
-                        point[axis] = row.lane(body * R::LANES + member * (R::LANES / R::MEMBERS));
-                    }
+            let mut gradient = own.map_or(sum, |own| add(own, sum));
+            for d in 0..D {
+                if let Some(others) = others {
+                    gradient[d] = Real::select(short, gradient[d], others[row][d]);
                 }
+                p[row][d].fma(factor, gradient[d]);
             }
-            points.truncate(bodies);
-            let mut farthest: f64 = 0.0;
-            for x in points.as_flattened() {
-                farthest = farthest.max(if x.is_finite() { Real::abs(*x) } else { 0.0 });
-            }
-            places.push(points);
-            // Where lists are not used in this lane, none are made for it.
-            let distance = if cutoff.is_short() { cutoff.distance } else { 0.0 };
-            members.push((cutoff.sides, distance + skin + rounding::<R>(distance + skin, farthest)));
         }
-        let at = |member: usize, body: usize| places[member][body];
-        let lists = Arc::new(Lists::new(bodies, &members, &at, threads, old));
-        // Half of the skin less what the comparison itself rounds.
-        let slack = 0.25 * skin * skin * (1.0 - 16.0 * epsilon::<R>());
-        Self { lists, reference: q.to_vec(), slack, skin }
     }
-
-    /// Whether no body has moved by more than half of the skin. What is not a number has not moved: its run ends anyway.
-    #[inline(always)]
-    fn holds(&self, q: &[[W; D]]) -> bool {
-        let slack = W::of(self.slack);
-        let mut moved = W::Mask::of(false);
-        for (now, then) in q.iter().zip(&self.reference) {
-            let mut square = W::of(0.0);
-            for (now, then) in now.iter().zip(then) {
-                let by = *now - *then;
-                square = by.fma(by, square);
-            }
-            moved = moved.or(slack.less(square));
-        }
-        !moved.any()
-    }
-}
-
-/// The spacing of numbers just above one in what is computed in.
-fn epsilon<R: Real>() -> f64 {
-    let single = R::of(1.0 + f64::EPSILON).lane(0) == 1.0;
-    if single { f64::from(f32::EPSILON) } else { f64::EPSILON }
-}
-
-/// How much farther two bodies may be from each other than the system computes: a displacement is off by the rounding of a
-/// difference, of its division by the side, and of the multiple of the side, each half a spacing at `2 farthest`; three
-/// axes and the sum of their squares make this eight spacings at most.
-fn rounding<R: Real>(distance: f64, farthest: f64) -> f64 {
-    16.0 * epsilon::<R>() * (farthest + distance)
 }
 
 /// The number of quadruples for so many numbers.

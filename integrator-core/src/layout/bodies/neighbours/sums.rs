@@ -1,9 +1,6 @@
 //! Sums over lists: eight bodies at a time, each with its own neighbours.
 
-use super::{
-    lists::{Block, Portion, STEPS},
-    quads,
-};
+use super::{lists::Portion, quads};
 use crate::{
     layout::bodies::{
         many_rows::WIDTH,
@@ -54,14 +51,14 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
-                    let blocks = &portion.blocks[head.first..];
-                    for step in 0..range.common {
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &slots(blocks, step));
+                    let (common, rest) = portion.steps[head.first..][..range.most].split_at(range.common);
+                    for slots in common {
+                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, slots);
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
                     }
-                    for step in range.common..range.most {
+                    for (step, slots) in (range.common..).zip(rest) {
                         let acting = range.acting(step);
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &slots(blocks, step));
+                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, slots);
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], Some(acting), time);
                     }
                 }
@@ -100,9 +97,8 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
-                    let blocks = &portion.blocks[head.first..];
-                    for step in 0..range.most {
-                        add(&slots(blocks, step), range.acting(step));
+                    for (step, slots) in portion.steps[head.first..][..range.most].iter().enumerate() {
+                        add(slots, range.acting(step));
                     }
                 }
                 None => {
@@ -118,16 +114,6 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
 
 /// The mask of some lanes of a row.
 type Lanes<R> = <<R as Real>::Row<WIDTH> as Real>::Mask;
-
-/// The slots of the neighbours of a row in a step, one for each lane.
-#[inline(always)]
-fn slots(blocks: &[Block], step: usize) -> [u32; WIDTH] {
-    let (mut slots, block) = ([0; WIDTH], &blocks[step / STEPS]);
-    for (slot, lane) in slots.iter_mut().zip(block) {
-        *slot = lane[step % STEPS];
-    }
-    slots
-}
 
 /// The slots of a row; lanes behind the last body repeat it.
 #[inline(always)]

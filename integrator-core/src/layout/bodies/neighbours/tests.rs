@@ -1,9 +1,6 @@
 //! Lists have every pair that acts, and no bit tells when they were made.
 
-use super::{
-    Arc, Cutoffs, Listed, Neighbours, Sum,
-    lists::{Lists, STEPS},
-};
+use super::{Arc, Cutoffs, Neighbours, Sum, cells::Cells, listed::Listed, lists::Lists};
 use crate::{
     hamiltonian,
     hamiltonian::Hamiltonian,
@@ -134,7 +131,7 @@ fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads:
     let mut next = somewhere(bodies as u64 + D as u64);
     let extent = sides.map(|side| if side > 0.0 { side } else { 7.0 });
     let points: Vec<[f64; D]> = (0..bodies).map(|_| extent.map(|extent| extent * (3.0 * next() - 1.0))).collect();
-    let lists = Lists::new(bodies, &[(sides, radius)], &|_, body| points[body], threads, None);
+    let lists = Lists::new(bodies, &[Cells::new(points.clone(), sides, radius)], threads, None);
     let square = |a: [f64; D], b: [f64; D]| -> f64 {
         let apart = |d: usize| {
             let x = a[d] - b[d];
@@ -152,7 +149,7 @@ fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads:
         for (row, head) in portion.rows.clone().zip(&portion.heads) {
             for lane in 0..WIDTH.min(bodies - row * WIDTH) {
                 let body = body_of[row * WIDTH + lane];
-                let step = |step: usize| portion.blocks[head.first + step / STEPS][lane][step % STEPS];
+                let step = |step: usize| portion.steps[head.first + step][lane];
                 let near = (0..head.counts[lane] as usize).map(step);
                 let near: Vec<usize> = near.map(|slot| body_of[slot as usize]).collect();
                 let within = |radius: f64| {
@@ -219,7 +216,7 @@ fn sums_have_the_bits_of_the_order_of_numbers() {
     let motion = motion::<f64>(&[(&wide, &start)]);
     compare_bits(&motion, 0);
     let cutoffs = Cutoffs::of::<Soft, f64, 3>(&motion.parameters, 0.0);
-    assert!(Listed::new::<f64>(&motion.q, BODIES, &cutoffs, 0.1, 1, None).lists.portions.is_none());
+    assert!(Listed::new::<f64, _>(&motion.q, BODIES, &cutoffs, 0.1, 1, None).lists.portions.is_none());
 }
 
 #[test]
@@ -246,8 +243,8 @@ fn no_bit_tells_when_lists_were_made() {
     let mut made = 0;
     for step in 0..16 {
         Soft::drift::<f64, f64>(&mut motion, 0.05, 0.0);
-        let mut kept = motion.q.clone();
-        let sum = Sum::<Soft, _, 3, 3> {
+        let mut kept = motion.at_rest().p;
+        let sum = Sum::<Soft, _, _, 3, 3> {
             q: &motion.q,
             constants: motion.constants(),
             bodies: BODIES,
@@ -255,7 +252,7 @@ fn no_bit_tells_when_lists_were_made() {
             time: 0.0,
             threads: 1 + step % 3,
         };
-        neighbours.sum_forces(sum, &cutoffs, &mut kept);
+        neighbours.kick(sum, &cutoffs, None, Real::of(1.0), &mut kept);
         made += usize::from(neighbours.sums == 1);
         // A motion that has just been loaded makes lists of its own.
         let bits: Vec<_> =
@@ -270,13 +267,13 @@ fn lists_that_are_kept_for_too_long_are_wrong() {
     let soft = Soft::new(2.1);
     let mut motion = motion::<f64>(&[(&soft, &soft.start(5))]);
     let cutoffs = Cutoffs::of::<Soft, f64, 3>(&motion.parameters, 0.0);
-    let mut listed = Listed::new::<f64>(&motion.q, BODIES, &cutoffs, 0.1, 1, None);
+    let mut listed = Listed::new::<f64, _>(&motion.q, BODIES, &cutoffs, 0.1, 1, None);
     Soft::drift::<f64, f64>(&mut motion, 0.5, 0.0);
     assert!(!listed.holds(&motion.q));
     listed.slack = f64::INFINITY;
-    let mut kept = motion.q.clone();
+    let mut kept = motion.at_rest().p;
     let mut neighbours = Neighbours { listed: Some(Arc::new(listed)), ..Neighbours::<f64, 3>::none() };
-    let sum = Sum::<Soft, _, 3, 3> {
+    let sum = Sum::<Soft, _, _, 3, 3> {
         q: &motion.q,
         constants: motion.constants(),
         bodies: BODIES,
@@ -284,9 +281,29 @@ fn lists_that_are_kept_for_too_long_are_wrong() {
         time: 0.0,
         threads: 1,
     };
-    neighbours.sum_forces(sum, &cutoffs, &mut kept);
+    neighbours.kick(sum, &cutoffs, None, Real::of(1.0), &mut kept);
     let bits: Vec<_> = (0..BODIES).map(|body| kept[body / WIDTH].map(|row| row.lane(body % WIDTH).to_bits())).collect();
     assert!(bits != gradient(&motion, 0));
+}
+
+#[test]
+fn lists_that_are_borrowed_change_no_bit() {
+    let soft = Soft::new(2.1);
+    let mut first = motion::<f64>(&[(&soft, &soft.start(8))]);
+    Soft::kick::<f64, f64>(&mut first, 0.01, 0.0);
+    let mut copy = first.clone();
+    assert!(copy.neighbours.listed.is_none() && copy.neighbours.last().is_some(), "one list for both");
+    let bits = gradient(&first, 0);
+    assert!(gradient(&copy, 0) == bits);
+    // What was borrowed and handed back stays where it is.
+    first.neighbours.share(&copy.neighbours);
+    assert!(first.neighbours.listed.is_some());
+    // Who lent it needs it no more, and neither waits for the other.
+    Soft::drift::<f64, f64>(&mut first, 1.0, 0.0);
+    Soft::kick::<f64, f64>(&mut first, 0.01, 0.0);
+    assert!(copy.neighbours.last().is_none());
+    Soft::kick::<f64, f64>(&mut copy, 0.0, 0.0);
+    assert!(copy.neighbours.listed.is_some() && gradient(&copy, 0) == bits);
 }
 
 #[test]
