@@ -25,6 +25,9 @@ pub trait Row<R: Real>: Real {
     fn permute(self, indices: &[u64; 8]) -> Self;
     /// Four rows of the numbers of eight points: those at `stride` times each of the indices, and `offset` behind it.
     fn transposed(points: &[[R; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4];
+    /// Asks for what will be read at an address soon, once and by nobody else. Nothing is read here.
+    #[inline(always)]
+    fn fetch_once<T>(_address: *const T) {}
     /// The parts, if a row is made of such: each may fill registers of its own.
     #[inline(always)]
     fn parts(&self) -> &[R] {

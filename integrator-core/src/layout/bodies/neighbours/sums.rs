@@ -13,6 +13,9 @@ use crate::{
 };
 use core::{marker::PhantomData, ops::Range};
 
+/// How many slots ahead lists are asked for: two kibibytes, as much as is read in some hundreds of nanoseconds.
+const AHEAD: usize = 512;
+
 /// The forces on the bodies of some rows.
 pub(crate) struct Forces<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> {
     pub(crate) points: &'s [[R; 4]],
@@ -53,6 +56,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
                     let (common, rest) = portion.steps[head.first..][..range.most].split_at(range.common);
                     for slots in common {
+                        R::Row::<WIDTH>::fetch_once(slots.as_ptr().wrapping_add(AHEAD));
                         let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, slots);
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
                     }
