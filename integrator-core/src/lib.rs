@@ -219,7 +219,11 @@ pub mod __private {
         scalar::{
             fma::Fused,
             real::{Kernel, Mask, Real},
-            simd::{block::Block, row::Row},
+            simd::{
+                block::Block,
+                pair::{Pair, pair, twice},
+                row::Row,
+            },
         },
         state::{
             coords::Coords,

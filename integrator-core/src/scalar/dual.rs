@@ -309,6 +309,7 @@ macro_rules! dual_real {
             type Row<const $bodies: usize> = $row;
             type Wide = Self;
             type Bundle = Self;
+            type Pair = Lanes<Self, 2>;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -5,7 +5,7 @@ use crate::scalar::{
     functions::{self, fast_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
     real::{Kernel, Real, compared, elementary_functions},
-    simd::{block::Block, lanes::Lanes, row::Row},
+    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
 use core::{
     fmt::Debug,
@@ -27,6 +27,8 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     type BundleOfDoubles: Row<Self::RowOfDoubles>;
     /// Several rows in single precision.
     type BundleOfSingles: Row<Self::RowOfSingles>;
+    /// Two doubles.
+    type PairOfDoubles: Pair<Fused<f64, Self>>;
 
     /// `n / x^(3/2)`.
     #[inline(always)]
@@ -54,6 +56,8 @@ impl Instructions for Fma {
     type BundleOfDoubles = Lanes<Self::RowOfDoubles, 2>;
     #[cfg(all(target_arch = "x86_64", feature = "std"))]
     type BundleOfSingles = Lanes<Self::RowOfSingles, 4>;
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    type PairOfDoubles = crate::scalar::simd::x86::X2;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type Doubles = Fused<f64>;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -66,6 +70,8 @@ impl Instructions for Fma {
     type BundleOfDoubles = Self::RowOfDoubles;
     #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
     type BundleOfSingles = Self::RowOfSingles;
+    #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+    type PairOfDoubles = Lanes<Fused<f64>, 2>;
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Out {
@@ -90,6 +96,7 @@ impl Instructions for Avx512 {
     type RowOfSingles = crate::scalar::simd::x86::S8;
     type BundleOfDoubles = Lanes<Self::RowOfDoubles, 4>;
     type BundleOfSingles = Lanes<Self::RowOfSingles, 4>;
+    type PairOfDoubles = crate::scalar::simd::x86::X2;
 
     #[inline(always)]
     fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
@@ -129,7 +136,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $bundle:ident, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -159,6 +166,7 @@ macro_rules! fused_real {
             type Row<const N: usize> = S::$row;
             type Wide = S::$row;
             type Bundle = S::$bundle;
+            type Pair = $pair;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
@@ -213,5 +221,7 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, BundleOfDoubles, S::div_pow_3_2; });
-elementary_functions!(fused_real! { f32, Singles, RowOfSingles, BundleOfSingles, |n, x: Self| n / (x * x.sqrt()); });
+elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_pow_3_2; });
+elementary_functions!(
+    fused_real! { f32, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>, |n, x: Self| n / (x * x.sqrt()); }
+);

@@ -3,7 +3,7 @@
 use crate::scalar::{
     elementary::Elementary,
     functions::{self, fast_functions, fast_kernels, kernel},
-    simd::{block::Block, lanes::Lanes, row::Row},
+    simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -116,6 +116,8 @@ macro_rules! declare_real {
             /// Several vectors of eight numbers, as many as registers hold beside sums of products of each: their chains of
             /// operations do not wait for each other.
             type Bundle: Row<Self::Wide>;
+            /// A vector of two numbers, where a register holds them.
+            type Pair: Pair<Self>;
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
@@ -239,6 +241,7 @@ macro_rules! real_of_two_parts {
             type Row<const N: usize> = $crate::scalar::simd::lanes::Lanes<Self, N>;
             type Wide = Self;
             type Bundle = Self;
+            type Pair = $crate::scalar::simd::lanes::Lanes<Self, 2>;
 
             #[$inline]
             fn lane($this, lane: usize) -> f64 {
@@ -290,6 +293,7 @@ macro_rules! plain_real {
             type Row<const N: usize> = Lanes<Self, N>;
             type Wide = Self;
             type Bundle = Self;
+            type Pair = Lanes<Self, 2>;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -1,6 +1,6 @@
 //! The operations of generated recurrences, beside sums of products.
 
-use crate::scalar::real::Real;
+use crate::scalar::{real::Real, simd::pair::Pair};
 use alloc::vec::Vec;
 
 /// The highest order of a polynomial.
@@ -33,11 +33,11 @@ pub fn power_weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
     exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])
 }
 
-/// The sum of the products of a power, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, each in two halves.
+/// The sum of the products of a power, from `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`.
 #[inline(always)]
-pub fn power_sum<R: Real>(exponent: R, k: usize, [early, late]: [[R; 2]; 2]) -> R {
-    let [[early, early_by_order], [late, late_by_order]] = [early, late];
-    (early + late).fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * (early_by_order + late_by_order))
+pub fn power_sum<R: Real>(exponent: R, k: usize, sums: R::Pair) -> R {
+    let [sum, by_order] = sums.parts();
+    sum.fma(R::of(-NUMBERS[k]), (exponent + R::of(1.0)) * by_order)
 }
 
 /// `x / n` for an order `n`, as if in one division.

@@ -166,6 +166,7 @@ macro_rules! lanes_real {
             type Row<const M: usize> = Lanes<Self, M>;
             type Wide = Self;
             type Bundle = Self;
+            type Pair = Lanes<Self, 2>;
 
             #[inline(always)]
             fn of(x: f64) -> Self {

@@ -3,6 +3,7 @@
 pub(crate) mod block;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod lanes;
+pub(crate) mod pair;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod row;
 #[cfg(all(target_arch = "x86_64", feature = "std"))]

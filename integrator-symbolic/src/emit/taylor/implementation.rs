@@ -19,6 +19,7 @@ pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, na
     let Kind { rolled, interleaved, orders_per_call } = kind;
     let body = Body::new(body);
     let [parameters, length, time] = ["parameters", "length", "time"].map(|name| body.argument(name));
+    let pairs = body.mentions("pair").then(|| quote!(use #runtime::Pair as _;));
     let stride = body.mentions("stride").then(|| quote!(let stride = q.stride();));
     let layout = body.mentions("layout").then(|| quote!(let layout = q.layout();));
     let orders_per_call = Literal::usize_unsuffixed(*orders_per_call);
@@ -43,6 +44,7 @@ pub(super) fn implementation(body: TokenStream, tape: &Tape<'_>, kind: &Kind, na
             order: usize,
             #time: #scalar,
         ) {
+            #pairs
             #stride
             #layout
             #(#counters)*

@@ -6,6 +6,7 @@ mod kernel;
 mod line;
 pub(super) mod orders;
 mod orders_per_call;
+mod pairs;
 mod recurrence;
 mod second_order;
 mod tape;

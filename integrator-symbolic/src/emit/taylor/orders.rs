@@ -10,6 +10,7 @@ use super::{
     kernel::nest_context,
     line,
     orders_per_call::OrdersPerCall,
+    pairs::SideBySide,
     recurrence::Series,
     second_order::InverseMasses,
     tape::{Iterations, Kept, Record, Tape},
@@ -173,6 +174,10 @@ pub(super) struct Writer<'m> {
     pub(super) of_two: BTreeSet<NodeId>,
     /// The coefficients of the derivatives of values.
     pub(super) rates: Vec<(NodeId, Series)>,
+    /// The coefficients that the present block keeps side by side.
+    pub(super) side_by_side: Vec<SideBySide>,
+    /// The values that the lines so far compute.
+    pub(super) computed: BTreeSet<NodeId>,
 }
 
 impl<'m> Writer<'m> {
@@ -191,6 +196,8 @@ impl<'m> Writer<'m> {
             orders_per_call: OrdersPerCall::One,
             of_two: BTreeSet::new(),
             rates: Vec::new(),
+            side_by_side: Vec::new(),
+            computed: BTreeSet::new(),
         }
     }
 
@@ -229,12 +236,16 @@ impl<'m> Writer<'m> {
     ) -> TokenStream {
         let begin = |item: &Item| if let Item::Begin(id) = item { Some(*id) } else { None };
         let begun: Vec<NodeId> = items.clone().into_iter().filter_map(begin).collect();
+        let around = std::mem::take(&mut self.side_by_side);
         let mut tokens = self.known(fields, items.clone());
         for item in items {
             tokens.extend(self.item(fields, item));
             // A sum is complete after the last block that adds to it; each of them stores it again.
-            tokens.extend(begun.iter().filter(|id| makes(item, **id)).filter_map(|id| self.keep(*id)));
+            for id in begun.iter().filter(|id| makes(item, **id)) {
+                tokens.extend(self.keep(fields, *id));
+            }
         }
+        self.side_by_side = around;
         tokens
     }
 
@@ -321,7 +332,7 @@ impl<'m> Writer<'m> {
             true => self.recurrence(fields, id),
             false => self.printer.computation(fields, id).tokens,
         };
-        let keep = self.keep(id);
+        let keep = self.keep(fields, id);
         quote!(let #name = #value; #keep)
     }
 
@@ -334,12 +345,14 @@ impl<'m> Writer<'m> {
         self.series_of.insert(id, series);
     }
 
-    /// The line that keeps a coefficient, where recurrences read it.
-    fn keep(&self, id: NodeId) -> Option<TokenStream> {
+    /// The lines that keep a coefficient, where recurrences read it.
+    fn keep(&mut self, fields: &mut Fields, id: NodeId) -> Option<TokenStream> {
         let name = &self.printer.names[&id];
         let series = self.series_of.get(&id).filter(|_| self.source.recurrences.kept.contains(&id))?;
         let (coefficient, rate) = (series.of(&quote!(order)), self.keep_rate(id));
-        Some(quote!(#coefficient = #name; #rate))
+        let own = quote!(#coefficient = #name; #rate);
+        let pairs = self.keep_side_by_side(fields, id);
+        Some(quote!(#own #pairs))
     }
 
     /// Whether a value has a recurrence of its own.

@@ -40,8 +40,26 @@ impl Series {
 /// The products that a recurrence sums up, of coefficients whose orders add up to that of the sum.
 pub(super) struct Products {
     pub(super) weight: Weight,
+    /// What the two factors are coefficients of.
+    pub(super) factors: [Factor; 2],
     pub(super) a: Series,
     pub(super) b: Series,
+}
+
+/// What coefficients are those of.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Factor {
+    Value(NodeId),
+    /// The derivative of a value.
+    Rate(NodeId),
+}
+
+impl Factor {
+    /// The value.
+    pub(super) fn value(self) -> NodeId {
+        let (Self::Value(id) | Self::Rate(id)) = self;
+        id
+    }
 }
 
 /// The factor of each product.
@@ -51,8 +69,8 @@ pub(super) enum Weight {
     /// One half where both factors are the same coefficient, since two others stand for each other.
     Half,
     /// `e j - (k - j)` for a power, by the function that computes it with an exponent, which is a number of the flow
-    /// too; and where the first factor is multiplied by its order.
-    Power { function: TokenStream, exponent: TokenStream, number: TokenStream, rate: Option<Series> },
+    /// too.
+    Power { function: TokenStream, exponent: TokenStream, number: TokenStream },
     /// The order of the first factor, or minus that.
     Order { negative: bool },
     /// One or minus one, since the first factor has been multiplied by its order.
@@ -67,6 +85,7 @@ pub(super) struct Chained {
     pub(super) x: NodeId,
     series: Series,
     pub(super) slope: Series,
+    of_slope: NodeId,
 }
 
 /// A value, the name of the sum of its known products, and these products.
@@ -92,7 +111,7 @@ impl Writer<'_> {
             return TokenStream::new();
         }
         if self.is_unrolled() {
-            return self.known_unrolled(&sums);
+            return self.known_unrolled(fields, &sums);
         }
         let zero = self.printer.lift(quote!(0.0));
         let (mut middles, mut pairs) = (TokenStream::new(), TokenStream::new());
@@ -165,7 +184,7 @@ impl Writer<'_> {
     }
 
     /// The line for the middle of a sum.
-    pub(super) fn middle(&self, Sum { rest, order }: &Sum, Products { weight, a, b }: &Products) -> TokenStream {
+    pub(super) fn middle(&self, Sum { rest, order }: &Sum, Products { weight, a, b, .. }: &Products) -> TokenStream {
         let middle = quote!(middle);
         let [a, b] = [a, b].map(|series| series.of(&middle));
         match weight {
@@ -185,7 +204,7 @@ impl Writer<'_> {
     pub(super) fn pair(
         &self,
         Sum { rest, order }: &Sum,
-        Products { weight, a, b }: &Products,
+        Products { weight, a, b, .. }: &Products,
         [low, high]: [&TokenStream; 2],
     ) -> TokenStream {
         let [a_low, b_low] = [a, b].map(|series| series.of(low));
@@ -244,42 +263,40 @@ impl Writer<'_> {
     /// The products that a value sums up.
     pub(super) fn products(&mut self, fields: &mut Fields, id: NodeId) -> Vec<Products> {
         let (runtime, scalar) = (self.printer.runtime, self.printer.scalar);
-        let own = self.series(fields, id);
         let (weight, a, b) = match self.printer.graph.node(id) {
-            Node::Mul(a, b) => (Weight::None, self.unsigned(fields, a).1, self.unsigned(fields, b).1),
-            Node::Div(_, b) => (Weight::None, self.unsigned(fields, b).1, own),
-            Node::Power(a, 4) => {
-                let a = self.unsigned(fields, a).1;
-                (Weight::Half, a.clone(), a)
-            }
+            Node::Mul(a, b) => (Weight::None, a, b),
+            Node::Div(_, b) => (Weight::None, b, id),
+            Node::Power(a, 4) => (Weight::Half, a, a),
             Node::Power(a, halves) if self.has_no_slopes(id) => {
                 let exponent = Literal::f64_unsuffixed(f64::from(halves) / 2.0);
                 let (function, exponent) = (quote!(#runtime::power_weight::<#scalar>), exponent.into_token_stream());
                 let number = self.printer.lift(exponent.clone());
-                let weight = Weight::Power { function, exponent, number, rate: self.rate(a).cloned() };
-                (weight, self.unsigned(fields, a).1, own)
+                (Weight::Power { function, exponent, number }, a, id)
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let exponent = self.printer.expression(fields, b).tokens;
                 let function = quote!(#runtime::power_weight_with);
-                let (number, rate) = (exponent.clone(), self.rate(a).cloned());
-                let weight = Weight::Power { function, exponent, number, rate };
-                (weight, self.unsigned(fields, a).1, own)
+                let number = exponent.clone();
+                (Weight::Power { function, exponent, number }, a, id)
             }
             _ => {
                 let chained = self.chained(fields, id);
                 let negated = self.is_negated(&chained);
-                let products = chained.into_iter().map(|Chained { negative, x, series, slope }| {
+                let products = chained.into_iter().map(|Chained { negative, x, series, slope, of_slope }| {
                     let negative = negative && !negated;
-                    match self.rate(x) {
-                        Some(rate) => Products { weight: Weight::Rate { negative }, a: rate.clone(), b: slope },
-                        None => Products { weight: Weight::Order { negative }, a: series, b: slope },
-                    }
+                    let (weight, a) = match self.rate(x) {
+                        Some(rate) => (Weight::Rate { negative }, rate.clone()),
+                        None => (Weight::Order { negative }, series),
+                    };
+                    let x = self.printer.graph.signed(x).1;
+                    Products { weight, factors: [Factor::Rate(x), Factor::Value(of_slope)], a, b: slope }
                 });
                 return products.collect();
             }
         };
-        vec![Products { weight, a, b }]
+        let [a, b] = [a, b].map(|id| self.printer.graph.signed(id).1);
+        let factors = [a, b].map(Factor::Value);
+        vec![Products { weight, factors, a: self.series(fields, a), b: self.series(fields, b) }]
     }
 
     /// The coefficient of an order of a value that is not linear in what it is computed from.
@@ -362,19 +379,11 @@ impl Writer<'_> {
         let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
         let of_slopes = node.children().zip(slopes).filter_map(|(x, slope)| Some((x, slope?)));
         let chained = of_slopes.map(|(x, slope)| {
+            let of_slope = self.printer.graph.signed(slope).1;
             let ((minus_x, series), (minus_slope, slope)) = (self.unsigned(fields, x), self.unsigned(fields, slope));
-            Chained { negative: minus_x != minus_slope, x, series, slope }
+            Chained { negative: minus_x != minus_slope, x, series, slope, of_slope }
         });
         chained.collect()
-    }
-
-    /// Whether a value has the recurrence of powers.
-    pub(super) fn is_power_of_series(&self, id: NodeId) -> bool {
-        match self.printer.graph.node(id) {
-            Node::Power(_, halves) => halves != 4 && self.has_no_slopes(id),
-            Node::Binary(function, ..) => is_power(function),
-            _ => false,
-        }
     }
 
     fn has_no_slopes(&self, id: NodeId) -> bool {

@@ -37,6 +37,8 @@ pub(super) enum Kept {
     Series,
     /// The coefficients of its derivative, each its own multiplied by the order.
     Rates,
+    /// Two coefficients of each order side by side.
+    Pairs,
     /// A number, the same for all orders.
     Number,
     /// A mask, the same for all orders.
@@ -142,6 +144,10 @@ fn structure(names: &Names, name: &Ident, record: &Record, lists: &[(Ident, Toke
             Kept::Rates => {
                 fields.extend(quote!(#slot: [#scalar; #runtime::COEFFICIENTS],));
                 values.extend(quote!(#slot: [#scalar::of(0.0); #runtime::COEFFICIENTS],));
+            }
+            Kept::Pairs => {
+                fields.extend(quote!(#slot: [#scalar::Pair; #runtime::COEFFICIENTS],));
+                values.extend(quote!(#slot: [#runtime::twice(#scalar::of(0.0)); #runtime::COEFFICIENTS],));
             }
             Kept::Number => {
                 fields.extend(quote!(#slot: #scalar,));

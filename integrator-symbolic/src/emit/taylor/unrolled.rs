@@ -8,7 +8,8 @@
 use super::{
     accumulation::Accumulation,
     orders::Writer,
-    recurrence::{Chained, Known, Products, Series, Sum, Weight, minus},
+    pairs::Sums,
+    recurrence::{Chained, Factor, Known, Products, Series, Sum, Weight, minus},
     tape::Kept,
 };
 use crate::{
@@ -30,9 +31,7 @@ impl Writer<'_> {
             return;
         }
         let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
-        let base = self.is_power_of_series(id).then(|| node.children().next()).flatten();
-        let chained = node.children().zip(slopes).filter(|(_, slope)| slope.is_some()).map(|(x, _)| x);
-        for x in chained.chain(base) {
+        for (x, _) in node.children().zip(slopes).filter(|(_, slope)| slope.is_some()) {
             let x = self.printer.graph.signed(x).1;
             let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
             if is_clock || self.rate(x).is_some() {
@@ -87,14 +86,18 @@ impl Writer<'_> {
     /// The sums over what is known. Those that are divided by the order are without the latest product. Those of rates
     /// are two, for the products with earlier and with later coefficients of the slope, so that each is half as long.
     /// Each sum has a loop of its own, so short that the compiler unrolls it before anything else.
-    pub(super) fn known_unrolled(&self, sums: &[Known]) -> TokenStream {
+    pub(super) fn known_unrolled(&mut self, fields: &mut Fields, sums: &[Known]) -> TokenStream {
         let mut lines = Lines::default();
-        for (id, rest, products) in sums {
-            match products.as_slice() {
-                [Products { weight: Weight::Power { rate: Some(rate), number, .. }, a, b }] => {
-                    self.power_sums(&mut lines, (*id, rest), number, [a, rate, b]);
-                }
-                products => self.product_sums(&mut lines, (*id, rest), products),
+        for sums in Sums::of(sums) {
+            match sums {
+                Sums::Two { of, factors, common } => self.two_sums(fields, &mut lines, of, factors, common),
+                Sums::Halves { of, factors } => self.two_halves(fields, &mut lines, of, factors),
+                Sums::One((id, rest, products)) => match products.as_slice() {
+                    [Products { weight: Weight::Power { number, .. }, factors, .. }] => {
+                        self.power_sums(fields, &mut lines, (*id, rest), number, *factors);
+                    }
+                    products => self.product_sums(&mut lines, (*id, rest), products),
+                },
             }
         }
         lines.tokens()
@@ -102,46 +105,102 @@ impl Writer<'_> {
 
     fn product_sums(&self, lines: &mut Lines, (id, rest): (NodeId, &Ident), products: &[Products]) {
         let zero = self.printer.lift(quote!(0.0));
-        let early = self.early(id, products);
-        let sums = early.iter().chain([rest]);
-        lines.begin.extend(quote!(#(let mut #sums = #zero;)*));
-        for product in products {
+        if let [square @ Products { weight: Weight::Half, .. }] = products {
             let sum = Sum::of(rest, quote!(order));
-            match product.weight {
-                Weight::None | Weight::Half => {
-                    lines.middle.extend(self.middle(&sum, product));
-                    lines.outwards(1, &self.pair(&sum, product, [&quote!(low), &quote!(high)]));
-                }
-                _ => lines.halves([early.as_ref().unwrap_or(rest), rest], |j| self.factor(product, j), &product.b),
+            lines.begin.extend(quote!(let mut #rest = #zero;));
+            lines.middle.extend(self.middle(&sum, square));
+            lines.outwards(1, &self.pair(&sum, square, [&quote!(low), &quote!(high)]));
+            return;
+        }
+        let name = &self.printer.names[&id];
+        let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{name}"));
+        lines.begin.extend(quote!(#(let mut #halves = #zero;)*));
+        for product in products {
+            lines.halves(halves.each_ref(), |j| self.factor(product, j), |j| product.b.of(j));
+        }
+        lines.end.extend(quote!(let #rest = #(#halves)+*;));
+    }
+
+    /// Two sums of products.
+    fn two_sums(
+        &mut self,
+        fields: &mut Fields,
+        lines: &mut Lines,
+        of: [&Known; 2],
+        factors: [Factor; 2],
+        common: Option<Factor>,
+    ) {
+        let [one, other] = of.map(|(id, ..)| &self.printer.names[id]);
+        let both = format_ident!("{one}_and_{other}");
+        let rests = of.map(|(_, rest, _)| rest);
+        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)];
+        let zero = self.twice(quote!(0.0));
+        let (series, known) = self.side_by_side(fields, factors);
+        lines.begin.extend(known);
+        let [pair_middle, pair_low, pair_high] = [&middle, &low, &high].map(|j| self.pair_of(&series, j));
+        if let Some(rate @ Factor::Rate(_)) = common {
+            let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{both}"));
+            lines.begin.extend(quote!(#(let mut #halves = #zero;)*));
+            let [rate_middle, rate_low, rate_high] = [&middle, &low, &high].map(|j| self.twice_of(fields, rate, j));
+            let [early, late] = &halves;
+            lines.late_middle.extend(quote!(#late = #rate_middle.fma(#pair_middle, #late);));
+            lines.outwards(1, &quote!(#early = #rate_high.fma(#pair_low, #early);));
+            lines.outwards(2, &quote!(#late = #rate_low.fma(#pair_high, #late);));
+            lines.end.extend(quote!(let [#(#rests),*] = (#early + #late).parts();));
+            return;
+        }
+        let sums = format_ident!("rest_of_{both}");
+        lines.begin.extend(quote!(let mut #sums = #zero;));
+        match common {
+            None => {
+                let half = self.twice(quote!(0.5));
+                lines.middle.extend(quote!(#sums = #half * #pair_middle * #pair_middle;));
+                lines.outwards(1, &quote!(#sums = #pair_low.fma(#pair_high, #sums);));
+            }
+            Some(common) => {
+                let [common_middle, common_low, common_high] =
+                    [&middle, &low, &high].map(|j| self.twice_of(fields, common, j));
+                lines.middle.extend(quote!(#sums = #pair_middle * #common_middle;));
+                let line = quote!(#sums = #pair_low.fma(#common_high, #pair_high.fma(#common_low, #sums)););
+                lines.outwards(1, &line);
             }
         }
+        lines.end.extend(quote!(let [#(#rests),*] = #sums.parts();));
+    }
+
+    /// The halves of a sum of products.
+    fn two_halves(&mut self, fields: &mut Fields, lines: &mut Lines, (id, rest, _): &Known, factors: [Factor; 2]) {
+        let halves = format_ident!("halves_of_{}", self.printer.names[id]);
+        let [zero, half] = [quote!(0.0), quote!(0.5)].map(|number| self.twice(number));
+        let (series, known) = self.side_by_side(fields, factors);
+        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)].map(|j| self.pair_of(&series, &j));
+        lines.begin.extend(quote!(#known let mut #halves = #zero;));
+        lines.middle.extend(quote!(#halves = #half * #middle * #middle.swap();));
+        lines.outwards(1, &quote!(#halves = #low.fma(#high.swap(), #halves);));
+        lines.end.extend(quote!(let #rest = #halves.total();));
     }
 
     /// The two sums of a power `y = aᵉ`, `Σ aⱼ yₖ₋ⱼ` and `Σ j aⱼ yₖ₋ⱼ`, whose products have no weights of their own.
     fn power_sums(
-        &self,
+        &mut self,
+        fields: &mut Fields,
         lines: &mut Lines,
         (id, rest): (NodeId, &Ident),
         exponent: &TokenStream,
-        [a, rate, b]: [&Series; 3],
+        [base, own]: [Factor; 2],
     ) {
-        let (runtime, zero) = (self.printer.runtime, self.printer.lift(quote!(0.0)));
+        let (runtime, scalar, zero) = (self.printer.runtime, self.printer.scalar, self.twice(quote!(0.0)));
         let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{}", self.printer.names[&id]));
-        for half in &halves {
-            lines.begin.extend(quote!(let mut #half = [#zero; 2];));
-        }
-        for (n, factor) in [a, rate].into_iter().enumerate() {
-            let n = Literal::usize_unsuffixed(n);
-            let [early, late] = halves.each_ref().map(|half| quote!(#half[#n]));
-            lines.halves([&early, &late], |j| factor.of(j), b);
-        }
-        lines.end.extend(quote!(let #rest = #runtime::power_sum(#exponent, order, [#(#halves),*]);));
-    }
-
-    /// The name of the sum of products with earlier coefficients, where there is one.
-    fn early(&self, id: NodeId, products: &[Products]) -> Option<Ident> {
-        let is_of_rates = products.iter().any(|products| matches!(products.weight, Weight::Rate { .. }));
-        is_of_rates.then(|| format_ident!("early_of_{}", self.printer.names[&id]))
+        let (series, known) = self.side_by_side(fields, [base, Factor::Rate(base.value())]);
+        let [own_middle, own_low, own_high] =
+            [quote!(middle), quote!(low), quote!(high)].map(|j| self.twice_of(fields, own, &j));
+        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)].map(|j| self.pair_of(&series, &j));
+        lines.begin.extend(quote!(#known #(let mut #halves = #zero;)*));
+        let [early, late] = &halves;
+        lines.late_middle.extend(quote!(#late = #middle.fma(#own_middle, #late);));
+        lines.outwards(1, &quote!(#early = #high.fma(#own_low, #early);));
+        lines.outwards(2, &quote!(#late = #low.fma(#own_high, #late);));
+        lines.end.extend(quote!(let #rest = #runtime::power_sum::<#scalar>(#exponent, order, #early + #late);));
     }
 
     /// The first factor of order `j`.
@@ -166,11 +225,7 @@ impl Writer<'_> {
             let later = with_newest(quote!(#runtime::div_by_order(#rest, order)));
             return quote!(if order == 0 { #first } else { #later });
         }
-        let products = self.products(fields, id);
-        let rest = scaled(match self.early(id, &products) {
-            Some(early) => quote!((#early + #rest)),
-            None => rest,
-        });
+        let (products, rest) = (self.products(fields, id), scaled(rest));
         let sum = products.iter().fold(quote!(#runtime::div_by_order(#rest, order)), |sum, products| {
             let (a, b) = (scaled(self.factor(products, &quote!(1))), products.b.of(&quote!(order - 1)));
             quote!(#runtime::div_by_order(#a, order).fma(#b, #sum))
@@ -211,9 +266,14 @@ impl Lines {
     }
 
     /// `Σ aⱼ bₖ₋ⱼ` without `j = 1`, in two halves: with the earlier and with the later coefficients of `b`.
-    fn halves(&mut self, [early, late]: [&impl ToTokens; 2], a: impl Fn(&TokenStream) -> TokenStream, b: &Series) {
-        let line = |sum: &dyn ToTokens, i: &TokenStream, j: &TokenStream| {
-            let (a, b, sum) = (a(i), b.of(j), sum.to_token_stream());
+    fn halves(
+        &mut self,
+        [early, late]: [&Ident; 2],
+        a: impl Fn(&TokenStream) -> TokenStream,
+        b: impl Fn(&TokenStream) -> TokenStream,
+    ) {
+        let line = |sum: &Ident, i: &TokenStream, j: &TokenStream| {
+            let (a, b) = (a(i), b(j));
             quote!(#sum = #a.fma(#b, #sum);)
         };
         let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));

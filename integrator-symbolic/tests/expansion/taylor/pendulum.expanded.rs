@@ -9,12 +9,14 @@ const _: () = {
     /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
         rates_0: [Scalar; runtime::COEFFICIENTS],
+        pairs_0: [Scalar::Pair; runtime::COEFFICIENTS],
         kept: [TapeOrder<Scalar>; runtime::COEFFICIENTS],
     }
     impl<Scalar: runtime::Real> ::core::default::Default for Tape<Scalar> {
         fn default() -> Self {
             Self {
                 rates_0: [Scalar::of(0.0); runtime::COEFFICIENTS],
+                pairs_0: [runtime::twice(Scalar::of(0.0)); runtime::COEFFICIENTS],
                 kept: [TapeOrder {
                     shared_1: Scalar::of(0.0),
                     shared_0: Scalar::of(0.0),
@@ -38,50 +40,34 @@ const _: () = {
             order: usize,
             _time: Scalar,
         ) {
+            use runtime::Pair as _;
             if order == 0 {
                 q[1][0] = parameters.prepared_0 * p[0][0];
                 tape.rates_0[1] = q[1][0];
             }
             let mut derivative_0 = Scalar::of(-0.0);
-            let mut early_of_shared_1 = Scalar::of(0.0);
-            let mut rest_of_shared_1 = Scalar::of(0.0);
-            let mut early_of_shared_0 = Scalar::of(0.0);
-            let mut rest_of_shared_0 = Scalar::of(0.0);
+            let mut early_of_shared_1_and_shared_0 = runtime::twice(Scalar::of(0.0));
+            let mut late_of_shared_1_and_shared_0 = runtime::twice(Scalar::of(0.0));
             if order > 0 && order % 2 == 0 {
                 let middle = order / 2;
                 if middle > 1 {
-                    rest_of_shared_1 = tape
-                        .rates_0[middle]
-                        .fma(tape.kept[middle].shared_0, rest_of_shared_1);
-                    rest_of_shared_0 = tape
-                        .rates_0[middle]
-                        .fma(tape.kept[middle].shared_1, rest_of_shared_0);
+                    late_of_shared_1_and_shared_0 = runtime::twice(tape.rates_0[middle])
+                        .fma(tape.pairs_0[middle], late_of_shared_1_and_shared_0);
                 }
             }
             for low in (1..order.div_ceil(2)).rev() {
                 let high = order - low;
-                early_of_shared_1 = tape
-                    .rates_0[high]
-                    .fma(tape.kept[low].shared_0, early_of_shared_1);
+                early_of_shared_1_and_shared_0 = runtime::twice(tape.rates_0[high])
+                    .fma(tape.pairs_0[low], early_of_shared_1_and_shared_0);
             }
             for low in (2..order.div_ceil(2)).rev() {
                 let high = order - low;
-                rest_of_shared_1 = tape
-                    .rates_0[low]
-                    .fma(tape.kept[high].shared_0, rest_of_shared_1);
+                late_of_shared_1_and_shared_0 = runtime::twice(tape.rates_0[low])
+                    .fma(tape.pairs_0[high], late_of_shared_1_and_shared_0);
             }
-            for low in (1..order.div_ceil(2)).rev() {
-                let high = order - low;
-                early_of_shared_0 = tape
-                    .rates_0[high]
-                    .fma(tape.kept[low].shared_1, early_of_shared_0);
-            }
-            for low in (2..order.div_ceil(2)).rev() {
-                let high = order - low;
-                rest_of_shared_0 = tape
-                    .rates_0[low]
-                    .fma(tape.kept[high].shared_1, rest_of_shared_0);
-            }
+            let [rest_of_shared_1, rest_of_shared_0] = (early_of_shared_1_and_shared_0
+                + late_of_shared_1_and_shared_0)
+                .parts();
             let shared_1 = match order {
                 0 => q[order][0].sin(),
                 1 => {
@@ -95,10 +81,7 @@ const _: () = {
                             runtime::div_by_order(tape.rates_0[1], order)
                                 .fma(
                                     tape.kept[order - 1].shared_0,
-                                    runtime::div_by_order(
-                                        (early_of_shared_1 + rest_of_shared_1),
-                                        order,
-                                    ),
+                                    runtime::div_by_order(rest_of_shared_1, order),
                                 ),
                         )
                 }
@@ -117,15 +100,16 @@ const _: () = {
                             runtime::div_by_order((-tape.rates_0[1]), order)
                                 .fma(
                                     tape.kept[order - 1].shared_1,
-                                    runtime::div_by_order(
-                                        (-(early_of_shared_0 + rest_of_shared_0)),
-                                        order,
-                                    ),
+                                    runtime::div_by_order((-rest_of_shared_0), order),
                                 ),
                         )
                 }
             };
             tape.kept[order].shared_0 = shared_0;
+            tape.pairs_0[order] = runtime::pair(
+                tape.kept[order].shared_0,
+                tape.kept[order].shared_1,
+            );
             derivative_0 += parameters.prepared_1 * shared_1;
             p[order + 1][0] = runtime::div_by_order(derivative_0, order + 1);
             tape.rates_0[order + 2] = runtime::div_by_order(

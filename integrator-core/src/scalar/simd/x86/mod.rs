@@ -17,12 +17,14 @@ mod avx2;
 mod avx512;
 mod bits;
 mod div_pow_3_2;
+mod pair;
 mod real;
 mod row;
 
 pub use avx2::{S8, X4};
 pub use avx512::{S16, X8};
 pub(crate) use div_pow_3_2::div_pow_3_2;
+pub use pair::X2;
 
 #[cfg(test)]
 mod tests {

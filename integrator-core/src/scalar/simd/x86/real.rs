@@ -134,6 +134,7 @@ macro_rules! vector {
                 type Row<const N: usize> = Lanes<Self, N>;
                 type Wide = Self;
                 type Bundle = Self;
+                type Pair = Lanes<Self, 2>;
 
                 #[inline(always)]
                 fn of(x: f64) -> Self {
