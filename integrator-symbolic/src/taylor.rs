@@ -34,11 +34,16 @@ pub(crate) struct Recurrences {
 }
 
 impl Recurrences {
-    /// Rewrites the values of gradients, and finds what their coefficients are computed from.
+    /// Takes the values of gradients apart into addends, rewrites these, and finds what their coefficients are computed from.
     pub(crate) fn of(graph: &mut Graph, gradients: [&mut Vec<Contribution>; 2]) -> Self {
         let mut found = Self::default();
         let mut rewriting = HashMap::new();
         let mut open = Vec::new();
+        let gradients = gradients.map(|gradient| {
+            *gradient =
+                std::mem::take(gradient).into_iter().flat_map(|contribution| addends(graph, contribution)).collect();
+            gradient
+        });
         for contribution in gradients.into_iter().flatten() {
             let value = rewritten(graph, contribution.value, &mut rewriting);
             contribution.value = at_order_zero(graph, value);
@@ -104,33 +109,39 @@ pub(crate) fn is_power(function: Function) -> bool {
     function.name() == "powf"
 }
 
+/// A contribution as addends. What these multiply anew is found by whoever asks for the products afterwards.
+fn addends(graph: &mut Graph, Contribution { context, element, value }: Contribution) -> Vec<Contribution> {
+    let addends = addends_within(graph, context, value).into_iter();
+    addends.map(|(context, value)| Contribution { context, element, value }).collect()
+}
+
 /// A value in its surroundings as addends without sums over inner loops: what such a sum adds up is added in every
 /// iteration of its loop, what is chosen or zero where it is chosen.
-pub(crate) fn addends(graph: &mut Graph, context: Vec<Scope>, value: NodeId) -> Vec<(Vec<Scope>, NodeId)> {
+fn addends_within(graph: &mut Graph, context: Vec<Scope>, value: NodeId) -> Vec<(Vec<Scope>, NodeId)> {
     let within = |around: Scope| -> Vec<Scope> { context.iter().copied().chain([around]).collect() };
     let zero = |graph: &Graph, id| graph.as_constant(id) == Some(0.0);
     if !has_sums(graph, &context, value) {
         return vec![(context, value)];
     }
     match graph.node(value) {
-        Node::Sum(by, body) => addends(graph, within(Scope::Loop(by)), body),
+        Node::Sum(by, body) => addends_within(graph, within(Scope::Loop(by)), body),
         Node::Select(condition, body, other) if zero(graph, other) => {
-            addends(graph, within(Scope::Branch(condition, true)), body)
+            addends_within(graph, within(Scope::Branch(condition, true)), body)
         }
         Node::Select(condition, other, body) if zero(graph, other) => {
-            addends(graph, within(Scope::Branch(condition, false)), body)
+            addends_within(graph, within(Scope::Branch(condition, false)), body)
         }
         Node::Add(a, b) => {
-            let mut both = addends(graph, context.clone(), a);
-            both.extend(addends(graph, context, b));
+            let mut both = addends_within(graph, context.clone(), a);
+            both.extend(addends_within(graph, context, b));
             both
         }
         Node::Neg(inner) => {
-            let inner = addends(graph, context, inner).into_iter();
+            let inner = addends_within(graph, context, inner).into_iter();
             inner.map(|(context, value)| (context, graph.neg(value))).collect()
         }
         Node::Mul(factor, inner) if graph.is_prepared(factor) => {
-            let inner = addends(graph, context, inner).into_iter();
+            let inner = addends_within(graph, context, inner).into_iter();
             inner.map(|(context, value)| (context, graph.mul(factor, value))).collect()
         }
         _ => vec![(context, value)],

@@ -306,6 +306,18 @@ rows! {
         }
         sum
     }
+    sum_times_products [&[f64]] { p.iter().map(|p| p * p / 2.0).sum() } {
+        let (mut sum, mut products) = (0.0, 0.0);
+        for i in 0..q.len() {
+            sum += q[i];
+        }
+        for i in 1..q.len() {
+            for _ in 0..3 {
+                products += q[0] * q[i];
+            }
+        }
+        sum * products / 8.0
+    }
     lattice [[f64; 20]] { p.iter().map(|p| p * p / 2.0).sum() } {
         let mut sum = q[7] * q[19].sin();
         for i in 0..4 {

@@ -277,6 +277,11 @@ def linear_loops(q, p, t):
     return half_squares(p), alone + sum((b - a) ** 4 for a, b in zip(q, q[1:]))
 
 
+@system([0.5, -0.75, 1.0, 0.25, 0.0], [0.25, 0.0, -0.125, 0.5, 0.0])
+def sum_times_products(q, p, t):
+    return half_squares(p), sum(q) * sum(3 * q[0] * x for x in q[1:]) / 8
+
+
 @system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5] * 2, [0.25, 0.0, -0.125, 0.5, 0.0] * 4)
 def lattice(q, p, t):
     rows = [q[5 * i:5 * i + 5] for i in range(4)]

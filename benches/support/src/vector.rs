@@ -58,9 +58,7 @@ number!(f64, u64, 64, 52);
 number!(f32, u32, 32, 23);
 
 /// Several numbers side by side.
-pub trait Vector:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
+pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     type Number: Number;
     const LANES: usize;
 

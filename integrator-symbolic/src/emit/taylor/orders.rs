@@ -127,17 +127,14 @@ pub(super) fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constrain
     }
 }
 
-/// The values that move coordinates: what a sum adds up is added iteration by iteration, so that no iteration waits for
-/// another.
+/// The values that move coordinates.
 fn stores(graph: &mut Graph, kinetic: &[Contribution], potential: &[Contribution]) -> Vec<Store> {
     let mut stores = Vec::new();
     for (gradient, is_force) in [(kinetic, false), (potential, true)] {
-        for Contribution { context, element, value } in gradient {
+        stores.extend(gradient.iter().map(|Contribution { context, element, value }| {
             let value = if is_force { graph.neg(*value) } else { *value };
-            let moved = element.partner();
-            let addends = crate::taylor::addends(graph, context.clone(), value).into_iter();
-            stores.extend(addends.map(|(context, value)| Store { context, sink: Sink::Collect(moved), value }));
-        }
+            Store { context: context.clone(), sink: Sink::Collect(element.partner()), value }
+        }));
     }
     stores
 }
