@@ -178,7 +178,10 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         }
         // What the last block of a ring hands on to the first one is its own in the end.
         let last = self.last_of_ring::<W>(&sites);
-        let mut carry = last.map_or_else(|| self.carry_into::<W>(site), |own| [own; MAX_RADIUS]);
+        let mut carry = match last {
+            Some(own) => [own; MAX_RADIUS],
+            None => self.carry_into::<W>(site),
+        };
         while site < H::BOUNDARY.first && site + W::WIDTH <= end {
             carry = self.boundary_block(site, carry, None);
             site += W::WIDTH;
@@ -189,7 +192,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
             site += blocks * W::WIDTH;
         }
         while site + W::WIDTH <= end {
-            carry = self.boundary_block(site, carry, last.filter(|_| site + W::WIDTH == end));
+            carry = self.boundary_block(site, carry, if site + W::WIDTH == end { last } else { None });
             site += W::WIDTH;
         }
         site
@@ -200,7 +203,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
     fn last_of_ring<W: Block<R>>(&self, sites: &Range<usize>) -> Option<H::Contributions<W>> {
         let is_ring = const { W::WIDTH > 1 && H::BOUNDARY.periodic && H::BOUNDARY.forward > 0 };
         let is_whole = *sites == (0..self.length) && self.length.is_multiple_of(W::WIDTH);
-        (is_ring && is_whole).then(|| self.boundary_contributions::<W>(self.length - W::WIDTH))
+        if is_ring && is_whole { Some(self.boundary_contributions(self.length - W::WIDTH)) } else { None }
     }
 
     /// Moves sites one by one.
@@ -238,7 +241,10 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         carry: [H::Contributions<W>; MAX_RADIUS],
         own: Option<H::Contributions<W>>,
     ) -> [H::Contributions<W>; MAX_RADIUS] {
-        let own = own.unwrap_or_else(|| self.boundary_contributions::<W>(site));
+        let own = match own {
+            Some(own) => own,
+            None => self.boundary_contributions(site),
+        };
         let begin = site - self.first;
         let row_carry = if const { H::ROW_BOUNDARY.is_some() } { &mut self.adjacent.carry[begin..] } else { &mut [] };
         S::update(&mut self.moved[begin..], self.step, Self::sum(own, carry, row_carry));

@@ -37,8 +37,8 @@ const TILE_OF_ROWS: usize = 8 * TILE;
 /// lean by more are tiled as many.
 const SKEWED_SITES: usize = 24 * TILE;
 
-/// The fewest flows of a tile of layers, however many sites these have: they go through a third-level cache together.
-const SHALLOWEST: usize = 16;
+/// The fewest flows of a tile of layers, however many sites these have: those go through a third-level cache together.
+const SHALLOWEST: usize = 12;
 
 /// The number of flows that are collected before they are applied to the lattice.
 const DEPTH: usize = 64;
