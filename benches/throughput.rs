@@ -83,12 +83,12 @@ impl Report {
         Vec<T>: Coords<Leaf = f64, With<f64> = Vec<T>>,
     {
         let plan = Plan::of::<Verlet>(STEP);
-        let (sites, steps) = (start.q.len() * T::SITES, 64);
+        let (sites, steps) = (start.q.len() * T::SITES, 256);
         let generated = system.run_with::<f64, _>(Verlet, start.clone(), STEP).expect("a start");
         let by_hand = Field { stiffness, q: start.q, p: start.p };
         let [mut plain, mut skewed] = [by_hand.clone(), by_hand];
         let (plain, skewed) = (|| plain.two_pass(&plan, steps), || skewed.skewed(&plan, steps));
-        self.lattice(name, 5, [sites, steps], generated, plain, skewed);
+        self.lattice(name, 3, [sites, steps], generated, plain, skewed);
     }
 
     /// A lattice against two plain loops and a sweep by hand in which steps follow each other.
