@@ -181,6 +181,30 @@ mod slices_of_points {
     moves!(System, vec![[0.4, -0.3], [0.1, 0.2]], vec![[-0.3, 0.4], [0.2, 0.1]]);
 }
 
+mod planes {
+    use super::*;
+
+    struct System;
+
+    #[hamiltonian]
+    impl System {
+        fn kinetic(&self, p: &[[[f64; 4]; 3]]) -> f64 {
+            p.iter().flatten().flatten().map(|x| 0.5 * x * x).sum()
+        }
+        fn potential(&self, q: &[[[f64; 4]; 3]]) -> f64 {
+            q.iter().flatten().flatten().map(|x| x * x).sum()
+        }
+    }
+
+    const PLANE: [[f64; 4]; 3] = [[0.4, -0.3, 0.1, 0.2], [0.0, 0.5, 0.6, -0.7], [0.8, 0.9, 0.15, -0.25]];
+
+    moves!(
+        System,
+        vec![PLANE, PLANE.map(|row| row.map(|x| -x))],
+        vec![PLANE.map(|row| row.map(|x| 2.0 * x)), PLANE.map(|row| row.map(|x| -2.0 * x))]
+    );
+}
+
 mod vectors_behind_references {
     use super::*;
 
