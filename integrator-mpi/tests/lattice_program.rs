@@ -20,6 +20,7 @@ fn main() {
         "ring, processed" => overlaps(&world, numbers(&world, TakahashiImada4, SITES, ring)),
         "chain" => overlaps(&world, numbers(&world, Yoshida4, SITES, chain)),
         "plane" => overlaps(&world, numbers(&world, Yoshida4, 400, plane)),
+        "volume" => overlaps(&world, numbers(&world, Yoshida4, 200, volume)),
         "save" => {
             let mut lattice = Lattice::new(&world, Yoshida4, SITES, 0.05, chain).expect("a lattice").at_time(0.5);
             lattice.advance(STEPS / 2).expect("finite");

@@ -94,6 +94,35 @@ pub(crate) fn plane(rows: &[usize]) -> (Plane, Phase<Vec<[f64; 12]>>) {
     (Plane, Phase::new(rows.iter().map(row).collect(), vec![[0.1; 12]; rows.len()]))
 }
 
+/// A volume of springs in wells that is closed from plane to plane.
+#[derive(Clone)]
+pub(crate) struct Volume;
+
+#[hamiltonian]
+impl Volume {
+    fn kinetic(&self, p: &[[[f64; 8]; 3]]) -> f64 {
+        p.iter().flatten().flatten().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[[[f64; 8]; 3]]) -> f64 {
+        let mut sum = 0.0;
+        for k in 0..q.len() {
+            for j in 0..3 {
+                for i in 0..8 {
+                    let x = q[k][j][i];
+                    sum += (q[k][(j + 1) % 3][i] - x).powi(2) / 2.0 + (q[k][j][(i + 1) % 8] - x).powi(4) / 4.0;
+                    sum += (q[(k + 1) % q.len()][j][i] - x).powi(2) / 2.0 + x.powi(4) / 4.0;
+                }
+            }
+        }
+        sum
+    }
+}
+
+pub(crate) fn volume(planes: &[usize]) -> (Volume, Phase<Vec<[[f64; 8]; 3]>>) {
+    let plane = |plane: &usize| std::array::from_fn(|j| std::array::from_fn(|i| angle(24 * plane + 8 * j + i).sin()));
+    (Volume, Phase::new(planes.iter().map(plane).collect(), vec![[[0.1; 8]; 3]; planes.len()]))
+}
+
 /// Each site runs away from its neighbours, where it is not at rest with them.
 #[derive(Clone)]
 pub(crate) struct Runaway;

@@ -51,6 +51,11 @@ fn a_plane_has_the_bits_of_a_run() {
 }
 
 #[test]
+fn a_volume_has_the_bits_of_a_run() {
+    is_a_run("volume", Yoshida4, 200, volume);
+}
+
+#[test]
 fn a_checkpoint_is_that_of_a_run_and_goes_on_on_any_number_of_ranks() {
     let path = std::env::temp_dir().join(format!("integrator-mpi-lattice-{}.run", std::process::id()));
     let name = path.display().to_string();
