@@ -127,7 +127,9 @@ impl Machine<'_> {
         }
         match name {
             "plain" => Some(self.expression(&call.receiver)),
-            "drift" | "kick" | "drift_rows" | "kick_rows" => Some(self.driven_flow(call, name.starts_with("drift"))),
+            "drift" | "kick" | "drift_layers" | "kick_layers" => {
+                Some(self.driven_flow(call, name.starts_with("drift")))
+            }
             _ => None,
         }
     }

@@ -10,6 +10,7 @@ use crate::{
         sites::Sites,
         stencil::{AdjacentRows, Boundary, Drift, Kick, Stencil, StencilPass},
         time_tiling::Flow,
+        volume::Volume,
         window::{MAX_RADIUS, Window},
     },
     scalar::{
@@ -26,20 +27,20 @@ use alloc::{vec, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
 
 impl<R: Real, C: Coords, P> Plain<R, C, P> {
-    /// The flow of `T` of a plane.
+    /// The flow of `T` of a plane or a volume.
     #[inline(always)]
-    pub fn drift_rows<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut rows = self.layers();
-        let range = 0..rows.length;
-        rows.apply_rows::<H, Drift>(R::of(duration), time, range);
+    pub fn drift_layers<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        let mut layers = self.layers();
+        let range = 0..layers.length;
+        layers.move_layers::<H, Drift>(R::of(duration), time, range);
     }
 
-    /// The flow of `V` of a plane.
+    /// The flow of `V` of a plane or a volume.
     #[inline(always)]
-    pub fn kick_rows<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut rows = self.layers();
-        let range = 0..rows.length;
-        rows.apply_rows::<H, Kick>(R::of(-duration), time, range);
+    pub fn kick_layers<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
+        let mut layers = self.layers();
+        let range = 0..layers.length;
+        layers.move_layers::<H, Kick>(R::of(-duration), time, range);
     }
 
     /// All layers: the rows of a plane, or the planes of a volume.
@@ -51,21 +52,21 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
 }
 
 impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
-    /// Applies a flow to some `rows`.
+    /// Applies a flow to some `layers`.
     #[inline(always)]
-    pub fn apply_to_rows<H>(&mut self, flow: &Flow, rows: Range<usize>)
+    pub fn apply_to_layers<H>(&mut self, flow: &Flow, layers: Range<usize>)
     where
         H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
     {
         if flow.drifts {
-            self.apply_rows::<H, Drift>(R::of(flow.duration), flow.time, rows);
+            self.move_layers::<H, Drift>(R::of(flow.duration), flow.time, layers);
         } else {
-            self.apply_rows::<H, Kick>(R::of(-flow.duration), flow.time, rows);
+            self.move_layers::<H, Kick>(R::of(-flow.duration), flow.time, layers);
         }
     }
 
     #[inline(always)]
-    fn apply_rows<H: Stencil<F, Parameters<R> = P>, F: Moves>(&mut self, step: R, time: f64, range: Range<usize>) {
+    fn move_layers<H: Stencil<F, Parameters<R> = P>, F: Moves>(&mut self, step: R, time: f64, range: Range<usize>) {
         let Self { q, p, parameters, first, length: rows, columns, carries } = self;
         let (read, moved): (&[_], _) = if F::POSITIONS { (p, q) } else { (q, p) };
         let (first, rows, columns, parameters) = (*first, *rows, *columns, *parameters);
@@ -73,12 +74,14 @@ impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
         let mut none = RowCarries::default();
         let carries = carries.as_deref_mut().unwrap_or(&mut none);
         let around = AdjacentPlanes::none();
-        R::enter(Plane { columns, rows, first, range, around, read, moved, carries, parameters, step, time, flow });
+        let layers = Plane { columns, rows, first, range, around, read, moved, carries, parameters, step, time, flow };
+        // A constant, so that nothing is compiled of volumes for planes.
+        if const { H::PLANE_BOUNDARY.is_some() } { R::enter(Volume(layers)) } else { R::enter(layers) }
     }
 }
 
 /// What a flow moves.
-pub(super) trait Moves {
+trait Moves {
     /// Whether it moves the positions.
     const POSITIONS: bool;
 }
@@ -137,6 +140,7 @@ impl<R: Real> RowCarries<R> {
 }
 
 /// The planes adjacent to one of a volume.
+#[derive(Clone, Copy)]
 pub(super) struct AdjacentPlanes<'m, S> {
     /// The index of the plane, and the number of planes.
     pub(super) plane: [usize; 2],
@@ -154,7 +158,7 @@ impl<S> AdjacentPlanes<'_, S> {
     }
 }
 
-/// A flow of some rows of a plane.
+/// A flow of some rows of a plane, or of some planes of a volume in place of rows.
 pub(super) struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
     /// The number of sites in a row.
     pub(super) columns: usize,
@@ -183,9 +187,22 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
     /// Whether the last row contributes to the first one.
     const CLOSED: bool = Self::CARRIES && matches!(H::ROW_BOUNDARY, Some(Boundary { periodic: true, .. }));
 
+    /// The rows above and below one of them that it depends on, if there are any, and whether it differs from those of the
+    /// interior.
+    #[inline(always)]
+    pub(super) fn beside(&self, row: usize, boundary: Boundary) -> ([Option<usize>; 2], bool) {
+        let beyond = |row: usize| if boundary.periodic { Some(row) } else { None };
+        let above = if boundary.behind > 0 { row.checked_sub(1).or(beyond(self.rows - 1)) } else { None };
+        let below =
+            if boundary.ahead > 0 { Some(row + 1).filter(|below| *below < self.rows).or(beyond(0)) } else { None };
+        let differs = row < boundary.first || row + boundary.last >= self.rows;
+        let reads_beyond = boundary.behind > 0 && above.is_none() || boundary.ahead > 0 && below.is_none();
+        ([above, below], differs || reads_beyond)
+    }
+
     /// A row of the coordinates that the flow depends on; nothing beyond an end.
     #[inline(always)]
-    fn at(&self, row: Option<usize>) -> &[S] {
+    pub(super) fn at(&self, row: Option<usize>) -> &[S] {
         row.map_or(&self.read[..0], |row| self.row_of(self.read, row))
     }
 
@@ -199,15 +216,10 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
     #[inline(always)]
     fn pass(&self, row: usize, moved: &mut [S], carry: &mut [R]) {
         let Some(boundary) = H::ROW_BOUNDARY else { return };
-        let beyond = |row: usize| if boundary.periodic { Some(row) } else { None };
-        let above = if boundary.behind > 0 { row.checked_sub(1).or(beyond(self.rows - 1)) } else { None };
-        let below =
-            if boundary.ahead > 0 { Some(row + 1).filter(|below| *below < self.rows).or(beyond(0)) } else { None };
-        let differs = row < boundary.first || row + boundary.last >= self.rows;
-        let reads_beyond = boundary.behind > 0 && above.is_none() || boundary.ahead > 0 && below.is_none();
-        let at_boundary = differs || reads_beyond || self.around.at_boundary;
-        let [before, behind] = self.around.read.map(|plane| self.row_of(plane, row));
-        let (plane, read) = (self.around.plane, [self.at(above), self.at(below), before, behind]);
+        let ([above, below], differs) = self.beside(row, boundary);
+        let AdjacentPlanes { plane, at_boundary, read: [before, behind] } = self.around;
+        let at_boundary = at_boundary || differs;
+        let read = [self.at(above), self.at(below), self.row_of(before, row), self.row_of(behind, row)];
         let adjacent = AdjacentRows { row, rows: self.rows, plane, at_boundary, read, carry };
         let (read, first, length, flow) = (self.at(Some(row)), 0, self.columns, PhantomData::<F>);
         let Self { parameters, step, time, .. } = *self;

@@ -80,12 +80,8 @@ pub(crate) fn sweep(
 impl Sweep {
     /// The flow, as the runtime goes about it.
     pub(crate) fn flow(&self) -> TokenStream {
-        let units = match self.lattice() {
-            Lattice::Line => "",
-            Lattice::Plane => "_rows",
-            Lattice::Volume => "_planes",
-        };
-        let method = format_ident!("{}{units}", self.flow.to_string().to_lowercase());
+        let layers = if self.lattice() == Lattice::Line { "" } else { "_layers" };
+        let method = format_ident!("{}{layers}", self.flow.to_string().to_lowercase());
         quote!(motion.#method::<Self>(duration, time);)
     }
 
@@ -161,8 +157,7 @@ fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenSt
 pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStream) {
     let [all, apply] = match lattice {
         Lattice::Line => ["sites", "apply"],
-        Lattice::Plane => ["layers", "apply_to_rows"],
-        Lattice::Volume => ["layers", "apply_to_planes"],
+        Lattice::Plane | Lattice::Volume => ["layers", "apply_to_layers"],
     };
     let [all, apply] = [all, apply].map(|name| format_ident!("{name}"));
     let Names { runtime, scalar, leaf, .. } = names;

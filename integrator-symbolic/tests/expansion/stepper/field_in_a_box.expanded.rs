@@ -54,7 +54,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4899483497298971280;
+        const FINGERPRINT: u64 = 5900725489722130120;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -75,7 +75,7 @@ const _: () = {
             duration: f64,
             time: f64,
         ) {
-            motion.drift_planes::<Self>(duration, time);
+            motion.drift_layers::<Self>(duration, time);
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -83,7 +83,7 @@ const _: () = {
             duration: f64,
             time: f64,
         ) {
-            motion.kick_planes::<Self>(duration, time);
+            motion.kick_layers::<Self>(duration, time);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -166,7 +166,7 @@ const _: () = {
             flow: &runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {
-            lattice.apply_to_planes::<Self>(flow, sites);
+            lattice.apply_to_layers::<Self>(flow, sites);
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);

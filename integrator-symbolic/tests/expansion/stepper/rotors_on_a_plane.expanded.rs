@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3587269989479536680;
+        const FINGERPRINT: u64 = 6822837170013156948;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -86,7 +86,7 @@ const _: () = {
             duration: f64,
             time: f64,
         ) {
-            motion.drift_rows::<Self>(duration, time);
+            motion.drift_layers::<Self>(duration, time);
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -94,7 +94,7 @@ const _: () = {
             duration: f64,
             time: f64,
         ) {
-            motion.kick_rows::<Self>(duration, time);
+            motion.kick_layers::<Self>(duration, time);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -173,7 +173,7 @@ const _: () = {
             flow: &runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {
-            lattice.apply_to_rows::<Self>(flow, sites);
+            lattice.apply_to_layers::<Self>(flow, sites);
         }
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
