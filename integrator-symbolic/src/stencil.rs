@@ -80,7 +80,7 @@ impl Stencil {
         let mut handed_on = self.contributions.iter().filter(is_to_row).peekable();
         let is_cheap = |contribution: &SiteContribution| {
             let mut nodes: Vec<_> = computed(graph, contribution.value, leaf).into_iter().collect();
-            nodes.retain(|id| !leaf(graph, *id) && !matches!(graph.node(*id), Node::Coordinate(_) | Node::Time));
+            nodes.retain(|id| !leaf(graph, *id) && !graph.node(*id).is_read());
             let is_operation = |id: &NodeId| matches!(graph.node(*id), Node::Add(..) | Node::Mul(..) | Node::Neg(_));
             nodes.len() <= CHEAP && nodes.iter().all(is_operation)
         };

@@ -96,9 +96,7 @@ impl Recurrences {
         let operands = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| graph.signed(id).1);
         let operands: Vec<NodeId> = operands.filter(|id| !graph.is_prepared(*id)).collect();
         // What an order begins with is read where it is, or kept by the lines that begin with it.
-        let is_given =
-            |id: &NodeId| matches!(graph.node(*id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
-        self.kept.extend(operands.iter().copied().filter(|id| !is_given(id)));
+        self.kept.extend(operands.iter().copied().filter(|id| !graph.node(*id).is_read()));
         self.operands.insert(id, operands);
         slopes.into_iter().flatten().collect()
     }

@@ -388,12 +388,11 @@ impl Loops {
         self.sites_of_row
     }
 
-    /// The number of a site in a plane as a sum, with what its rows are multiplied by.
-    fn in_plane(&mut self, row: IndexId, site: IndexId) -> Index {
-        match self.sites_of_row {
-            Some(sites) => Index::Add(self.intern(Index::Mul(row, sites)), site),
-            None => self.index(site),
-        }
+    /// The number of a site in a plane as a sum.
+    fn number_in_plane(&mut self, row: IndexId, site: IndexId) -> IndexId {
+        let Some(sites) = self.sites_of_row else { return site };
+        let before = self.intern(Index::Mul(row, sites));
+        self.intern(Index::Add(before, site))
     }
 
     /// The indices of a coordinate, the outermost first.

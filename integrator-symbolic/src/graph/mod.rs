@@ -205,6 +205,11 @@ impl Node {
         }
     }
 
+    /// Whether it is read of a state or of the clock.
+    pub(crate) fn is_read(self) -> bool {
+        matches!(self, Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step)
+    }
+
     /// Whether it holds or does not, rather than being a number.
     pub(crate) fn is_condition(self) -> bool {
         matches!(
@@ -383,7 +388,7 @@ impl Graph {
                 Node::Sum(by, _) => LoopSet::of(by),
                 _ => LoopSet::EMPTY,
             },
-            prepared: !matches!(node, Node::Time | Node::Middle | Node::Step | Node::Coordinate(_)),
+            prepared: !node.is_read(),
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),

@@ -177,9 +177,7 @@ impl<'s> Needs<'s> {
             return self.of(id);
         }
         for operand in self.around.operands.get(&id).into_iter().flatten().copied() {
-            let is_read =
-                matches!(self.around.graph.node(operand), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
-            if !is_read && !self.own.contains(&operand) {
+            if !self.around.graph.node(operand).is_read() && !self.own.contains(&operand) {
                 return None;
             }
             self.of(operand)?;

@@ -94,9 +94,7 @@ pub(super) fn program(
     constraints: &Constraints,
 ) -> Program {
     let stores = stores(&mut model.graph, kinetic, potential);
-    let is_read =
-        |graph: &Graph, id| matches!(graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
-    let leaf = |graph: &Graph, id| is_read(graph, id) || is_leaf(graph, &model.parameters, id);
+    let leaf = |graph: &Graph, id| graph.node(id).is_read() || is_leaf(graph, &model.parameters, id);
     schedule_with(&model.graph, &stores, leaf, constraints)
 }
 

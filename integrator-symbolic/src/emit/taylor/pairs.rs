@@ -170,8 +170,6 @@ impl Writer<'_> {
     /// Whether a coefficient of the present order is known to the present line.
     fn is_computed(&self, factor: Factor) -> bool {
         let id = factor.value();
-        let is_begun =
-            matches!(self.printer.graph.node(id), Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step);
-        is_begun || self.computed.contains(&id)
+        self.printer.graph.node(id).is_read() || self.computed.contains(&id)
     }
 }

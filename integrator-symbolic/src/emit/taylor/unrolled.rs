@@ -116,7 +116,11 @@ impl Writer<'_> {
         let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{name}"));
         lines.begin.extend(quote!(#(let mut #halves = #zero;)*));
         for product in products {
-            lines.halves(halves.each_ref(), |j| self.factor(product, j), |j| product.b.of(j));
+            lines.halves(
+                halves.each_ref(),
+                orders().map(|j| self.factor(product, &j)),
+                orders().map(|j| product.b.of(&j)),
+            );
         }
         lines.end.extend(quote!(let #rest = #(#halves)+*;));
     }
@@ -133,22 +137,18 @@ impl Writer<'_> {
         let [one, other] = of.map(|(id, ..)| &self.printer.names[id]);
         let both = format_ident!("{one}_and_{other}");
         let rests = of.map(|(_, rest, _)| rest);
-        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)];
         let zero = self.twice(quote!(0.0));
         let (series, known) = self.side_by_side(fields, factors);
         lines.begin.extend(known);
-        let [pair_middle, pair_low, pair_high] = [&middle, &low, &high].map(|j| self.pair_of(&series, j));
+        let pairs = orders().map(|j| self.pair_of(&series, &j));
         if let Some(rate @ Factor::Rate(_)) = common {
             let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{both}"));
             lines.begin.extend(quote!(#(let mut #halves = #zero;)*));
-            let [rate_middle, rate_low, rate_high] = [&middle, &low, &high].map(|j| self.twice_of(fields, rate, j));
-            let [early, late] = &halves;
-            lines.late_middle.extend(quote!(#late = #rate_middle.fma(#pair_middle, #late);));
-            lines.outwards(1, &quote!(#early = #rate_high.fma(#pair_low, #early);));
-            lines.outwards(2, &quote!(#late = #rate_low.fma(#pair_high, #late);));
-            lines.end.extend(quote!(let [#(#rests),*] = (#early + #late).parts();));
+            lines.halves(halves.each_ref(), orders().map(|j| self.twice_of(fields, rate, &j)), pairs);
+            lines.end.extend(quote!(let [#(#rests),*] = (#(#halves)+*).parts();));
             return;
         }
+        let [pair_middle, pair_low, pair_high] = pairs;
         let sums = format_ident!("rest_of_{both}");
         lines.begin.extend(quote!(let mut #sums = #zero;));
         match common {
@@ -158,8 +158,7 @@ impl Writer<'_> {
                 lines.outwards(1, &quote!(#sums = #pair_low.fma(#pair_high, #sums);));
             }
             Some(common) => {
-                let [common_middle, common_low, common_high] =
-                    [&middle, &low, &high].map(|j| self.twice_of(fields, common, j));
+                let [common_middle, common_low, common_high] = orders().map(|j| self.twice_of(fields, common, &j));
                 lines.middle.extend(quote!(#sums = #pair_middle * #common_middle;));
                 let line = quote!(#sums = #pair_low.fma(#common_high, #pair_high.fma(#common_low, #sums)););
                 lines.outwards(1, &line);
@@ -173,7 +172,7 @@ impl Writer<'_> {
         let halves = format_ident!("halves_of_{}", self.printer.names[id]);
         let [zero, half] = [quote!(0.0), quote!(0.5)].map(|number| self.twice(number));
         let (series, known) = self.side_by_side(fields, factors);
-        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)].map(|j| self.pair_of(&series, &j));
+        let [middle, low, high] = orders().map(|j| self.pair_of(&series, &j));
         lines.begin.extend(quote!(#known let mut #halves = #zero;));
         lines.middle.extend(quote!(#halves = #half * #middle * #middle.swap();));
         lines.outwards(1, &quote!(#halves = #low.fma(#high.swap(), #halves);));
@@ -192,15 +191,10 @@ impl Writer<'_> {
         let (runtime, scalar, zero) = (self.printer.runtime, self.printer.scalar, self.twice(quote!(0.0)));
         let halves = ["early", "late"].map(|half| format_ident!("{half}_of_{}", self.printer.names[&id]));
         let (series, known) = self.side_by_side(fields, [base, Factor::Rate(base.value())]);
-        let [own_middle, own_low, own_high] =
-            [quote!(middle), quote!(low), quote!(high)].map(|j| self.twice_of(fields, own, &j));
-        let [middle, low, high] = [quote!(middle), quote!(low), quote!(high)].map(|j| self.pair_of(&series, &j));
+        let own = orders().map(|j| self.twice_of(fields, own, &j));
         lines.begin.extend(quote!(#known #(let mut #halves = #zero;)*));
-        let [early, late] = &halves;
-        lines.late_middle.extend(quote!(#late = #middle.fma(#own_middle, #late);));
-        lines.outwards(1, &quote!(#early = #high.fma(#own_low, #early);));
-        lines.outwards(2, &quote!(#late = #low.fma(#own_high, #late);));
-        lines.end.extend(quote!(let #rest = #runtime::power_sum::<#scalar>(#exponent, order, #early + #late);));
+        lines.halves(halves.each_ref(), orders().map(|j| self.pair_of(&series, &j)), own);
+        lines.end.extend(quote!(let #rest = #runtime::power_sum::<#scalar>(#exponent, order, #(#halves)+*);));
     }
 
     /// The first factor of order `j`.
@@ -253,6 +247,11 @@ struct Lines {
     end: TokenStream,
 }
 
+/// The orders that lines name: the middle one, and the lower and the higher one of a pair around it.
+fn orders() -> [TokenStream; 3] {
+    [quote!(middle), quote!(low), quote!(high)]
+}
+
 impl Lines {
     /// From the middle of the order to the product whose lower order is `first`.
     fn outwards(&mut self, first: usize, line: &TokenStream) {
@@ -265,21 +264,13 @@ impl Lines {
         });
     }
 
-    /// `Σ aⱼ bₖ₋ⱼ` without `j = 1`, in two halves: with the earlier and with the later coefficients of `b`.
-    fn halves(
-        &mut self,
-        [early, late]: [&Ident; 2],
-        a: impl Fn(&TokenStream) -> TokenStream,
-        b: impl Fn(&TokenStream) -> TokenStream,
-    ) {
-        let line = |sum: &Ident, i: &TokenStream, j: &TokenStream| {
-            let (a, b) = (a(i), b(j));
-            quote!(#sum = #a.fma(#b, #sum);)
-        };
-        let (middle, low, high) = (quote!(middle), quote!(low), quote!(high));
-        self.late_middle.extend(line(late, &middle, &middle));
-        self.outwards(1, &line(early, &high, &low));
-        self.outwards(2, &line(late, &low, &high));
+    /// `Σ aⱼ bₖ₋ⱼ` without `j = 1`, in two halves: with the earlier and with the later coefficients of `b`. Both factors are
+    /// given at [`orders`].
+    fn halves(&mut self, [early, late]: [&Ident; 2], a: [TokenStream; 3], b: [TokenStream; 3]) {
+        let ([a_middle, a_low, a_high], [b_middle, b_low, b_high]) = (a, b);
+        self.late_middle.extend(quote!(#late = #a_middle.fma(#b_middle, #late);));
+        self.outwards(1, &quote!(#early = #a_high.fma(#b_low, #early);));
+        self.outwards(2, &quote!(#late = #a_low.fma(#b_high, #late);));
     }
 
     fn tokens(self) -> TokenStream {

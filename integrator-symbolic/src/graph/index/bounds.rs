@@ -36,8 +36,7 @@ impl Loops {
                 (a, b) => return a.or(b),
             },
             Index::InPlane(row, site) => {
-                let number = self.in_plane(row, site);
-                let number = self.intern(number);
+                let number = self.number_in_plane(row, site);
                 return self.upper(number);
             }
             Index::Parameter(id) => return self.range_of(id).map(|(_, greatest)| greatest),
@@ -68,8 +67,7 @@ impl Loops {
             Index::Rem(..) => Index::Literal(0),
             Index::Min(a, b) => Index::Min(self.lower(a)?, self.lower(b)?),
             Index::InPlane(row, site) => {
-                let number = self.in_plane(row, site);
-                let number = self.intern(number);
+                let number = self.number_in_plane(row, site);
                 return self.lower(number);
             }
             Index::Parameter(id) => return self.range_of(id).map(|(least, _)| least),
