@@ -1,6 +1,6 @@
 //! Volumes, planes of rows one behind the other, against plain loops by hand.
 
-use integrator_core::prelude::*;
+use integrator_core::{Coords, Error, prelude::*};
 
 /// Planes of rows of sites.
 type Planes<const L: usize, const M: usize> = Vec<[[f64; L]; M]>;
@@ -249,10 +249,15 @@ fn by_hand<const L: usize, const M: usize, H: ByHand<L, M>>(system: &H, planes: 
     Phase::new(q, p)
 }
 
-fn followed<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) -> Phase<H::Coords> {
-    let mut run = system.run_with::<f64, Verlet>(Verlet, start, STEP).expect("a start");
+/// Where a run is after all steps.
+fn end<C: Coords>(run: Result<Run<C>, Error>) -> Phase<C> {
+    let mut run = run.expect("a start");
     run.advance(STEPS).expect("finite states");
     run.state()
+}
+
+fn followed<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) -> Phase<H::Coords> {
+    end(system.run_with::<f64, Verlet>(Verlet, start, STEP))
 }
 
 fn hold<const L: usize, const M: usize>(name: &str, state: &Phase<Planes<L, M>>, expected: &Phase<Planes<L, M>>) {
@@ -326,17 +331,9 @@ fn every_shape_and_precision_has_volumes() {
     let array = |planes: &Planes<8, 2>| <[[[f64; 8]; 2]; 2]>::try_from(planes.clone()).expect("as many");
     let (q, p) = (array(&q), array(&p));
     let exact = followed(&Springs, Phase::new(q, p));
-    let compensated = {
-        let mut run = Springs.run(Phase::compensated(q, p), STEP).expect("a start");
-        run.advance(STEPS).expect("finite states");
-        run.state()
-    };
+    let compensated = end(Springs.run(Phase::compensated(q, p), STEP));
     let single = |planes: [[[f64; 8]; 2]; 2]| planes.map(|plane| plane.map(|row| row.map(|x| x as f32)));
-    let singles = {
-        let mut run = Springs.run(Phase::new(single(q), single(p)), STEP).expect("a start");
-        run.advance(STEPS).expect("finite states");
-        run.state()
-    };
+    let singles = end(Springs.run(Phase::new(single(q), single(p)), STEP));
     for [k, j, i] in sites::<8, 2>(2) {
         let (value, expected) = (compensated.q[k][j][i].value, exact.q[k][j][i]);
         assert!((value - expected).abs() < 5e-12, "{value} for {expected}");
@@ -344,16 +341,11 @@ fn every_shape_and_precision_has_volumes() {
         let value = f64::from(singles.q[k][j][i]);
         assert!((value - expected).abs() < 5e-12 * 6e-8 / 1.1e-16, "{value} for {expected}");
     }
-    let by_series = {
-        let mut run = Springs.run_with(Taylor::tolerance(1e-15), Phase::new(q, p), STEP).expect("a start");
-        run.advance(STEPS).expect("finite states");
-        run.state()
-    };
-    let mut eighth = Springs.run_with(KahanLi8, Phase::new(q, p), STEP).expect("a start");
-    eighth.advance(STEPS).expect("finite states");
+    let by_series = end(Springs.run_with(Taylor::tolerance(1e-15), Phase::new(q, p), STEP));
+    let eighth = end(Springs.run_with(KahanLi8, Phase::new(q, p), STEP));
     let list = |planes: [[[f64; 8]; 2]; 2]| planes.to_vec();
     let of_lists = |Phase { q, p }| Phase::new(list(q), list(p));
-    hold("series", &of_lists(by_series), &of_lists(eighth.state()));
+    hold("series", &of_lists(by_series), &of_lists(eighth));
     let certificate = certify(&Springs, TakahashiImada4, Phase::new(q, p), 0.1);
     certificate.expect("a certificate");
 }

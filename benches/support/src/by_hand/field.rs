@@ -112,8 +112,7 @@ impl<T: Layer> Kernel for March<'_, T> {
                         q[layer - 1].drift(&p[layer - 1], drift);
                     }
                 } else {
-                    let around = [&q[(layer + layers - 1) % layers], &q[layer], &q[(layer + 1) % layers]];
-                    p[layer].kick_plainly(*stiffness, around, kick);
+                    p[layer].kick_plainly(*stiffness, around(q, layer), kick);
                 }
             }
             let waiting =
@@ -153,8 +152,13 @@ fn skewed<V: Row, T: Layer>(stiffness: f64, q: &mut [T], p: &mut [T], [kick, dri
 /// Kicks a layer by those around it. No closure, which would be compiled outside of the instruction set.
 #[inline(always)]
 fn kick_layer<V: Row, T: Layer>(stiffness: f64, q: &[T], p: &mut [T], layer: usize, kick: f64) {
-    let around = [&q[(layer + q.len() - 1) % q.len()], &q[layer], &q[(layer + 1) % q.len()]];
-    p[layer].kick::<V>(stiffness, around, kick);
+    p[layer].kick::<V>(stiffness, around(q, layer), kick);
+}
+
+/// A layer between those around it.
+#[inline(always)]
+fn around<T>(q: &[T], layer: usize) -> [&T; 3] {
+    [&q[(layer + q.len() - 1) % q.len()], &q[layer], &q[(layer + 1) % q.len()]]
 }
 
 impl<const WIDTH: usize> Layer for [f64; WIDTH] {
@@ -186,17 +190,28 @@ impl<const WIDTH: usize, const ROWS: usize> Layer for [[f64; WIDTH]; ROWS] {
     #[inline(always)]
     fn kick<V: Row>(&mut self, stiffness: f64, [before, here, behind]: [&Self; 3], t: f64) {
         for row in 0..ROWS {
-            let beside = [&here[(row + ROWS - 1) % ROWS], &here[(row + 1) % ROWS], &before[row], &behind[row]];
+            let beside = beside(row, before, here, behind);
             kick_row::<V, WIDTH, 4>(stiffness, &here[row], beside, &mut self[row], t);
         }
     }
     #[inline(always)]
     fn kick_plainly(&mut self, stiffness: f64, [before, here, behind]: [&Self; 3], t: f64) {
         for row in 0..ROWS {
-            let beside = [&here[(row + ROWS - 1) % ROWS], &here[(row + 1) % ROWS], &before[row], &behind[row]];
+            let beside = beside(row, before, here, behind);
             kick_row_plainly(stiffness, &here[row], beside, &mut self[row], t);
         }
     }
+}
+
+/// The rows beside one of a plane: two in it, and two in the planes around.
+#[inline(always)]
+fn beside<'p, T, const ROWS: usize>(
+    row: usize,
+    before: &'p [T; ROWS],
+    here: &'p [T; ROWS],
+    behind: &'p [T; ROWS],
+) -> [&'p T; 4] {
+    [&here[(row + ROWS - 1) % ROWS], &here[(row + 1) % ROWS], &before[row], &behind[row]]
 }
 
 /// The force on a site from the sum of its neighbours.
