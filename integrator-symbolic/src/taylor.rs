@@ -10,6 +10,7 @@
 //! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
 
 mod inverse_mass;
+mod products;
 
 pub(crate) use inverse_mass::inverse_masses;
 
@@ -17,6 +18,7 @@ use crate::{
     differentiate::Contribution,
     graph::{Graph, Node, NodeId, Scope, function::Function},
 };
+use products::{Gathered, whole_power};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The series that recurrences read beside the values themselves.
@@ -34,17 +36,42 @@ pub(crate) struct Recurrences {
 }
 
 impl Recurrences {
-    /// Takes the values of gradients apart into addends, rewrites these, and finds what their coefficients are computed from.
+    /// Takes the values of gradients apart into addends, gathers products where that leaves fewer, and finds what coefficients
+    /// are computed from.
     pub(crate) fn of(graph: &mut Graph, gradients: [&mut Vec<Contribution>; 2]) -> Self {
+        let mut as_written = gradients.each_ref().map(|gradient| {
+            let addends = gradient.iter().flat_map(|contribution| addends(graph, contribution.clone()));
+            addends.collect::<Vec<_>>()
+        });
+        let mut gathered = as_written.clone();
+        let mut products = Gathered::default();
+        for Contribution { context, value, .. } in gathered.iter_mut().flatten() {
+            *value = products.of(graph, *value);
+            for around in context {
+                if let Scope::Branch(condition, _) = around {
+                    *condition = products.of(graph, *condition);
+                }
+            }
+        }
+        let [of_written, of_gathered] =
+            [&mut as_written, &mut gathered].map(|addends| Self::of_addends(graph, addends));
+        // Where no product is saved, prepared factors stay where they were written, and fewer may be multiplied there.
+        let (found, chosen) = match of_gathered.products(graph) < of_written.products(graph) {
+            true => (of_gathered, gathered),
+            false => (of_written, as_written),
+        };
+        for (gradient, chosen) in gradients.into_iter().zip(chosen) {
+            *gradient = chosen;
+        }
+        found
+    }
+
+    /// Rewrites addends, and finds what their coefficients are computed from.
+    fn of_addends(graph: &mut Graph, addends: &mut [Vec<Contribution>; 2]) -> Self {
         let mut found = Self::default();
         let mut rewriting = HashMap::new();
         let mut open = Vec::new();
-        let gradients = gradients.map(|gradient| {
-            *gradient =
-                std::mem::take(gradient).into_iter().flat_map(|contribution| addends(graph, contribution)).collect();
-            gradient
-        });
-        for contribution in gradients.into_iter().flatten() {
+        for contribution in addends.iter_mut().flatten() {
             let value = rewritten(graph, contribution.value, &mut rewriting);
             contribution.value = at_order_zero(graph, value);
             for around in &mut contribution.context {
@@ -66,17 +93,22 @@ impl Recurrences {
         found
     }
 
+    /// The number of products that an order sums, in halves of the order.
+    fn products(&self, graph: &Graph) -> usize {
+        let of = |id: &NodeId| match graph.node(*id) {
+            // The products of a square are the same from both sides.
+            Node::Power(_, 4) => 1,
+            _ => 2 * self.slopes[id].iter().flatten().count().max(1),
+        };
+        self.nonlinear.iter().map(of).sum()
+    }
+
     /// Notes what a node is computed from, and returns the slopes that come with it.
     fn read(&mut self, graph: &mut Graph, id: NodeId, rewriting: &mut HashMap<NodeId, NodeId>) -> Vec<NodeId> {
         let (operands, slopes) = match graph.node(id) {
             Node::Mul(a, b) if !graph.is_prepared(a) && !graph.is_prepared(b) => (vec![a, b], [None, None]),
             Node::Div(_, b) if !graph.is_prepared(b) => (vec![id, b], [None, None]),
             Node::Power(a, 4) => (vec![a], [None, None]),
-            // A whole power of a base that may be zero, where the recurrence of a power would divide by it.
-            Node::Power(a, halves @ 5..) if halves % 2 == 0 => {
-                let (lowered, exponent) = (graph.power(a, halves - 2), graph.constant(f64::from(halves) / 2.0));
-                (vec![a], [Some(graph.mul(exponent, lowered)), None])
-            }
             Node::Power(a, _) => (vec![id, a], [None, None]),
             Node::Unary(function, a) => (vec![a], [graph.slope(function, a, id), None]),
             Node::Binary(function, a, b) if is_power(function) && graph.is_prepared(b) => (vec![id, a], [None, None]),
@@ -165,7 +197,8 @@ fn at_order_zero(graph: &mut Graph, id: NodeId) -> NodeId {
     if graph.is_prepared(id) { graph.stepped(id) } else { id }
 }
 
-/// A value whose added numbers are coefficients of order 0, and whose powers with a moving exponent are exponentials.
+/// A value whose added numbers are coefficients of order 0, whose powers with a moving exponent are exponentials, and whose
+/// whole powers are products.
 fn rewritten(graph: &mut Graph, root: NodeId, known: &mut HashMap<NodeId, NodeId>) -> NodeId {
     for id in graph.reachable([root]) {
         if known.contains_key(&id) {
@@ -194,6 +227,8 @@ fn rewrite(graph: &mut Graph, id: NodeId, known: &HashMap<NodeId, NodeId>) -> No
             let body = at_order_zero(graph, of(body));
             graph.rebuilt(Node::Sum(by, body))
         }
+        // The recurrence of a power would divide by the base, which may be zero.
+        Node::Power(base, halves @ 5..) if halves % 2 == 0 => whole_power(graph, of(base), halves / 2),
         Node::Binary(function, a, b) if is_power(function) && !graph.is_prepared(b) => {
             let base = at_order_zero(graph, of(a));
             let logarithm = graph.call("ln", base);

@@ -318,6 +318,11 @@ rows! {
         }
         sum * products / 8.0
     }
+    products_in_any_order [[f64; 2]] { p[0] * p[0] / 2.0 + p[1] * p[1] / 2.0 } {
+        let [x, y] = q;
+        let cubes = self.rate * x * x * x - y * y * self.rate * y / 3.0 + x * self.rate * y * x;
+        cubes + x * y * self.rate * (y * x) * y + (y - x) * (x - y) * (y - x) * (x - y) + x.powi(7) / 8.0
+    }
     lattice [[f64; 20]] { p.iter().map(|p| p * p / 2.0).sum() } {
         let mut sum = q[7] * q[19].sin();
         for i in 0..4 {

@@ -282,6 +282,12 @@ def sum_times_products(q, p, t):
     return half_squares(p), sum(q) * sum(3 * q[0] * x for x in q[1:]) / 8
 
 
+@system([0.75, -0.5], [0.25, 0.5])
+def products_in_any_order(q, p, t):
+    x, y = q
+    return half_squares(p), Rational(3, 2) * (x**3 - y**3 / 3 + y * x**2 + x**2 * y**3) + (y - x) ** 4 + x**7 / 8
+
+
 @system([0.5, -0.75, 1.0, 0.25, 0.0, -0.5, 0.75, 0.25, -0.25, 0.5] * 2, [0.25, 0.0, -0.125, 0.5, 0.0] * 4)
 def lattice(q, p, t):
     rows = [q[5 * i:5 * i + 5] for i in range(4)]

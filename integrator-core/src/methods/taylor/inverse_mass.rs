@@ -4,7 +4,7 @@
 //! order, so that it is known as soon as that one is.
 
 use super::{
-    series::div_by_order,
+    series::{div_by_order, div_by_two_orders},
     table::{Coefficients, EIGHT, Layout, Wide, is_narrow},
 };
 use crate::{
@@ -54,16 +54,16 @@ impl<R: Real> InverseMass<R> {
     pub fn next_order(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
         if const { is_narrow::<R>() } || q.is_few() {
             for ((q, p), inverse_mass) in q[order + 1].iter_mut().zip(&mut p[order]).zip(&*self.numbers) {
+                *q = div_by_two_orders(*inverse_mass * *p, order);
                 *p = div_by_order(*p, order);
-                *q = div_by_order(*inverse_mass * *p, order + 1);
             }
             return;
         }
         let vectors = q[order + 1].chunks_exact_mut(EIGHT).zip(p[order].chunks_exact_mut(EIGHT));
         for ((q, p), inverse_mass) in vectors.zip(self.numbers.chunks_exact(EIGHT)) {
-            let momentum = div_by_order(<Wide<R> as Row<R>>::read(p), order);
-            momentum.write(p);
-            div_by_order(<Wide<R> as Row<R>>::read(inverse_mass) * momentum, order + 1).write(q);
+            let sum = <Wide<R> as Row<R>>::read(p);
+            div_by_order(sum, order).write(p);
+            div_by_two_orders(<Wide<R> as Row<R>>::read(inverse_mass) * sum, order).write(q);
         }
     }
 }
@@ -86,9 +86,8 @@ impl<R: Real> InverseMasses<'_, R> {
         order: usize,
     ) {
         let begin = vector * (Wide::<R>::LANES / R::LANES);
-        let momentum = div_by_order(sum, order);
-        momentum.write(&mut p[order][begin..]);
+        div_by_order(sum, order).write(&mut p[order][begin..]);
         let inverse_mass = <Wide<R> as Row<R>>::read(&self.numbers[begin..]);
-        div_by_order(inverse_mass * momentum, order + 1).write(&mut q[order + 1][begin..]);
+        div_by_two_orders(inverse_mass * sum, order).write(&mut q[order + 1][begin..]);
     }
 }

@@ -21,8 +21,8 @@ const _: () = {
     /// Coefficients of an order.
     #[derive(::core::clone::Clone, ::core::marker::Copy)]
     pub struct TapeOrder<Scalar: runtime::Real> {
-        shared_5: Scalar,
-        shared_7: Scalar,
+        shared_2: Scalar,
+        shared_3: Scalar,
     }
     /// The coefficients that recurrences read.
     pub struct Tape<Scalar: runtime::Real> {
@@ -42,8 +42,8 @@ const _: () = {
         fn default() -> Self {
             Self {
                 kept: [TapeOrder {
-                    shared_5: Scalar::of(0.0),
-                    shared_7: Scalar::of(0.0),
+                    shared_2: Scalar::of(0.0),
+                    shared_3: Scalar::of(0.0),
                 }; runtime::COEFFICIENTS],
                 inverse_mass: ::core::default::Default::default(),
                 iterations_1: ::core::default::Default::default(),
@@ -84,69 +84,79 @@ const _: () = {
                 let mut rest_of_shared_2 = Scalar::of(0.0);
                 let mut rest_of_shared_3 = Scalar::of(0.0);
                 let mut rest_of_shared_4 = Scalar::of(0.0);
-                let mut rest_of_shared_6 = Scalar::of(0.0);
+                let mut rest_of_shared_5 = Scalar::of(0.0);
                 if order > 0 && order % 2 == 0 {
                     let middle = order / 2;
-                    rest_of_shared_2 = (Scalar::of(middle as f64) * q[middle][index_1])
-                        .fma(tape.kept[middle].shared_7, rest_of_shared_2);
-                    rest_of_shared_3 = (Scalar::of(middle as f64) * q[middle][index_0])
-                        .fma(tape.kept[middle].shared_5, rest_of_shared_3);
-                    rest_of_shared_4 = Scalar::of(0.5) * q[middle][index_0]
+                    rest_of_shared_2 = Scalar::of(0.5) * q[middle][index_0]
                         * q[middle][index_0];
-                    rest_of_shared_6 = Scalar::of(0.5) * q[middle][index_1]
+                    rest_of_shared_3 = Scalar::of(0.5) * q[middle][index_1]
                         * q[middle][index_1];
+                    rest_of_shared_4 = tape.kept[middle].shared_2 * q[middle][index_0];
+                    rest_of_shared_5 = tape.kept[middle].shared_3 * q[middle][index_1];
                 }
                 for low in (1..order.div_ceil(2)).rev() {
                     let high = order - low;
-                    rest_of_shared_2 = (Scalar::of(low as f64) * q[low][index_1])
-                        .fma(tape.kept[high].shared_7, rest_of_shared_2);
-                    rest_of_shared_2 = (Scalar::of(high as f64) * q[high][index_1])
-                        .fma(tape.kept[low].shared_7, rest_of_shared_2);
-                    rest_of_shared_3 = (Scalar::of(low as f64) * q[low][index_0])
-                        .fma(tape.kept[high].shared_5, rest_of_shared_3);
-                    rest_of_shared_3 = (Scalar::of(high as f64) * q[high][index_0])
-                        .fma(tape.kept[low].shared_5, rest_of_shared_3);
-                    rest_of_shared_4 = q[low][index_0]
-                        .fma(q[high][index_0], rest_of_shared_4);
-                    rest_of_shared_6 = q[low][index_1]
-                        .fma(q[high][index_1], rest_of_shared_6);
+                    rest_of_shared_2 = q[low][index_0]
+                        .fma(q[high][index_0], rest_of_shared_2);
+                    rest_of_shared_3 = q[low][index_1]
+                        .fma(q[high][index_1], rest_of_shared_3);
+                    rest_of_shared_4 = tape
+                        .kept[low]
+                        .shared_2
+                        .fma(
+                            q[high][index_0],
+                            tape
+                                .kept[high]
+                                .shared_2
+                                .fma(q[low][index_0], rest_of_shared_4),
+                        );
+                    rest_of_shared_5 = tape
+                        .kept[low]
+                        .shared_3
+                        .fma(
+                            q[high][index_1],
+                            tape
+                                .kept[high]
+                                .shared_3
+                                .fma(q[low][index_1], rest_of_shared_5),
+                        );
                 }
                 let shared_2 = if order == 0 {
-                    runtime::half_power(q[order][index_1], 6)
-                } else {
-                    q[order][index_1]
-                        .fma(
-                            tape.kept[0].shared_7,
-                            runtime::div_by_order(rest_of_shared_2, order),
-                        )
-                };
-                let shared_3 = if order == 0 {
-                    runtime::half_power(q[order][index_0], 6)
-                } else {
-                    q[order][index_0]
-                        .fma(
-                            tape.kept[0].shared_5,
-                            runtime::div_by_order(rest_of_shared_3, order),
-                        )
-                };
-                let shared_4 = if order == 0 {
                     q[order][index_0] * q[order][index_0]
                 } else {
                     Scalar::of(2.0)
-                        * q[0][index_0].fma(q[order][index_0], rest_of_shared_4)
+                        * q[0][index_0].fma(q[order][index_0], rest_of_shared_2)
                 };
-                let shared_5 = Scalar::of(3.0) * shared_4;
-                tape.kept[order].shared_5 = shared_5;
-                let shared_6 = if order == 0 {
+                tape.kept[order].shared_2 = shared_2;
+                let shared_3 = if order == 0 {
                     q[order][index_1] * q[order][index_1]
                 } else {
                     Scalar::of(2.0)
-                        * q[0][index_1].fma(q[order][index_1], rest_of_shared_6)
+                        * q[0][index_1].fma(q[order][index_1], rest_of_shared_3)
                 };
-                let shared_7 = Scalar::of(3.0) * shared_6;
-                tape.kept[order].shared_7 = shared_7;
-                p[order + 1][index_0] += -shared_3;
-                p[order + 1][index_1] += -shared_2;
+                tape.kept[order].shared_3 = shared_3;
+                let shared_4 = if order == 0 {
+                    (shared_2 * q[order][index_0])
+                } else {
+                    tape.kept[0]
+                        .shared_2
+                        .fma(
+                            q[order][index_0],
+                            shared_2.fma(q[0][index_0], rest_of_shared_4),
+                        )
+                };
+                let shared_5 = if order == 0 {
+                    (shared_3 * q[order][index_1])
+                } else {
+                    tape.kept[0]
+                        .shared_3
+                        .fma(
+                            q[order][index_1],
+                            shared_3.fma(q[0][index_1], rest_of_shared_5),
+                        )
+                };
+                p[order + 1][index_0] += -shared_4;
+                p[order + 1][index_1] += -shared_5;
             }
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn iteration_1<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(
