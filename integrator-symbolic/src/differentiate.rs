@@ -11,7 +11,9 @@
 //! a loop is left that may have had no iteration in its branches, what is computed from then on stays under the
 //! condition that it had one, unless no value of it could do harm.
 
-use crate::graph::{Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId};
+use crate::graph::{
+    Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId, like_terms::LikeTerms,
+};
 use std::collections::HashMap;
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
@@ -64,7 +66,22 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
         }
     }
     contributions.reverse();
-    contributions
+    with_like_terms_collected(graph, contributions)
+}
+
+/// The same contributions, with their like terms collected if that leaves fewer operations.
+fn with_like_terms_collected(graph: &mut Graph, as_written: Vec<Contribution>) -> Vec<Contribution> {
+    let mut like_terms = LikeTerms::default();
+    let mut collected = as_written.clone();
+    for contribution in &mut collected {
+        contribution.value = like_terms.of(graph, contribution.value);
+    }
+    let operations = |contributions: &[Contribution]| {
+        let of =
+            |contribution: &Contribution| contribution.conditions().chain([contribution.value]).collect::<Vec<_>>();
+        graph.operations(contributions.iter().flat_map(of))
+    };
+    if operations(&collected) < operations(&as_written) { collected } else { as_written }
 }
 
 /// The derivative of a gradient by the coordinates of `part` along the coordinates of the other part: the Hessian times

@@ -10,15 +10,13 @@
 //! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
 
 mod inverse_mass;
-mod products;
 
 pub(crate) use inverse_mass::inverse_masses;
 
 use crate::{
     differentiate::Contribution,
-    graph::{Graph, Node, NodeId, Scope, function::Function},
+    graph::{Graph, Node, NodeId, Scope, function::Function, like_terms::LikeTerms},
 };
-use products::{Gathered, whole_power};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The series that recurrences read beside the values themselves.
@@ -36,28 +34,28 @@ pub(crate) struct Recurrences {
 }
 
 impl Recurrences {
-    /// Takes the values of gradients apart into addends, gathers products where that leaves fewer, and finds what coefficients
-    /// are computed from.
+    /// Takes the values of gradients apart into addends, collects like terms where that leaves fewer products, and finds what
+    /// coefficients are computed from.
     pub(crate) fn of(graph: &mut Graph, gradients: [&mut Vec<Contribution>; 2]) -> Self {
         let mut as_written = gradients.each_ref().map(|gradient| {
             let addends = gradient.iter().flat_map(|contribution| addends(graph, contribution.clone()));
             addends.collect::<Vec<_>>()
         });
-        let mut gathered = as_written.clone();
-        let mut products = Gathered::default();
-        for Contribution { context, value, .. } in gathered.iter_mut().flatten() {
-            *value = products.of(graph, *value);
+        let mut collected = as_written.clone();
+        let mut like_terms = LikeTerms::default();
+        for Contribution { context, value, .. } in collected.iter_mut().flatten() {
+            *value = like_terms.of(graph, *value);
             for around in context {
                 if let Scope::Branch(condition, _) = around {
-                    *condition = products.of(graph, *condition);
+                    *condition = like_terms.of(graph, *condition);
                 }
             }
         }
-        let [of_written, of_gathered] =
-            [&mut as_written, &mut gathered].map(|addends| Self::of_addends(graph, addends));
+        let [of_written, of_collected] =
+            [&mut as_written, &mut collected].map(|addends| Self::of_addends(graph, addends));
         // Where no product is saved, prepared factors stay where they were written, and fewer may be multiplied there.
-        let (found, chosen) = match of_gathered.products(graph) < of_written.products(graph) {
-            true => (of_gathered, gathered),
+        let (found, chosen) = match of_collected.products(graph) < of_written.products(graph) {
+            true => (of_collected, collected),
             false => (of_written, as_written),
         };
         for (gradient, chosen) in gradients.into_iter().zip(chosen) {
@@ -236,5 +234,84 @@ fn rewrite(graph: &mut Graph, id: NodeId, known: &HashMap<NodeId, NodeId>) -> No
             graph.call("exp", exponent)
         }
         node => graph.rebuilt(node.map(of)),
+    }
+}
+
+/// A whole power as squares, of which an order sums half as many products, and as few other products as these leave.
+fn whole_power(graph: &mut Graph, base: NodeId, exponent: i32) -> NodeId {
+    match exponent {
+        1 => base,
+        exponent if exponent % 2 == 0 => {
+            let root = whole_power(graph, base, exponent / 2);
+            graph.rebuilt(Node::Power(root, 4))
+        }
+        exponent => {
+            let square = whole_power(graph, base, exponent - 1);
+            graph.times(square, base)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Recurrences;
+    use crate::{
+        differentiate::gradient,
+        graph::{Element, Graph, NodeId, ParameterId, Part, index::Index},
+    };
+
+    type Potential = fn(&mut Graph, [NodeId; 3]) -> NodeId;
+
+    /// A product of factors, as somebody writes it.
+    fn product<const N: usize>(graph: &mut Graph, factors: [NodeId; N]) -> NodeId {
+        factors.into_iter().reduce(|product, factor| graph.mul(product, factor)).expect("factors")
+    }
+
+    /// Potentials of `x` and `y`, with a parameter `k`, and the products that an order of their forces sums, in halves of the
+    /// order.
+    const POTENTIALS: &[(&str, Potential, usize)] = &[
+        ("k x x x", |g, [x, _, k]| product(g, [k, x, x, x]), 1),
+        ("x k x x", |g, [x, _, k]| product(g, [x, k, x, x]), 1),
+        ("k x x x x", |g, [x, _, k]| product(g, [k, x, x, x, x]), 3),
+        ("x^8", |g, [x, ..]| g.power(x, 16), 1 + 2 + 1 + 2),
+        (
+            "k x x x + k y y y + x k y",
+            |g, [x, y, k]| {
+                let terms = [product(g, [k, x, x, x]), product(g, [k, y, y, y]), product(g, [x, k, y])];
+                terms.into_iter().reduce(|sum, term| g.add(sum, term)).expect("terms")
+            },
+            2,
+        ),
+        // x² and x y, from either side.
+        ("x k x y", |g, [x, y, k]| product(g, [x, k, x, y]), 3),
+        // x², y² and their products with y and x.
+        ("x y k x y", |g, [x, y, k]| product(g, [x, y, k, x, y]), 6),
+        // The root that all have in common and its third power, which is multiplied by k once: x k / r³, and y as well.
+        (
+            "k / r",
+            |g, [x, y, k]| {
+                let squares = [g.power(x, 4), g.power(y, 4)];
+                let square = g.add(squares[0], squares[1]);
+                let reciprocal = g.power(square, -1);
+                g.mul(k, reciprocal)
+            },
+            2 + 2 + 2 * 2,
+        ),
+    ];
+
+    #[test]
+    fn products_are_as_few_as_by_hand() {
+        for (name, potential, products) in POTENTIALS {
+            let mut graph = Graph::default();
+            let [x, y] = [0, 1].map(|position| {
+                let index = graph.loops.intern(Index::Literal(position));
+                graph.coordinate(Element { part: Part::Position, index, component: None })
+            });
+            let k = graph.parameter(ParameterId(0));
+            let potential = potential(&mut graph, [x, y, k]);
+            let mut forces = gradient(&mut graph, potential, Part::Position);
+            let found = Recurrences::of(&mut graph, [&mut forces, &mut Vec::new()]);
+            assert_eq!(found.products(&graph), *products, "{name}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{ExternalId, Graph, Node, NodeId, index::LoopSet};
 use std::{
-    collections::{BTreeMap, HashMap},
+    collections::{BTreeMap, HashMap, HashSet},
     fmt,
 };
 
@@ -124,6 +124,45 @@ impl Graph {
     }
 }
 
+impl Graph {
+    /// The operations of `roots` per evaluation of a flow, shared ones once, with those that powers are made of.
+    pub(crate) fn operations(&self, roots: impl IntoIterator<Item = NodeId>) -> usize {
+        let mut seen = HashSet::new();
+        let mut open: Vec<NodeId> = roots.into_iter().collect();
+        let mut powers = HashSet::new();
+        let mut others = 0;
+        while let Some(id) = open.pop() {
+            // A table over two loops is only made where the user has one.
+            let is_table = self.is_prepared(id) && self.loops_of(id).iter().count() <= 1;
+            if is_table || !seen.insert(id) {
+                continue;
+            }
+            match self.node(id) {
+                Node::Power(base, halves) => {
+                    powers.extend(powers_below(halves.unsigned_abs()).map(|halves| (base, halves)));
+                    others += usize::from(halves < 0);
+                }
+                node => others += usize::from(node.is_operation()),
+            }
+            open.extend(self.node(id).children());
+        }
+        powers.len() + others
+    }
+}
+
+/// The powers that one is the product of, itself among them, by twice their exponents: that of one is read, and others are squares
+/// or one factor more; a root is multiplied by what is whole.
+fn powers_below(halves: u32) -> impl Iterator<Item = u32> {
+    let root = (halves % 2 == 1 && halves > 1).then_some(1);
+    let next = |halves: &u32| match halves {
+        0..=2 => None,
+        odd if odd % 2 == 1 => Some(odd - 1),
+        halves if halves % 4 == 0 => Some(halves / 2),
+        halves => Some(halves - 2),
+    };
+    std::iter::successors(Some(halves), next).filter(|halves| *halves != 2).chain(root)
+}
+
 impl Node {
     fn is_operation(self) -> bool {
         self.children().next().is_some() && !matches!(self, Node::Neg(_))
@@ -134,6 +173,14 @@ impl Node {
 mod tests {
     use super::*;
     use crate::graph::{Element, Part, index::Index};
+
+    #[test]
+    fn powers_are_made_of_squares_and_factors() {
+        // Roots, then x^1.5, x^2, x^3, x^5, x^8.
+        for (halves, products) in [(1, 1), (3, 2), (4, 1), (6, 2), (10, 3), (16, 3)] {
+            assert_eq!(powers_below(halves).count(), products, "{halves} halves");
+        }
+    }
 
     #[test]
     fn what_is_shared_counts_once() {

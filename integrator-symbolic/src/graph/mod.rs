@@ -20,6 +20,7 @@ pub(crate) mod function;
 mod in_the_way;
 pub(crate) mod index;
 pub(crate) mod kepler;
+pub(crate) mod like_terms;
 mod masked_sum;
 mod own_loops;
 mod piecewise;

@@ -99,7 +99,7 @@ struct System {
                 sum_1 = fma(shared_6, q_j, sum_1);
                 sum_0 = fma(shared_4, p_j, sum_0);
             }
-            gradient[k] += fma(motion.parameters.prepared_2[k] * p_k, shared_0, sum_0 - sum_1 + sum_2);
+            gradient[k] += fma(motion.parameters.prepared_2[k] * p_k, shared_0, sum_0) - sum_1 + sum_2;
         }
         for (int i = 0; i < 4; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};

@@ -50,12 +50,13 @@ struct System {
         R shared_0, shared_2;
         library_sin_cos(q0, shared_0, shared_2);
         const R shared_1 = shared_0 + R(1.0);
-        const R shared_3 = library_cosh(q0);
-        const R shared_4 = signum(shared_2);
-        const R shared_5 = motion.parameters.weight * abs(shared_2);
+        const R shared_3 = abs(shared_2);
+        const R shared_4 = library_cosh(q0);
+        const R shared_5 = signum(shared_2);
         const R shared_6 = R(1.0) / shared_1;
         const R shared_7 = motion.parameters.weight * p0;
-        gradient[0] += fma(-shared_2, fma(motion.parameters.weight * library_ln(shared_1) * shared_4, p0, fma(shared_7 * shared_0 * shared_4, shared_6, p0 * shared_2 * shared_5 * (shared_6 * shared_6))), fma(-shared_0, fma(shared_7 * shared_2 * shared_6, shared_4, shared_5 * shared_6 * p0), fma(R(2.0) * p0 / (shared_3 * shared_3 * shared_3), library_sinh(q0), motion.parameters.spring * p0 * shared_3)));
+        const R shared_8 = shared_7 * shared_2;
+        gradient[0] += fma(-shared_2, fma(shared_7 * shared_0 * shared_5, shared_6, fma(shared_7 * library_ln(shared_1), shared_5, shared_8 * shared_3 * (shared_6 * shared_6))), fma(-shared_0, fma(shared_8 * shared_5, shared_6, shared_7 * shared_3 * shared_6), fma(motion.parameters.spring * p0, shared_4, R(2.0) * p0 * library_sinh(q0) / (shared_4 * shared_4 * shared_4))));
         for (int i = 0; i < 1; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};
         }

@@ -1,20 +1,22 @@
 struct System {
     static constexpr int COORDINATES = 2;
-    static constexpr int CONSTANTS = 4;
+    static constexpr int CONSTANTS = 5;
     static constexpr int PARTS = 3;
     static constexpr bool PAIRED = false;
     static constexpr bool BENDS = false;
 
     template <class R> struct Parameters {
         R prepared_0;
+        R prepared_1;
         R rate;
         R depth;
-        R prepared_3;
+        R prepared_4;
         template <class Source> DEVICE explicit Parameters(const Source& number) {
             prepared_0 = R(number(0));
-            rate = R(number(1));
-            depth = R(number(2));
-            prepared_3 = R(number(3));
+            prepared_1 = R(number(1));
+            rate = R(number(2));
+            depth = R(number(3));
+            prepared_4 = R(number(4));
         }
     };
 
@@ -36,16 +38,15 @@ struct System {
 
     template <class R, class K> DEVICE static void middle_1(Motion<R, K>& motion, double duration, double at) {
         const R step = R(duration);
-        const R p1 = motion.p[1].value();
         const R q0 = motion.q[0].value();
-        motion.p[0].fma(-step, fma(motion.parameters.rate * p1, q0, motion.parameters.rate * q0 * p1));
+        motion.p[0].fma(-(step * motion.parameters.prepared_1 * motion.p[1].value()), q0);
         motion.q[1].fma(step * motion.parameters.rate * q0, q0);
     }
 
     template <class R, class K> DEVICE static void kick(Motion<R, K>& motion, double duration, double at) {
         const R step = R(-duration);
         motion.p[0].fma(-(step * motion.parameters.depth), sin(motion.q[0].value()));
-        motion.p[1].fma(step * motion.parameters.prepared_3, motion.q[1].value());
+        motion.p[1].fma(step * motion.parameters.prepared_4, motion.q[1].value());
     }
 
     template <class R, class K> DEVICE static void middle(Motion<R, K>& motion, double duration, double at, bool backwards) {

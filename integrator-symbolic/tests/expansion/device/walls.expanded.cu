@@ -95,7 +95,7 @@ struct System {
             gradient[i] -= shared_2;
         }
         gradient[0] = fma(R(2.0), motion.p[0].value(), gradient[0]);
-        gradient[11] = fma(R(12.0) * motion.p[11].value(), q11 * q11, gradient[11]);
+        gradient[11] = fma(R(12.0) * (q11 * q11), motion.p[11].value(), gradient[11]);
         for (int i = 0; i < 12; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};
         }

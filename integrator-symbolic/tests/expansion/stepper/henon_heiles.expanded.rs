@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8136046493382612833;
+        const FINGERPRINT: u64 = 5780887736123166896;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -195,15 +195,7 @@ const _: () = {
                 );
             motion
                 .p[1]
-                .fma(
-                    step,
-                    (-shared_0)
-                        .fma(
-                            shared_2,
-                            Scalar::of(3.0).scale(shared_1)
-                                * Scalar::of(0.3333333333333333).scale(shared_2),
-                        ) - shared_3,
-                );
+                .fma(step, (-shared_0).fma(shared_2, shared_1 * shared_2) - shared_3);
         }
     }
 };

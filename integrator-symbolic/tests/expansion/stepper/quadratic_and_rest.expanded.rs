@@ -63,7 +63,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16187692067207964298;
+        const FINGERPRINT: u64 = 3736688282761734674;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -199,13 +199,12 @@ const _: () = {
             _time: f64,
         ) {
             let mut gradient = [Scalar::of(0.0); 2];
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
             let p0 = motion.p[0].value();
-            let shared_0 = motion.parameters.prepared_1.scale(motion.p[1].value());
-            gradient[0] += shared_0.fma(q0, motion.parameters.prepared_1.scale(q1) * p0);
-            gradient[1]
-                += (-shared_0).fma(q1, motion.parameters.prepared_1.scale(q0) * p0);
+            let p1 = motion.p[1].value();
+            let shared_0 = motion.parameters.prepared_1.scale(motion.q[1].value());
+            let shared_1 = motion.parameters.prepared_1.scale(motion.q[0].value());
+            gradient[0] += shared_1.fma(p1, shared_0 * p0);
+            gradient[1] += (-shared_0).fma(p1, shared_1 * p0);
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }

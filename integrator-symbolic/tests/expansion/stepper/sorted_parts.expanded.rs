@@ -65,7 +65,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 153194374678845929;
+        const FINGERPRINT: u64 = 17206484812117479651;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -232,45 +232,43 @@ const _: () = {
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
             let shared_2 = q1.square();
-            let shared_3 = motion
-                .parameters
-                .prepared_1
-                .scale(p0)
+            let shared_3 = motion.parameters.prepared_1.scale(p0);
+            let shared_4 = shared_3
                 .fma(shared_0, motion.parameters.prepared_1.scale(q1) * p1);
-            let shared_4 = motion
-                .parameters
-                .mass
-                .scale(p0)
-                .fma(shared_1, motion.parameters.mass.scale(q1) * p1);
-            let shared_5 = Scalar::of(1.0) / shared_1.square_add(shared_2);
-            let shared_6 = shared_5.sqrt();
-            let shared_7 = shared_5 * shared_6;
-            let shared_8 = Scalar::of(1.0) / shared_0.square_add(shared_2);
-            let shared_9 = shared_8.sqrt();
-            let shared_10 = shared_8 * shared_9;
-            let shared_11 = shared_8.square() * shared_9;
-            let shared_12 = shared_5.square() * shared_6;
+            let shared_5 = motion.parameters.mass.scale(p0);
+            let shared_6 = shared_5.fma(shared_1, motion.parameters.mass.scale(q1) * p1);
+            let shared_7 = Scalar::of(1.0) / shared_1.square_add(shared_2);
+            let shared_8 = shared_7.sqrt();
+            let shared_9 = shared_7 * shared_8;
+            let shared_10 = Scalar::of(1.0) / shared_0.square_add(shared_2);
+            let shared_11 = shared_10.sqrt();
+            let shared_12 = shared_10 * shared_11;
+            let shared_13 = shared_10.square() * shared_11;
+            let shared_14 = shared_7.square() * shared_8;
             gradient[0]
-                += (-(Scalar::of(3.0).scale(shared_4) * shared_12))
-                    .fma(shared_1, motion.parameters.mass.scale(shared_7) * p0)
-                    + (-(Scalar::of(3.0).scale(shared_3) * shared_11))
-                        .fma(
-                            shared_0,
-                            motion.parameters.prepared_1.scale(shared_10) * p0,
-                        );
+                += (-(Scalar::of(3.0).scale(shared_0) * shared_4))
+                    .fma(
+                        shared_13,
+                        shared_3
+                            .fma(
+                                shared_12,
+                                (-(Scalar::of(3.0).scale(shared_1) * shared_6))
+                                    .fma(shared_14, shared_5 * shared_9),
+                            ),
+                    );
             gradient[1]
                 += (-Scalar::of(2.0).scale(q1))
                     .fma(
                         Scalar::of(1.5)
-                            .scale(shared_4)
-                            .fma(shared_12, Scalar::of(1.5).scale(shared_3) * shared_11),
+                            .scale(shared_6)
+                            .fma(shared_14, Scalar::of(1.5).scale(shared_4) * shared_13),
                         Scalar::of(2.0).scale(p1)
                             * motion
                                 .parameters
                                 .prepared_3
                                 .scale_add(
-                                    shared_10,
-                                    motion.parameters.prepared_2.scale(shared_7),
+                                    shared_12,
+                                    motion.parameters.prepared_2.scale(shared_9),
                                 ),
                     );
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {

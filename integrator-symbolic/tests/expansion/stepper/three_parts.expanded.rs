@@ -7,16 +7,18 @@ const _: () = {
     pub struct Parameters<Scalar> {
         /// `1 / mass`
         prepared_0: Scalar,
+        /// `2 rate`
+        prepared_1: Scalar,
         /// `rate`
         rate: Scalar,
         /// `depth`
         depth: Scalar,
         /// `stiffness`
-        prepared_3: Scalar,
-        /// `1 / (2 mass)`
         prepared_4: Scalar,
-        /// `stiffness / 2`
+        /// `1 / (2 mass)`
         prepared_5: Scalar,
+        /// `stiffness / 2`
+        prepared_6: Scalar,
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
@@ -24,30 +26,33 @@ const _: () = {
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
                 prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
                 rate: runtime::in_lanes(members, |member| &member.rate),
                 depth: runtime::in_lanes(members, |member| &member.depth),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
                 prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
                 prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found([
                 runtime::not_finite("1 / mass", &[], &single.prepared_0),
+                runtime::not_finite("2 rate", &[], &single.prepared_1),
                 runtime::not_finite("rate", &[], &single.rate),
                 runtime::not_finite("depth", &[], &single.depth),
-                runtime::not_finite("stiffness", &[], &single.prepared_3),
-                runtime::not_finite("1 / (2 mass)", &[], &single.prepared_4),
-                runtime::not_finite("stiffness / 2", &[], &single.prepared_5),
+                runtime::not_finite("stiffness", &[], &single.prepared_4),
+                runtime::not_finite("1 / (2 mass)", &[], &single.prepared_5),
+                runtime::not_finite("stiffness / 2", &[], &single.prepared_6),
             ])
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);
+            digest.add(&single.prepared_1);
             digest.add(&single.rate);
             digest.add(&single.depth);
-            digest.add(&single.prepared_3);
             digest.add(&single.prepared_4);
             digest.add(&single.prepared_5);
+            digest.add(&single.prepared_6);
         }
     }
     /// The equations of motion, derived from `kinetic`, `twist` and `potential`:
@@ -55,7 +60,7 @@ const _: () = {
     /// ```text
     /// dq[0]/dt = p[0] / mass
     /// dq[1]/dt = p[1] / mass + rate q[0]^2
-    /// dp[0]/dt = -2 rate q[0] p[1] + depth sin(q[0])
+    /// dp[0]/dt = -2 rate p[1] q[0] + depth sin(q[0])
     /// dp[1]/dt = -stiffness q[1]
     /// ```
     ///
@@ -73,15 +78,16 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kinetic", "twist", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5168993121954516915;
+        const FINGERPRINT: u64 = 5653969787755138603;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass),
+                prepared_1: 2.0 * self.rate,
                 rate: self.rate,
                 depth: self.depth,
-                prepared_3: 2.0 * (0.5 * self.stiffness),
-                prepared_4: 1.0 / (2.0 * self.mass),
-                prepared_5: 0.5 * self.stiffness,
+                prepared_4: 2.0 * (0.5 * self.stiffness),
+                prepared_5: 1.0 / (2.0 * self.mass),
+                prepared_6: 0.5 * self.stiffness,
             }
         }
         #[inline(always)]
@@ -103,17 +109,12 @@ const _: () = {
             _backwards: bool,
         ) {
             let step = Scalar::of(duration);
-            let p1 = motion.p[1].value();
             let q0 = motion.q[0].value();
             motion
                 .p[0]
-                .scale_add(
-                    -step,
-                    motion
-                        .parameters
-                        .rate
-                        .scale(p1)
-                        .fma(q0, motion.parameters.rate.scale(q0) * p1),
+                .fma(
+                    -(step * motion.parameters.prepared_1).scale(motion.p[1].value()),
+                    q0,
                 );
             motion.q[1].fma((step * motion.parameters.rate).scale(q0), q0);
         }
@@ -129,7 +130,7 @@ const _: () = {
                 .scale_add(-(step * motion.parameters.depth), motion.q[0].value().sin());
             motion
                 .p[1]
-                .scale_add(step * motion.parameters.prepared_3, motion.q[1].value());
+                .scale_add(step * motion.parameters.prepared_4, motion.q[1].value());
         }
         #[inline(always)]
         fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -141,23 +142,16 @@ const _: () = {
             let step = Scalar::of(duration);
             let p1 = motion.p[1].value();
             let q0 = motion.q[0].value();
-            let shared_0 = motion.parameters.rate.scale(q0);
             moved
                 .p[0]
                 .scale_add(
                     -step,
-                    motion
-                        .parameters
-                        .rate
-                        .scale(p1)
-                        .fma(
-                            q0,
-                            (-motion.parameters.depth).scale_add(q0.sin(), shared_0 * p1),
-                        ),
+                    (-motion.parameters.depth)
+                        .scale_add(q0.sin(), motion.parameters.prepared_1.scale(p1) * q0),
                 );
             moved
                 .p[1]
-                .scale_add(-(step * motion.parameters.prepared_3), motion.q[1].value());
+                .scale_add(-(step * motion.parameters.prepared_4), motion.q[1].value());
             moved
                 .q[0]
                 .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
@@ -165,7 +159,10 @@ const _: () = {
                 .q[1]
                 .scale_add(
                     step,
-                    motion.parameters.prepared_0.scale_add(p1, shared_0 * q0),
+                    motion
+                        .parameters
+                        .prepared_0
+                        .scale_add(p1, motion.parameters.rate.scale(q0) * q0),
                 );
         }
         #[inline(always)]
@@ -175,7 +172,7 @@ const _: () = {
         ) -> Scalar {
             let p0 = motion.p[0].value();
             let p1 = motion.p[1].value();
-            motion.parameters.prepared_4.scale(p1.square_add(p0.square()))
+            motion.parameters.prepared_5.scale(p1.square_add(p0.square()))
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -189,7 +186,7 @@ const _: () = {
                     motion.p[1].value(),
                     motion
                         .parameters
-                        .prepared_5
+                        .prepared_6
                         .scale(q1)
                         .fma(q1, motion.parameters.depth.scale(q0.cos())),
                 )
