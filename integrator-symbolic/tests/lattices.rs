@@ -4,13 +4,14 @@
 use integrator_symbolic::hamiltonian;
 
 /// The potential of a chain of N sites: a name, its text, and whether it is a line for lengths that fill vectors.
-const POTENTIALS: [(&str, &str, bool); 17] = [
+const POTENTIALS: [(&str, &str, bool); 18] = [
     ("free ends", "for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("the next site", "for i in 0..N - 1 { v += b(q[i + 1] - q[i]); }", true),
     ("walls", "v += b(q[0]) + b(-q[N - 1]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("a wall before the first", "v += b(q[0]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("a wall behind the last", "v += b(-q[N - 1]); for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("a ring", "for i in 0..N { v += b(q[(i + 1) % N] - q[i]); }", true),
+    ("a ring with a last bond", "v += b(q[0] - q[N - 1]); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),
     ("a field", "for i in 0..N { v += q[i].powi(4); } for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("a field in time", "for i in 0..N { v += t * q[i]; } for i in 1..N { v += b(q[i] - q[i - 1]); }", true),
     ("other walls", "v += q[0].powi(4); for i in 1..N { v += b(q[i] - q[i - 1]); }", false),

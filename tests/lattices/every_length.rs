@@ -88,6 +88,23 @@ impl Ring {
     }
 }
 
+/// A line of springs, and one from the last site to the first, which makes it a ring.
+struct Closed;
+
+#[hamiltonian]
+impl Closed {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let line: f64 = q.windows(2).map(|q| self.spring(q[1] - q[0])).sum();
+        line + self.spring(q[0] - q[q.len() - 1])
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        stretch.powi(2) / 2.0 + 0.25 * stretch.powi(3) + 0.1 * stretch.powi(4)
+    }
+}
+
 /// Springs to the site before, numbered by that to which they lead, and to the second next; they tear.
 pub(crate) struct Second {
     stiffness: Vec<f64>,
@@ -122,6 +139,13 @@ fn spring_force(stretch: f64) -> f64 {
 fn walls(q: &[f64]) -> Vec<f64> {
     let at = |i: usize| if i == 0 || i == q.len() + 1 { 0.0 } else { q[i - 1] };
     (1..=q.len()).map(|i| spring_force(at(i) - at(i - 1)) - spring_force(at(i + 1) - at(i))).collect()
+}
+
+/// The gradient of V of [`Closed`].
+fn closed(q: &[f64]) -> Vec<f64> {
+    let n = q.len();
+    let force = |i: usize| spring_force(q[(i + 1) % n] - q[i % n]);
+    (0..n).map(|i| force(i + n - 1) - force(i)).collect()
 }
 
 impl Ring {
@@ -223,6 +247,10 @@ fn rings_at_every_length() {
         let expected = by_hand(&start(sites), &ring.mass, |q| ring.gradient(q));
         agree("ring", sites, &followed(&ring, start(sites)), &expected);
     }
+    for sites in lengths(1) {
+        let expected = by_hand(&start(sites), &vec![1.0; sites], closed);
+        agree("closed line", sites, &followed(&Closed, start(sites)), &expected);
+    }
 }
 
 #[test]
@@ -272,6 +300,7 @@ fn member_for_member<H: Hamiltonian<Coords = Vec<f64>> + Send + Sync>(of: impl F
 fn blocks_and_lanes_have_the_same_bits() {
     member_for_member(|_| Walls, 1);
     member_for_member(Ring::example, 1);
+    member_for_member(|_| Closed, 1);
     member_for_member(Second::example, 2);
 }
 

@@ -269,7 +269,7 @@ impl Direction {
             Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || iterations.whole) => {
                 linear.constant - begins
             }
-            None => self.distance(iterations.from, self.place(linear)?)?,
+            None => self.nearest(iterations.from, self.place(linear)?)?,
             Some(_) => return None,
         };
         if ahead.abs() > self.farthest {
@@ -332,6 +332,20 @@ impl Direction {
             (1, None) => Some(Place::FromEnd(-constant)),
             _ => None,
         }
+    }
+
+    /// How much further on than `from` a place is, over the ends of the lattice where that is nearer.
+    fn nearest(&mut self, from: Place, to: Place) -> Option<i64> {
+        if let Some(ahead) = self.distance(from, to).filter(|ahead| ahead.abs() <= self.farthest) {
+            return Some(ahead);
+        }
+        let ahead = match (from, to) {
+            (Place::FromEnd(a), Place::FromBegin(b)) => a + b,
+            (Place::FromBegin(a), Place::FromEnd(b)) => -a - b,
+            _ => return None,
+        };
+        self.periodic |= ahead.abs() <= self.farthest;
+        Some(ahead)
     }
 
     /// How much further on than `from` a place is.
