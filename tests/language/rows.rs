@@ -180,6 +180,7 @@ rows! {
     lengths { let mut v = 0.0; for i in 0..q.len() - 1 { v += q[i] * q[i + 1]; } v } => [b, a + c, b + d, c];
     horner { let mut v = 0.0; for k in (0..3).rev() { v = v * q[0] + self.stiffness[k]; } v } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
     polynomials { let mut v = 0.0; for k in self.table.iter().rev() { v = v * q[0] + k; } v } => [3.0 + 4.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
+    polynomials_in_arms { let mut v = 0.0; for i in 0..4 { v += match &self.kinds[i] { Kind::Listed { list, .. } => list.iter().rev().fold(0.0, |v, k| v * q[i] + k), _ => q[i] }; } v } => [1.0, 1.0, 7.0, 1.0];
     products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
 
     // Iterators

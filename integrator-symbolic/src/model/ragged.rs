@@ -21,7 +21,10 @@ impl Reader<'_> {
         {
             let values = self.values_over_loops(id);
             let text = quote!(::core::option::Option::unwrap_or(::core::iter::Iterator::max(#values), 0));
+            // The values bring the arms around them.
+            let arms = std::mem::take(&mut self.arms);
             let greatest = self.parameter(text, "integer", LoopSet::EMPTY);
+            self.arms = arms;
             let greatest = self.graph.loops.intern(Index::Parameter(greatest));
             // A least value would be asked for at every element of a table; lists begin at zero nearly always.
             let least = self.literal_index(0);
