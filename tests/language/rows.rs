@@ -2,7 +2,10 @@
 
 use crate::{Cell, Kind, START, TIME, close};
 use integrator_core::prelude::*;
-use std::sync::Arc;
+use std::{
+    collections::{BTreeMap, HashMap},
+    sync::Arc,
+};
 
 /// A list that is outside of every impl.
 const WEIGHTS: [f64; 2] = [2.0, 0.5];
@@ -39,6 +42,9 @@ macro_rules! rows {
                 columns: Vec<usize>,
                 weights: Vec<Vec<f64>>,
                 rings: Vec<[usize; 2]>,
+                by_number: BTreeMap<usize, f64>,
+                by_pair: HashMap<(usize, usize), f64>,
+                by_name: HashMap<String, f64>,
             }
 
             #[hamiltonian]
@@ -90,6 +96,9 @@ macro_rules! rows {
                     starts: [0, 1, 1, 3, 4],
                     columns: vec![1, 0, 3, 1],
                     rings: vec![[1, 3], [2, 0], [3, 1], [0, 2]],
+                    by_number: BTreeMap::from([(1, 5.0), (2, 6.0)]),
+                    by_pair: HashMap::from([((1, 0), 2.0), ((2, 1), 3.0), ((3, 0), 4.0)]),
+                    by_name: HashMap::from([("stiff".to_owned(), 7.0)]),
                     weights: vec![vec![1.0, 2.0, 3.0, 4.0], vec![1.0, -1.0]],
                 };
                 // From rest, one step of length 1 kicks the momenta to minus the gradient.
@@ -249,6 +258,7 @@ rows! {
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
+    maps { let mut v = self.by_name["stiff"] * q[3]; for i in 0..4 { if self.columns.contains(&i) { v += q[i]; } if let Some(k) = self.by_number.get(&i) { v += *k * q[i]; } for j in 0..i { if self.by_pair.contains_key(&(i, j)) { v += self.by_pair[&(i, j)] * q[i] * q[j]; } } } v } => [1.0 + 2.0 * b + 4.0 * d, 6.0 + 2.0 * a + 3.0 * c, 6.0 + 3.0 * b, 8.0 + 4.0 * a];
     boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
     borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];
     constant_lists { const C: [f64; 3] = [1.0, 2.0, 4.0]; let mut v = 0.0; for i in 0..24 { v += C[i % 3] * WEIGHTS[i % 2] * q[i % 4]; } v } => [28.0, 7.0, 28.0, 7.0];

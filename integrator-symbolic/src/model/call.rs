@@ -7,7 +7,7 @@ use super::{
     elementary::is_elementary,
     integer::operand,
     statement::simple_name,
-    text::place,
+    text::{is_reference, place, reference_to},
     total::is_total,
     value::{Opaque, Value},
 };
@@ -82,7 +82,7 @@ impl Reader<'_> {
         if let Some(object) = self.opaque(&receiver)
             && !matches!(receiver, Value::Real(_))
             && !(is_self && self.helper_reads_sensitive(name))
-            && let Some((text, loops)) = self.opaque_list(&arguments)
+            && let Some((text, loops)) = self.opaque_list(&arguments, &call.args)
         {
             let object_text = place(object.text);
             let text = quote!(#object_text.#name #turbofish(#text));
@@ -113,13 +113,13 @@ impl Reader<'_> {
         let mut arguments = self.arguments(&call.args)?;
         if let Some(callable) = self.callable(&call.func) {
             let callable = callable?;
-            return self.called(&callable, arguments);
+            return self.called(&callable, arguments, &call.args);
         }
         let mut function = call.func.to_token_stream();
         if let Some(name) = simple_name(&call.func)
             && let Some(id) = self.lookup(&name.to_string())
         {
-            match (&self.bindings[id.0].value, self.opaque_list(&arguments)) {
+            match (&self.bindings[id.0].value, self.opaque_list(&arguments, &call.args)) {
                 (Value::Unknown, _) => return None,
                 (Value::Opaque(Opaque { text, .. }), Some(_)) => function = operand(text.clone()),
                 _ => {
@@ -146,7 +146,7 @@ impl Reader<'_> {
             return Some(Value::Real(self.graph.number_of(*index)));
         }
         let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));
-        if !literals && let Some((text, loops)) = self.opaque_list(&arguments) {
+        if !literals && let Some((text, loops)) = self.opaque_list(&arguments, &call.args) {
             return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
         }
         match segments[..] {
@@ -209,11 +209,24 @@ impl Reader<'_> {
     }
 
     /// Arguments as text, if all of them are parameters.
-    pub(super) fn opaque_list(&self, arguments: &[Value]) -> Option<(TokenStream, LoopSet)> {
-        let texts: Vec<Opaque> = arguments.iter().map(|value| self.opaque(value)).collect::<Option<_>>()?;
+    pub(super) fn opaque_list<'e>(
+        &self,
+        arguments: &[Value],
+        places: impl IntoIterator<Item = &'e Expr>,
+    ) -> Option<(TokenStream, LoopSet)> {
+        let texts = arguments.iter().zip(places).map(|(value, place)| self.argument(value, place));
+        let texts: Vec<Opaque> = texts.collect::<Option<_>>()?;
         let loops = texts.iter().fold(LoopSet::EMPTY, |loops, opaque| loops.union(opaque.loops));
         let texts = texts.iter().map(|opaque| &opaque.text);
         Some((quote!(#(#texts),*), loops))
+    }
+
+    /// The text of an argument, if it is a parameter. That of a parameter tells whether it is a reference; of integers and
+    /// numbers their place does.
+    pub(super) fn argument(&self, value: &Value, place: &Expr) -> Option<Opaque> {
+        let Opaque { text, loops } = self.opaque(value)?;
+        let is_reference = !matches!(value, Value::Opaque(_)) && is_reference(place);
+        Some(Opaque { text: if is_reference { reference_to(&text) } else { text }, loops })
     }
 
     /// Notes that a function of coordinates is not in this impl.

@@ -107,9 +107,14 @@ impl Reader<'_> {
     }
 
     /// The value of a call: text where all is made of parameters, else that of the body.
-    pub(super) fn called(&mut self, callable: &Callable, arguments: Vec<Value>) -> Option<Value> {
+    pub(super) fn called<'e>(
+        &mut self,
+        callable: &Callable,
+        arguments: Vec<Value>,
+        places: impl IntoIterator<Item = &'e Expr>,
+    ) -> Option<Value> {
         if let (Some(Opaque { text, loops }), Some((arguments, mentioned))) =
-            (&callable.text, self.opaque_list(&arguments))
+            (&callable.text, self.opaque_list(&arguments, places))
         {
             let function = operand(text.clone());
             return Some(Value::Opaque(Opaque { text: quote!(#function(#arguments)), loops: loops.union(mentioned) }));

@@ -6,7 +6,7 @@ use super::{
     escape::escape,
     integer::operand,
     statement::Assigned,
-    text::{element, identifiers, in_parentheses, place, with_variables},
+    text::{element, identifiers, in_parentheses, is_reference, place, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::{
@@ -191,6 +191,11 @@ impl Reader<'_> {
         }
         let (value, at) = (self.expression(&index.expr), self.expression(&index.index));
         let (value, at) = (value?, at?);
+        if let Value::Opaque(list) = &value
+            && (matches!(at, Value::Opaque(_) | Value::Tuple(_)) || is_reference(&index.index))
+        {
+            return self.element_at(list, &at, index);
+        }
         let Some(position) = self.integer(&at) else {
             self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
             return None;
@@ -227,17 +232,7 @@ impl Reader<'_> {
                 }
                 part.cloned().map(Value::into_operand)
             }
-            Value::Opaque(Opaque { text, loops }) => {
-                let at = match at {
-                    Value::Integer(_) => self.opaque(&Value::Integer(position))?,
-                    at => self.opaque(&at)?,
-                };
-                let (text, inner) = (place(text), place(at.text));
-                Some(Value::Opaque(Opaque {
-                    text: element(text, inner, index.bracket_token.span.join()),
-                    loops: loops.union(at.loops),
-                }))
-            }
+            Value::Opaque(list) => self.element_at(&list, &Value::Integer(position), index),
             Value::List(part) => {
                 let (count, literal) = (self.count_of_literal(&part), self.graph.loops.literal(position));
                 let message = match literal.zip(count) {
@@ -257,6 +252,18 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+
+    /// An element of a list or of a map of the system: maps are asked by a reference to anything.
+    fn element_at(&mut self, list: &Opaque, at: &Value, index: &ExprIndex) -> Option<Value> {
+        let Some(at) = self.argument(at, &index.index) else {
+            self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
+            return None;
+        };
+        Some(Value::Opaque(Opaque {
+            text: element(place(list.text.clone()), at.text, index.bracket_token.span.join()),
+            loops: list.loops.union(at.loops),
+        }))
     }
 
     /// An index into coordinates, held against their bounds where both are known.

@@ -67,6 +67,12 @@ impl Reader<'_> {
                 let text = if number.is_sign_negative() { quote!((-#literal)) } else { literal.to_token_stream() };
                 Some(Opaque { text, loops: Default::default() })
             }
+            Value::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.opaque(part)).collect::<Option<Vec<_>>>()?;
+                let loops = parts.iter().fold(LoopSet::EMPTY, |loops, part| loops.union(part.loops));
+                let texts = parts.iter().map(|part| &part.text);
+                Some(Opaque { text: quote!((#(#texts,)*)), loops })
+            }
             _ => None,
         }
     }

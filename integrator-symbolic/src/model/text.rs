@@ -41,6 +41,15 @@ pub(super) fn reference_to(text: &TokenStream) -> TokenStream {
     }
 }
 
+/// Whether an expression is a reference written as such.
+pub(super) fn is_reference(expression: &Expr) -> bool {
+    match expression {
+        Expr::Paren(inner) => is_reference(&inner.expr),
+        Expr::Reference(_) => true,
+        _ => false,
+    }
+}
+
 /// What a text refers to, if it is a reference written as such.
 pub(super) fn referent(text: &TokenStream) -> Option<TokenStream> {
     let mut tokens = text.clone().into_iter();
