@@ -258,6 +258,7 @@ rows! {
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
+    types_that_are_asked_for { let k: f64 = self.table.iter().sum(); let (n, m): (usize, f64) = (self.neighbours.iter().sum(), self.soft.into()); let list: Vec<f64> = self.table.iter().map(|x| x * x).collect(); let line = |k: f64, x: f64| 2.0 * k * x; 2.0 * k * q[0] + n as f64 * q[1] + m.sqrt() * q[2] + list[1] * q[3] + line(self.soft.into(), q[3]) } => [20.0, 6.0, 0.5_f64.sqrt(), 10.0];
     maps { let mut v = self.by_name["stiff"] * q[3]; for i in 0..4 { if self.columns.contains(&i) { v += q[i]; } if let Some(k) = self.by_number.get(&i) { v += *k * q[i]; } for j in 0..i { if self.by_pair.contains_key(&(i, j)) { v += self.by_pair[&(i, j)] * q[i] * q[j]; } } } v } => [1.0 + 2.0 * b + 4.0 * d, 6.0 + 2.0 * a + 3.0 * c, 6.0 + 3.0 * b, 8.0 + 4.0 * a];
     boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
     borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];

@@ -261,13 +261,17 @@ impl Reader<'_> {
             }
         }
         let scopes = std::mem::replace(&mut self.scopes, vec![HashMap::new()]);
+        // A parameter of the method's own means nothing outside of it.
+        let is_generic = !helper.sig.generics.params.is_empty();
         for (parameter, argument) in parameters.into_iter().zip(arguments) {
+            let argument = if is_generic { argument } else { self.of_type(argument, &parameter.ty) };
             self.bind(&parameter.pat, argument);
         }
         self.inlining.push(name.to_string());
         let value = self.returned(&helper.block);
         self.inlining.pop();
         self.scopes = scopes;
+        let value = if is_generic { value } else { value.map(|value| self.of_output(value, &helper.sig.output)) };
         value.map(Value::into_operand)
     }
 }

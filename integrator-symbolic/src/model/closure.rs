@@ -57,7 +57,7 @@ impl Reader<'_> {
             body => self.expression(body),
         };
         self.scopes.pop();
-        value
+        value.map(|value| self.of_output(value, &closure.output))
     }
 
     /// A closure as a value.
@@ -98,8 +98,8 @@ impl Reader<'_> {
 
     /// A function inside of the function, which sees no variables.
     pub(super) fn inner_function(&mut self, function: &ItemFn) {
-        let (inputs, block) = (&function.sig.inputs, &function.block);
-        let value = match syn::parse2(quote!(|#inputs| #block)) {
+        let (inputs, output, block) = (&function.sig.inputs, &function.sig.output, &function.block);
+        let value = match syn::parse2(quote!(|#inputs| #output #block)) {
             Ok(closure) => Value::Closure(Rc::new(Callable { closure, captured: HashMap::new(), text: None })),
             Err(_) => Value::Unknown,
         };

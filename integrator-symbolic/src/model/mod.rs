@@ -38,6 +38,7 @@ mod sorted_parts;
 mod statement;
 mod text;
 mod total;
+mod types;
 mod unsplit;
 mod value;
 

@@ -22,7 +22,10 @@ impl Reader<'_> {
                 }
             }
             Pat::Wild(_) => {}
-            Pat::Type(typed) => self.bind(&typed.pat, value),
+            Pat::Type(typed) => {
+                let value = self.of_type(value, &typed.ty);
+                self.bind(&typed.pat, value);
+            }
             Pat::Paren(inner) => self.bind(&inner.pat, value),
             Pat::Reference(inner) => self.bind(&inner.pat, value.into_place()),
             Pat::Struct(parts) if matches!(value, Value::Opaque(_)) => self.bind_fields(parts, &value),

@@ -1,0 +1,119 @@
+//! Types of texts: one that follows from where a text stands in the user's function is left behind when it is moved, so that
+//! it goes along.
+
+use super::{
+    Reader,
+    adaptor::is_adaptor,
+    elementary::is_elementary,
+    value::{Opaque, Value},
+};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::{Expr, ExprCall, ExprMethodCall, PathArguments, ReturnType, Stmt, Type};
+
+/// Methods of iterators whose result has the type that is asked for, which they take in angle brackets.
+const ASKED: [&str; 3] = ["collect", "product", "sum"];
+
+/// Methods beside those of floats whose result has one type alone, or that of an argument.
+const KNOWN: [&str; 7] = ["fold", "is_empty", "is_err", "is_none", "is_ok", "is_some", "len"];
+
+impl Reader<'_> {
+    /// The value of a place that has a type.
+    pub(super) fn of_type(&self, value: Value, kind: &Type) -> Value {
+        match (value, kind) {
+            (Value::Opaque(Opaque { text, loops }), kind) => {
+                Value::Opaque(Opaque { text: self.text_of_type(text, kind), loops })
+            }
+            (Value::Tuple(parts), Type::Tuple(kinds)) if parts.len() == kinds.elems.len() => {
+                let parts = parts.into_iter().zip(&kinds.elems);
+                Value::Tuple(parts.map(|(part, kind)| self.of_type(part, kind)).collect())
+            }
+            (Value::Array(parts), Type::Array(kind)) => {
+                Value::Array(parts.into_iter().map(|part| self.of_type(part, &kind.elem)).collect())
+            }
+            (value, _) => value,
+        }
+    }
+
+    /// The same of what a function or a closure gives.
+    pub(super) fn of_output(&self, value: Value, output: &ReturnType) -> Value {
+        match output {
+            ReturnType::Type(_, kind) => self.of_type(value, kind),
+            ReturnType::Default => value,
+        }
+    }
+
+    fn text_of_type(&self, text: TokenStream, kind: &Type) -> TokenStream {
+        let Ok(expression) = syn::parse2::<Expr>(text.clone()) else { return text };
+        if !self.is_open(&expression) || mentions_impl(kind.to_token_stream()) {
+            return text;
+        }
+        match within(&expression) {
+            Expr::MethodCall(call) if is_asked(call) => {
+                let ExprMethodCall { receiver, method, .. } = call;
+                quote!((#receiver.#method::<#kind>()))
+            }
+            _ => quote!(::core::convert::identity::<#kind>(#text)),
+        }
+    }
+
+    /// Whether only the surroundings of an expression may tell its type.
+    fn is_open(&self, expression: &Expr) -> bool {
+        match within(expression) {
+            Expr::MethodCall(call) => {
+                let name = call.method.to_string();
+                let is_known = is_elementary(&name) || KNOWN.contains(&name.as_str()) || self.own(call).is_some();
+                call.turbofish.is_none() && !is_known
+            }
+            Expr::Call(ExprCall { func, .. }) => match &**func {
+                Expr::Path(path) => {
+                    let is_own = |name: &str| self.input.function(name).is_some();
+                    let mut segments = path.path.segments.iter();
+                    let names: Vec<String> = segments.clone().map(|segment| segment.ident.to_string()).collect();
+                    let is_known = match &names[..] {
+                        [.., kind, _] if kind == "f64" => true,
+                        [kind, name] => kind == "Self" && is_own(name),
+                        _ => false,
+                    };
+                    !is_known && segments.all(|segment| matches!(segment.arguments, PathArguments::None))
+                }
+                _ => false,
+            },
+            _ => false,
+        }
+    }
+
+    /// What a method of this impl gives, if one is called.
+    fn own(&self, call: &ExprMethodCall) -> Option<&ReturnType> {
+        let is_self = matches!(within(&call.receiver), Expr::Path(path) if path.path.is_ident("self"));
+        let function = self.input.function(&call.method.to_string()).filter(|_| is_self)?;
+        Some(&function.sig.output)
+    }
+}
+
+/// An expression without the parentheses around it, and the last one of a block.
+fn within(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => within(&inner.expr),
+        Expr::Block(block) => match block.block.stmts.last() {
+            Some(Stmt::Expr(last, None)) => within(last),
+            _ => expression,
+        },
+        other => other,
+    }
+}
+
+/// Whether a method of an iterator takes the type of its result in angle brackets.
+fn is_asked(call: &ExprMethodCall) -> bool {
+    let of_iterator = matches!(&*call.receiver, Expr::MethodCall(inner) if is_adaptor(inner));
+    of_iterator && call.args.is_empty() && ASKED.contains(&call.method.to_string().as_str())
+}
+
+/// Whether a type is one that arguments alone may have.
+fn mentions_impl(kind: TokenStream) -> bool {
+    kind.into_iter().any(|token| match token {
+        TokenTree::Ident(word) => word == "impl",
+        TokenTree::Group(group) => mentions_impl(group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    })
+}
