@@ -231,6 +231,7 @@ pub mod __private {
             precision::{Precision, Slot},
         },
         system::{
+            by_value::by_value,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
             motion::{Motion, Plain, Prepared, Solver, Solving},

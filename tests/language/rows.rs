@@ -236,6 +236,7 @@ rows! {
     arm_names { match self.kind { Kind::Free => 0.0, Kind::Spring(k) if k > 9.0 => q[1], Kind::Spring(k) => k * q[0] * q[0], Kind::Listed { ref list, at: i } => list[i] * q[2] } } => [3.0 * a, 0.0, 0.0, 0.0];
     matched_indices { let mut v = 0.0; for i in 0..4 { match i { 0 | 3 => {} _ => v += q[i] * q[i] } } v } => [0.0, 2.0 * b, 2.0 * c, 0.0];
     matched_items { let mut v = 0.0; for (kind, x) in self.kinds.iter().zip(q) { v += match kind { Kind::Free => 0.0, Kind::Spring(k) => *k * x, Kind::Listed { list, at } => list[*at] * x * x }; } v } => [2.0, 0.0, 2.0 * 7.0 * c, 3.0];
+    arm_references { let mut v = 0.0; for i in 0..4 { match &self.kinds[i] { Kind::Free => {} Kind::Spring(k) => v += k * q[i] * q[i], Kind::Listed { at, .. } => v += q[at + 1] } } if let Some(k) = &self.optional { v += k * q[1]; } v } => [4.0 * a, 1.5, 1.0, 6.0 * d];
     if_let { if let Some(k) = self.optional { k * q[0] } else { q[1] } } => [1.5, 0.0, 0.0, 0.0];
     let_else { let Some(k) = self.optional else { return 0.0 }; k * q[0] } => [1.5, 0.0, 0.0, 0.0];
     early_return { let r = q[0] - q[1]; if r < 0.5 { return 0.0; } let s = r * q[2]; if self.tilted { return s; } s * s } => [c, -c, a - b, 0.0];
@@ -259,7 +260,8 @@ rows! {
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
     types_that_are_asked_for { let k: f64 = self.table.iter().sum(); let (n, m): (usize, f64) = (self.neighbours.iter().sum(), self.soft.into()); let list: Vec<f64> = self.table.iter().map(|x| x * x).collect(); let line = |k: f64, x: f64| 2.0 * k * x; 2.0 * k * q[0] + n as f64 * q[1] + m.sqrt() * q[2] + list[1] * q[3] + line(self.soft.into(), q[3]) } => [20.0, 6.0, 0.5_f64.sqrt(), 10.0];
-    maps { let mut v = self.by_name["stiff"] * q[3]; for i in 0..4 { if self.columns.contains(&i) { v += q[i]; } if let Some(k) = self.by_number.get(&i) { v += *k * q[i]; } for j in 0..i { if self.by_pair.contains_key(&(i, j)) { v += self.by_pair[&(i, j)] * q[i] * q[j]; } } } v } => [1.0 + 2.0 * b + 4.0 * d, 6.0 + 2.0 * a + 3.0 * c, 6.0 + 3.0 * b, 8.0 + 4.0 * a];
+    given_references { let first = self.table.first().unwrap(); let mut v = first * q[0] + self.table.last().unwrap().powf(q[1]); v += first; v } => [4.0, 0.0, 0.0, 0.0];
+    maps { let mut v = self.by_name["stiff"] * q[3]; for i in 0..4 { if self.columns.contains(&i) { v += q[i]; } if let Some(k) = self.by_number.get(&i) { v += k * q[i]; } for j in 0..i { if self.by_pair.contains_key(&(i, j)) { v += self.by_pair[&(i, j)] * q[i] * q[j]; } } } v } => [1.0 + 2.0 * b + 4.0 * d, 6.0 + 2.0 * a + 3.0 * c, 6.0 + 3.0 * b, 8.0 + 4.0 * a];
     boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
     borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];
     constant_lists { const C: [f64; 3] = [1.0, 2.0, 4.0]; let mut v = 0.0; for i in 0..24 { v += C[i % 3] * WEIGHTS[i % 2] * q[i % 4]; } v } => [28.0, 7.0, 28.0, 7.0];

@@ -1,5 +1,6 @@
 //! Systems: a state in its layout, energies, prepared constants, lists and functions of the user.
 
+pub(crate) mod by_value;
 pub(crate) mod counts;
 pub(crate) mod device_text;
 pub(crate) mod elements;

@@ -53,6 +53,11 @@ pub(super) struct ArmText<'a> {
 }
 
 impl Reader<'_> {
+    /// Whether an arm binds a name of the texts.
+    pub(super) fn is_bound(&self, name: &Ident) -> bool {
+        self.arms.iter().flat_map(|arm| &arm.names).any(|(_, own)| own == name)
+    }
+
     /// The text of a parameter, evaluated under the arms whose names it mentions.
     pub(super) fn in_arms(&self, text: TokenStream, loops: LoopSet, otherwise: &TokenStream) -> (TokenStream, LoopSet) {
         self.arms.iter().rev().fold((text, loops), |(text, loops), arm| match arm.binds(&text) {

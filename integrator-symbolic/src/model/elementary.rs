@@ -65,7 +65,7 @@ impl Reader<'_> {
         if method == "clone" {
             return Some(receiver);
         }
-        let x = self.number(&receiver, place)?;
+        let x = self.operand(&receiver, place)?;
         if arguments.len() != expected {
             self.errors.at(name, takes(&method, expected, arguments.len()));
             return None;

@@ -59,7 +59,7 @@ impl Reader<'_> {
             },
         };
         let text = match kind {
-            "number" if self.is_on_coordinates() && !self.is_as_long_as_the_coordinates(&text, loops) => {
+            "number" | "operand" if self.is_on_coordinates() && !self.is_as_long_as_the_coordinates(&text, loops) => {
                 looked_up(text, &self.input.root)
             }
             _ => text,

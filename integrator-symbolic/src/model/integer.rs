@@ -28,6 +28,18 @@ impl Reader<'_> {
         }
     }
 
+    /// An operand as a number: an operator takes references as well.
+    pub(super) fn operand(&mut self, value: &Value, written: impl ToTokens) -> Option<NodeId> {
+        if let Value::Opaque(Opaque { text, loops }) = value
+            && let text = place(text.clone())
+            && syn::parse2(text.clone()).is_ok_and(|expression| self.may_refer(&expression))
+        {
+            let parameter = self.parameter(text, "operand", *loops);
+            return Some(self.graph.parameter(parameter));
+        }
+        self.number(value, written)
+    }
+
     /// A value as an integer.
     pub(super) fn integer(&mut self, value: &Value) -> Option<IndexId> {
         match value {

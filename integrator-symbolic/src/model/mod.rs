@@ -589,8 +589,8 @@ impl<'i> Reader<'i> {
         };
         let own = text;
         self.check_sensitive(&own);
-        let (text, loops) = self.in_arms(own.clone(), loops, &otherwise);
-        let shown = text.clone();
+        let (shown, _) = self.in_arms(own.clone(), loops, &otherwise);
+        let (text, loops) = self.in_arms(self.by_value(own.clone(), kind), loops, &otherwise);
         let text = self.guarded_text(text, kind, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
@@ -602,7 +602,7 @@ impl<'i> Reader<'i> {
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
         // What takes its place where it is not evaluated is zero.
-        if kind == "number" && syn::parse2(own).is_ok_and(|own| is_never_negative(&own)) {
+        if matches!(kind, "number" | "operand") && syn::parse2(own).is_ok_and(|own| is_never_negative(&own)) {
             self.graph.declare_never_negative(id);
         }
         id

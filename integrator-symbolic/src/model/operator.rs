@@ -131,7 +131,7 @@ impl Reader<'_> {
             }
             _ => {}
         }
-        let (a, b) = (self.number(&left, left_place), self.number(&right, right_place));
+        let (a, b) = (self.operand(&left, left_place), self.operand(&right, right_place));
         let (a, b) = (a?, b?);
         let mixes = match op {
             BinOp::Mul(_) => self.mixes(a, b),

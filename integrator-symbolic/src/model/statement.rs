@@ -226,7 +226,7 @@ impl Reader<'_> {
         };
         let value = self.expression(addend)?;
         self.note_addend(&value, addend);
-        let value = self.number(&value, addend)?;
+        let value = self.operand(&value, addend)?;
         let value = if negative { self.graph.neg(value) } else { value };
         self.add_to_frame(target, value);
         Some(Value::Unit)

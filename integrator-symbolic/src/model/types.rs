@@ -1,5 +1,5 @@
 //! Types of texts: one that follows from where a text stands in the user's function is left behind when it is moved, so that
-//! it goes along.
+//! it goes along; and a reference is read where the function reads through it.
 
 use super::{
     Reader,
@@ -57,6 +57,31 @@ impl Reader<'_> {
         }
     }
 
+    /// The text of a parameter read as what it gives or as what that refers to, where it may be either: Rust's operators take
+    /// both.
+    pub(super) fn by_value(&self, text: TokenStream, kind: &str) -> TokenStream {
+        let may_refer = match kind {
+            "operand" | "number" | "integer" => syn::parse2::<Expr>(text.clone()).is_ok_and(|expression| {
+                self.is_name_of_arm(&expression) || kind == "operand" && self.may_refer(&expression)
+            }),
+            _ => false,
+        };
+        let root = &self.input.root;
+        if may_refer { quote!(#root::__private::by_value(#text)) } else { text }
+    }
+
+    fn is_name_of_arm(&self, expression: &Expr) -> bool {
+        match within(expression) {
+            Expr::Path(path) => path.path.get_ident().is_some_and(|name| self.is_bound(name)),
+            _ => false,
+        }
+    }
+
+    /// Whether an expression may give a reference, as far as its own tokens and this impl tell.
+    pub(super) fn may_refer(&self, expression: &Expr) -> bool {
+        self.is_open(expression) || self.gives_reference(expression)
+    }
+
     /// Whether only the surroundings of an expression may tell its type.
     fn is_open(&self, expression: &Expr) -> bool {
         match within(expression) {
@@ -81,6 +106,13 @@ impl Reader<'_> {
             },
             _ => false,
         }
+    }
+
+    /// Whether an expression is a call of a method of this impl that gives a reference.
+    fn gives_reference(&self, expression: &Expr) -> bool {
+        let Expr::MethodCall(call) = within(expression) else { return false };
+        self.own(call)
+            .is_some_and(|output| matches!(output, ReturnType::Type(_, kind) if matches!(**kind, Type::Reference(_))))
     }
 
     /// What a method of this impl gives, if one is called.

@@ -281,7 +281,10 @@ const PREPARED: &[(&str, &str)] = &[
         "if self.list.is_empty() { v += q[i]; } else { v += self.list[0] * q[i]; }",
         "if !((self.list.is_empty())) { self.list[0] } else { 0.0 }",
     ),
-    ("if self.k.is_some() { v += self.k.unwrap() * q[i]; }", "if (self.k.is_some()) { self.k.unwrap() } else { 0.0 }"),
+    (
+        "if self.k.is_some() { v += self.k.unwrap() * q[i]; }",
+        "if (self.k.is_some()) { ::integrator_core::__private::by_value(self.k.unwrap()) } else { 0.0 }",
+    ),
     (
         "if self.k.is_some() && self.k.unwrap() > q[i] { v += q[i]; }",
         "if (self.k.is_some()) { self.k.unwrap() } else { 0.0 }",

@@ -69,8 +69,8 @@ impl Machine<'_> {
             "table" => self.table(given(&call.args, 0)?, given(&call.args, 1)?),
             // Whether a list has an element is asked of the list.
             "Elements" => self.expression(given(&call.args, 0)?),
-            // What has a type here has it already.
-            "identity" => self.expression(given(&call.args, 0)?),
+            // A reference is its value here, and a type the one that it has.
+            "by_value" | "identity" => self.expression(given(&call.args, 0)?),
             _ => {
                 let arguments = self.all(call.args.iter())?;
                 // `<Scalar::Mask as runtime::Mask>::of`: the type is told before the trait.
