@@ -62,6 +62,9 @@ macro_rules! rows {
                 fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
                     [a[0] - b[0], a[1] - b[1]]
                 }
+                fn opposite(a: [f64; 2]) -> [f64; 2] {
+                    std::array::from_fn(|k| -a[k])
+                }
                 fn polar(&self, x: f64, y: f64) -> (f64, f64) {
                     (x.hypot(y), y.atan2(x))
                 }
@@ -127,6 +130,7 @@ rows! {
     filled_vectors { let mut h = vec![0.0; self.count]; for k in 0..self.count { h[k] = q[k] * q[k]; } h.iter().map(|x| x * x).sum::<f64>() } => [4.0 * a.powi(3), 4.0 * b.powi(3), 4.0 * c.powi(3), 0.0];
     changed_items { let mut h = [1.0; 20]; for (k, h) in h.iter_mut().enumerate() { *h += k as f64 * q[k % 4]; } let mut s = [0.0; 4]; for (s, (x, k)) in s.iter_mut().zip(q.iter().zip(&self.table)) { *s = k * x; } h.iter().sum::<f64>() + s[0] * s[1] } => [40.0 + 12.0 * b, 45.0 + 12.0 * a, 50.0, 55.0];
     collected { let s: Vec<f64> = q.iter().map(|x| x * x).collect(); let r = q.map(f64::exp); s[0] * s[1] + r[2] } => [2.0 * a * b * b, 2.0 * b * a * a, c.exp(), 0.0];
+    from_functions_of_known_length { fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] { std::array::from_fn(|k| a[k] - b[k]) } let d = minus([q[0], q[1]], [q[2], q[3]]); let e = Self::opposite(d); let w: [f64; 2] = std::array::from_fn(|k| 2.0 * self.stiffness[k]); w[0] * d[0] * e[1] + w[1] * q[0] + Self::difference(d, std::array::from_fn(|k| q[k + 1]))[0] } => [2.0 * (d - b) + 5.0, 2.0 * (c - a) - 1.0, 2.0 * (b - d) - 1.0, 2.0 * (a - c)];
     from_functions { let h: [f64; 24] = std::array::from_fn(|k| k as f64 * q[k % 4]); h.iter().map(|x| x * x).sum::<f64>() } => [0, 1, 2, 3].map(|i| (0..6).map(|m| 2.0 * START[i] * ((i + 4 * m) as f64).powi(2)).sum::<f64>());
     patterns { let ([x, _], (y, z)) = ([q[0], q[1]], (q[2], q[3])); x * y * z } => [c * d, 0.0, a * d, a * c];
     taken_apart { let [x, y, z, w] = q; x * y * z * w } => [b * c * d, a * c * d, a * b * d, a * b * c];

@@ -5,6 +5,7 @@ use super::{
     adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
     elementary::is_elementary,
+    fill::ending_in,
     integer::operand,
     statement::simple_name,
     text::{is_reference, place, reference_to},
@@ -70,7 +71,8 @@ impl Reader<'_> {
         }
         let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
         let receiver = self.expression(&call.receiver);
-        let arguments = self.arguments(&call.args);
+        let helper = self.input.function(&call.method.to_string()).filter(|_| is_self);
+        let arguments = self.arguments(&call.args, helper);
         let (receiver, arguments) = (receiver?, arguments?);
         if let (Value::Integer(a), [Value::Integer(b)]) = (&receiver, &arguments[..])
             && let Some(index) = self.integer_method(&call.method, *a, *b)
@@ -110,7 +112,13 @@ impl Reader<'_> {
 
     /// `function(arguments)`
     pub(super) fn call(&mut self, call: &ExprCall) -> Option<Value> {
-        let mut arguments = self.arguments(&call.args)?;
+        let helper = match &*call.func {
+            Expr::Path(path) if path.path.segments.first().is_some_and(|first| first.ident == "Self") => {
+                path.path.segments.last().and_then(|last| self.input.function(&last.ident.to_string()))
+            }
+            _ => None,
+        };
+        let mut arguments = self.arguments(&call.args, helper)?;
         if let Some(callable) = self.callable(&call.func) {
             let callable = callable?;
             return self.called(&callable, arguments, &call.args);
@@ -169,6 +177,12 @@ impl Reader<'_> {
                 self.errors.at(&call.func, message);
                 None
             }
+            [.., last] if last == "from_fn" => {
+                let message = "how long this array is cannot be seen here: give it to a variable with its type, `let d: \
+                               [f64; 3] = std::array::from_fn(|k| ...);`";
+                self.errors.at(&call.func, message);
+                None
+            }
             _ => {
                 let (name, last) = (quoted(&function), segments.last());
                 let last = last.map_or_else(|| name.clone(), ToString::to_string);
@@ -203,8 +217,19 @@ impl Reader<'_> {
         (binding.mutable && matches!(binding.value, Value::Opaque(_))).then_some(name)
     }
 
-    fn arguments<'e>(&mut self, arguments: impl IntoIterator<Item = &'e Expr>) -> Option<Vec<Value>> {
-        let values: Vec<_> = arguments.into_iter().map(|argument| self.expression(argument)).collect();
+    /// The values of arguments, whose types a method of the impl tells.
+    fn arguments<'e>(
+        &mut self,
+        arguments: impl IntoIterator<Item = &'e Expr>,
+        helper: Option<&ImplItemFn>,
+    ) -> Option<Vec<Value>> {
+        let helper = helper.filter(|helper| !is_generic(helper));
+        let mut kinds = helper.into_iter().flat_map(typed_arguments).map(|parameter| &*parameter.ty);
+        let values = arguments.into_iter().map(|argument| match kinds.next() {
+            Some(kind) => self.expression_of(argument, kind),
+            None => self.expression(argument),
+        });
+        let values: Vec<_> = values.collect();
         values.into_iter().collect()
     }
 
@@ -261,19 +286,26 @@ impl Reader<'_> {
             }
         }
         let scopes = std::mem::replace(&mut self.scopes, vec![HashMap::new()]);
-        // A parameter of the method's own means nothing outside of it.
-        let is_generic = !helper.sig.generics.params.is_empty();
+        let is_generic = is_generic(helper);
         for (parameter, argument) in parameters.into_iter().zip(arguments) {
             let argument = if is_generic { argument } else { self.of_type(argument, &parameter.ty) };
             self.bind(&parameter.pat, argument);
         }
         self.inlining.push(name.to_string());
-        let value = self.returned(&helper.block);
+        let value = match is_generic {
+            true => self.returned(&helper.block),
+            false => self.returned(&ending_in(&helper.block, &helper.sig.output)),
+        };
         self.inlining.pop();
         self.scopes = scopes;
         let value = if is_generic { value } else { value.map(|value| self.of_output(value, &helper.sig.output)) };
         value.map(Value::into_operand)
     }
+}
+
+/// Whether a method has parameters of its own, which mean nothing outside of it.
+fn is_generic(helper: &ImplItemFn) -> bool {
+    !helper.sig.generics.params.is_empty()
 }
 
 /// Whether a call is `array.map(...)`, an array, and not `array.iter().map(...)`, a sequence.

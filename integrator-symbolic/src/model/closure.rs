@@ -2,6 +2,7 @@
 
 use super::{
     BindingId, Reader,
+    fill::ending_in,
     integer::operand,
     statement::Assigned,
     text::identifiers,
@@ -53,7 +54,7 @@ impl Reader<'_> {
             self.bind(pattern, argument);
         }
         let value = match &*closure.body {
-            Expr::Block(body) if body.label.is_none() => self.returned(&body.block),
+            Expr::Block(body) if body.label.is_none() => self.returned(&ending_in(&body.block, &closure.output)),
             body => self.expression(body),
         };
         self.scopes.pop();

@@ -20,7 +20,7 @@ use crate::graph::{
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Block, Expr, ExprForLoop, ExprRepeat, Local, Pat, Type, parse_quote, visit::Visit};
+use syn::{Block, Expr, ExprForLoop, ExprRepeat, Local, Pat, ReturnType, Stmt, Type, parse_quote, visit::Visit};
 
 /// Arrays with what they hold before a loop, and the body for one element of each.
 type Elementwise = (Vec<(Ident, Sequence)>, Block);
@@ -360,24 +360,42 @@ fn by_index(text: TokenStream, name: &Ident, element: &TokenStream) -> TokenStre
     written
 }
 
-/// An array that a variable is declared with, written so that its elements are computed where they are read:
-/// `vec![value; length]` in a variable that changes, and `std::array::from_fn(|i| ...)` in one with a type.
+/// `vec![value; length]` in a variable that changes, written so that its elements are computed where they are read.
 pub(super) fn declared_array(local: &Local) -> Option<Expr> {
-    let init = local.init.as_ref()?;
-    match (&*init.expr, &local.pat) {
-        (Expr::Macro(called), pattern) if called.mac.path.is_ident("vec") && is_mutable(pattern) => {
+    match &*local.init.as_ref()?.expr {
+        Expr::Macro(called) if called.mac.path.is_ident("vec") && is_mutable(&local.pat) => {
             let inner = &called.mac.tokens;
             let array: ExprRepeat = syn::parse2(quote!([#inner])).ok()?;
             Some(Expr::Repeat(array))
         }
-        (Expr::Call(call), Pat::Type(typed)) => {
-            let (Expr::Path(function), Type::Array(array)) = (&*call.func, &*typed.ty) else { return None };
+        _ => None,
+    }
+}
+
+/// `std::array::from_fn(|i| ...)` where an array is asked for, which alone tells its length, written as a list that is collected.
+pub(super) fn array_from_function(expression: &Expr, kind: &Type) -> Option<Expr> {
+    match (expression, kind) {
+        (Expr::Paren(inner), kind) => array_from_function(&inner.expr, kind),
+        (Expr::Reference(expression), Type::Reference(kind)) => array_from_function(&expression.expr, &kind.elem),
+        (Expr::Call(call), Type::Array(array)) => {
+            let Expr::Path(function) = &*call.func else { return None };
             let (length, element) = (&array.len, call.args.first()?);
             let is = function.path.segments.last().is_some_and(|name| name.ident == "from_fn");
             is.then(|| parse_quote!((0..#length).map(#element).collect()))
         }
         _ => None,
     }
+}
+
+/// A block whose last expression makes an array in the way that is read.
+pub(super) fn ending_in(block: &Block, output: &ReturnType) -> Block {
+    let mut block = block.clone();
+    if let (Some(Stmt::Expr(last, None)), ReturnType::Type(_, kind)) = (block.stmts.last_mut(), output)
+        && let Some(array) = array_from_function(last, kind)
+    {
+        *last = array;
+    }
+    block
 }
 
 fn is_mutable(pattern: &Pat) -> bool {

@@ -6,7 +6,7 @@ use proc_macro2::Ident;
 use quote::quote;
 use std::collections::HashMap;
 use syn::{
-    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, Item, Local, Macro, Stmt, visit::Visit,
+    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, Item, Local, Macro, Pat, Stmt, visit::Visit,
 };
 
 /// How elements of arrays are assigned.
@@ -49,7 +49,10 @@ impl Reader<'_> {
         let value = match &local.init {
             Some(init) if init.diverge.is_none() => match declared_array(local) {
                 Some(array) => self.expression(&array),
-                None => self.expression(&init.expr),
+                None => match &local.pat {
+                    Pat::Type(typed) => self.expression_of(&init.expr, &typed.ty),
+                    _ => self.expression(&init.expr),
+                },
             },
             Some(_) => {
                 self.errors.at(local, "`let ... else` is not understood here: give the value unconditionally");

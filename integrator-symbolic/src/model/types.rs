@@ -5,6 +5,7 @@ use super::{
     Reader,
     adaptor::is_adaptor,
     elementary::is_elementary,
+    fill::array_from_function,
     value::{Opaque, Value},
 };
 use proc_macro2::{TokenStream, TokenTree};
@@ -18,6 +19,14 @@ const ASKED: [&str; 3] = ["collect", "product", "sum"];
 const KNOWN: [&str; 7] = ["fold", "is_empty", "is_err", "is_none", "is_ok", "is_some", "len"];
 
 impl Reader<'_> {
+    /// An expression in a place that has a type.
+    pub(super) fn expression_of(&mut self, expression: &Expr, kind: &Type) -> Option<Value> {
+        match array_from_function(expression, kind) {
+            Some(array) => self.verbatim(expression).or_else(|| self.expression(&array)),
+            None => self.expression(expression),
+        }
+    }
+
     /// The value of a place that has a type.
     pub(super) fn of_type(&self, value: Value, kind: &Type) -> Value {
         match (value, kind) {

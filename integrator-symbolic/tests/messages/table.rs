@@ -364,6 +364,12 @@ pub(crate) const BODIES: &[Row] = &[
             "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
         ],
     ),
+    (
+        "let d = std::array::from_fn(|k| q[k]); d[0]",
+        &[
+            "2:8 how long this array is cannot be seen here: give it to a variable with its type, `let d: [f64; 3] = std::array::from_fn(|k| ...);`",
+        ],
+    ),
     ("q[0].div_euclid(2.0)", &["2:5 `div_euclid` of a coordinate is not known: Spelled like it: `rem_euclid`."]),
     (
         "bessel(q[0])",
