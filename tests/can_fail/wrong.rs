@@ -8,6 +8,7 @@ use integrator_core::{
     __private::Composition,
     Error, Euler, Hamiltonian, KahanLi8, Phase, Verlet, Yoshida4,
     check::{self, CertifyError, CheckError, Course, Shortfall, certify},
+    hamiltonian,
 };
 
 const PENDULUM: Pendulum = Pendulum { mass: 2.0, length: 0.5, gravity: 9.81 };
@@ -160,6 +161,28 @@ fn a_start_at_rest_measures_nothing_and_certifies_nothing() {
         shortfalls[..],
         [Shortfall::Unmeasured { check: "the order", reason: CheckError::TooFewPoints { .. } }]
     ));
+}
+
+#[test]
+fn steps_that_are_exact_show_no_order() {
+    struct Free;
+
+    #[hamiltonian]
+    impl Free {
+        fn kinetic(&self, p: [f64; 1]) -> f64 {
+            p[0] * p[0] / 2.0
+        }
+        fn potential(&self, _: [f64; 1]) -> f64 {
+            0.0
+        }
+    }
+    for start in [Phase::new([0.5], [0.25]), Phase::new([0.3], [0.1])] {
+        let shortfalls = shortfalls(&Free, Yoshida4, start, 0.1);
+        assert!(
+            matches!(shortfalls[..], [Shortfall::Unmeasured { reason: CheckError::TooFewPoints { found: 0, .. }, .. }]),
+            "{shortfalls:?}"
+        );
+    }
 }
 
 #[test]

@@ -13,7 +13,7 @@ pub enum CheckError {
     Run(#[from] Error),
     /// Too few step sizes have an error that stands out of the rounding, so that no slope can be fitted.
     #[error(
-        "only {found} step sizes from {coarsest} down have an error above the rounding, and a slope needs {needed}: \
+        "only {found} step sizes from {coarsest:.1e} down have an error above the rounding, and a slope needs {needed}: \
          this start moves too little, or in so simple a way that every step is exact; start elsewhere"
     )]
     TooFewPoints {

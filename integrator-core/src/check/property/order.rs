@@ -318,7 +318,8 @@ impl Problem<'_> {
             let Ok(path) = self.path(span, steps) else { continue };
             let count = (PARTS * steps) as f64;
             let error = path.distance(&exact.path, scale);
-            if within(error, CLEARANCE * plateau) {
+            // Where positions or momenta stay, their rounding is infinite in units of the motion: no error stands out.
+            if error <= CLEARANCE * plateau {
                 break;
             }
             if error.is_finite() {
