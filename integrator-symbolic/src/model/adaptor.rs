@@ -6,13 +6,19 @@ use super::{
     value::Value,
 };
 use crate::graph::index::Index;
+use proc_macro2::Ident;
 use std::rc::Rc;
-use syn::{Expr, ExprMethodCall};
+use syn::{Expr, ExprMethodCall, GenericArgument, Pat, parse_quote, punctuated::Punctuated};
 
 impl Reader<'_> {
     /// `sequence.map(...)`, `.enumerate()` and so on.
     pub(super) fn adapted(&mut self, call: &ExprMethodCall) -> Option<Sequence> {
-        let base = self.sequence(&call.receiver)?;
+        let item = match call.args.first() {
+            Some(Expr::Closure(closure)) => closure.inputs.first(),
+            _ => None,
+        };
+        let sized = sized_windows(&call.receiver, item);
+        let base = self.sequence(sized.as_ref().unwrap_or(&call.receiver))?;
         let Sequence { from, to, ref at, filtered, literal } = base;
         let at = Rc::clone(at);
         let name = call.method.to_string();
@@ -81,6 +87,12 @@ impl Reader<'_> {
             }
             ("step_by", Some(stride)) => self.strided(base, stride),
             ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
+            ("array_windows", None) => {
+                let message = "how many items a window has is not said here: write `array_windows::<2>()`, or take the window \
+                               apart where it is used, as in `.map(|[a, b]| ..)`";
+                self.errors.at(&call.method, message);
+                None
+            }
             _ => {
                 let message = format!("`{name}` is not understood here; {ADAPTED} are");
                 self.errors.at(&call.method, message);
@@ -158,7 +170,7 @@ impl Reader<'_> {
 
 /// What may be asked of a sequence, for messages.
 pub(super) const ADAPTED: &str =
-    "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows and chunks_exact";
+    "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows, array_windows and chunks_exact";
 
 /// Whether a method makes a sequence of a sequence.
 pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
@@ -178,5 +190,28 @@ pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
         "by_ref",
     ];
     let name = call.method.to_string();
-    ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "chunks_exact")
+    ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "array_windows" | "chunks_exact")
+}
+
+/// `list.array_windows()` as `list.windows(n)`, with the number of a window's items from `array_windows::<n>()` or from the
+/// pattern that takes them apart.
+pub(super) fn sized_windows(sequence: &Expr, item: Option<&Pat>) -> Option<Expr> {
+    let Expr::MethodCall(call) = sequence else { return None };
+    if call.method != "array_windows" || !call.args.is_empty() {
+        return None;
+    }
+    let size: Expr = match (&call.turbofish, item) {
+        (Some(turbofish), _) => match turbofish.args.first()? {
+            GenericArgument::Const(size) => size.clone(),
+            _ => return None,
+        },
+        (None, Some(Pat::Slice(items))) => {
+            let count = items.elems.len();
+            parse_quote!(#count)
+        }
+        (None, _) => return None,
+    };
+    let method = Ident::new("windows", call.method.span());
+    let args = Punctuated::from_iter([size]);
+    Some(Expr::MethodCall(ExprMethodCall { method, turbofish: None, args, ..call.clone() }))
 }

@@ -19,7 +19,7 @@ use crate::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn};
+use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn, parse_quote_spanned};
 
 /// What may be done with code that is never looked into.
 pub(super) const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
@@ -41,6 +41,11 @@ impl Reader<'_> {
             }
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
             return None;
+        }
+        if let Some(element) = end_of_list(call)
+            && self.verbatim(&Expr::MethodCall(call.clone())).is_none()
+        {
+            return self.expression(&element);
         }
         if let Expr::MethodCall(inner) = &*call.receiver
             && is_adaptor(inner)
@@ -311,6 +316,25 @@ fn is_generic(helper: &ImplItemFn) -> bool {
 /// Whether a call is `array.map(...)`, an array, and not `array.iter().map(...)`, a sequence.
 fn is_map_of_array(call: &ExprMethodCall) -> bool {
     call.method == "map" && matches!(&*call.receiver, Expr::Path(_) | Expr::Array(_) | Expr::Index(_))
+}
+
+/// `list.first().unwrap()` and `list.last().unwrap()` as elements: a list without any is a panic either way.
+fn end_of_list(call: &ExprMethodCall) -> Option<Expr> {
+    let is_one_of = |call: &ExprMethodCall, names: [&str; 2]| names.iter().any(|name| call.method == name);
+    let receiver = |call: &ExprMethodCall| match &*call.receiver {
+        Expr::MethodCall(inner) => Some(inner.clone()),
+        _ => None,
+    };
+    let mut end = receiver(call).filter(|_| is_one_of(call, ["unwrap", "expect"]))?;
+    while is_one_of(&end, ["copied", "cloned"]) {
+        end = receiver(&end)?;
+    }
+    let (list, at) = (&end.receiver, end.method.span());
+    match end.method.to_string().as_str() {
+        "first" if end.args.is_empty() => Some(parse_quote_spanned!(at=> #list[0])),
+        "last" if end.args.is_empty() => Some(parse_quote_spanned!(at=> #list[#list.len() - 1])),
+        _ => None,
+    }
 }
 
 /// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.

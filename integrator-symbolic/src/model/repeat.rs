@@ -1,8 +1,8 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
 use super::{
-    Frame, Reader, Target, fill::indexed_loop, flatten::nested_loop, sequence::Sequence, statement::Assigned,
-    value::Value,
+    Frame, Reader, Target, adaptor::sized_windows, fill::indexed_loop, flatten::nested_loop, sequence::Sequence,
+    statement::Assigned, value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -49,7 +49,8 @@ impl Reader<'_> {
         if let Some(rewritten) = nested_loop(repeat).or_else(|| indexed_loop(repeat)) {
             return self.repeat(&rewritten);
         }
-        let sequence = self.sequence(&repeat.expr)?;
+        let sized = sized_windows(&repeat.expr, Some(&repeat.pat));
+        let sequence = self.sequence(sized.as_ref().unwrap_or(&repeat.expr))?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);
             let iterations = self.few_iterations(&sequence, &repeat.expr)?;

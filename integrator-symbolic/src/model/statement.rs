@@ -55,7 +55,7 @@ impl Reader<'_> {
                 },
             },
             Some(_) => {
-                self.errors.at(local, "`let ... else` is not understood here: give the value unconditionally");
+                self.errors.at(local, "`let ... else` is not understood here: write `if let` around what needs the value, or give it unconditionally");
                 None
             }
             None => {

@@ -4,7 +4,8 @@
 mod tests;
 
 use super::{
-    BindingId, Reader, flatten::nested_sum, repeat::FEW, sequence::Sequence, statement::Assigned, value::Value,
+    BindingId, Reader, adaptor::sized_windows, flatten::nested_sum, repeat::FEW, sequence::Sequence,
+    statement::Assigned, value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -32,7 +33,12 @@ impl Reader<'_> {
         if let Some(nested) = nested_sum(call) {
             return self.expression(&nested);
         }
-        let sequence = self.sequence(&call.receiver)?;
+        let item = match call.args.last() {
+            Some(Expr::Closure(step)) => step.inputs.last(),
+            _ => None,
+        };
+        let sized = sized_windows(&call.receiver, item);
+        let sequence = self.sequence(sized.as_ref().unwrap_or(&call.receiver))?;
         let (start, step) = self.step(call)?;
         let in_term = self.few_in_term_of_list(&sequence).is_some();
         if !sequence.literal

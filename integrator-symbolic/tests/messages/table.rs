@@ -498,7 +498,13 @@ pub(crate) const BODIES: &[Row] = &[
     (
         "q.iter().scan(0.0, |s, x| Some(x)).sum::<f64>()",
         &[
-            "2:9 `scan` of a sequence is not understood: iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows and chunks_exact are, and `sum` and `fold` at the end",
+            "2:9 `scan` of a sequence is not understood: iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows, array_windows and chunks_exact are, and `sum` and `fold` at the end",
+        ],
+    ),
+    (
+        "q.array_windows().map(|w| w[0] * w[1]).sum::<f64>()",
+        &[
+            "2:2 how many items a window has is not said here: write `array_windows::<2>()`, or take the window apart where it is used, as in `.map(|[a, b]| ..)`",
         ],
     ),
     ("self.list.iter().copied().reduce(f64::max).unwrap() * q[0]", &[]),
