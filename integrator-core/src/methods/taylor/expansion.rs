@@ -342,11 +342,8 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
     let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
     if H::ROLLED {
-        // Orders that are known to be in the tables are not looked for there.
-        let (mut k, last) = (0, last.min(HIGHEST));
-        while k < last {
+        for k in (0..last).step_by(H::ORDERS_PER_CALL) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
-            k += H::ORDERS_PER_CALL;
         }
     } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
         // A local tape and table, which the compiler holds in registers: the next order reads its operands there and
