@@ -12,7 +12,7 @@
 //! condition that it had one, unless no value of it could do harm.
 
 use crate::graph::{
-    Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId, like_terms::LikeTerms,
+    Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId, like_terms::with_like_terms_collected,
 };
 use std::collections::HashMap;
 
@@ -66,15 +66,16 @@ pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contr
         }
     }
     contributions.reverse();
-    with_like_terms_collected(graph, contributions)
+    in_few_operations(graph, contributions)
 }
 
 /// The same contributions, with their like terms collected if that leaves fewer operations.
-fn with_like_terms_collected(graph: &mut Graph, as_written: Vec<Contribution>) -> Vec<Contribution> {
-    let mut like_terms = LikeTerms::default();
+fn in_few_operations(graph: &mut Graph, as_written: Vec<Contribution>) -> Vec<Contribution> {
+    let values: Vec<NodeId> = as_written.iter().map(|contribution| contribution.value).collect();
+    let known = with_like_terms_collected(graph, &values);
     let mut collected = as_written.clone();
     for contribution in &mut collected {
-        contribution.value = like_terms.of(graph, contribution.value);
+        contribution.value = known[&contribution.value];
     }
     let operations = |contributions: &[Contribution]| {
         let of =

@@ -15,7 +15,7 @@ pub(crate) use inverse_mass::inverse_masses;
 
 use crate::{
     differentiate::Contribution,
-    graph::{Graph, Node, NodeId, Scope, function::Function, like_terms::LikeTerms},
+    graph::{Graph, Node, NodeId, Scope, function::Function, like_terms::with_like_terms_collected},
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -41,16 +41,14 @@ impl Recurrences {
             let addends = gradient.iter().flat_map(|contribution| addends(graph, contribution.clone()));
             addends.collect::<Vec<_>>()
         });
-        let mut collected = as_written.clone();
-        let mut like_terms = LikeTerms::default();
-        for Contribution { context, value, .. } in collected.iter_mut().flatten() {
-            *value = like_terms.of(graph, *value);
-            for around in context {
-                if let Scope::Branch(condition, _) = around {
-                    *condition = like_terms.of(graph, *condition);
-                }
-            }
-        }
+        let values = as_written.iter().flatten().flat_map(|addend| addend.conditions().chain([addend.value]));
+        let known = with_like_terms_collected(graph, &values.collect::<Vec<_>>());
+        let collected = |addend: &Contribution| Contribution {
+            context: addend.around(|condition| known[&condition]),
+            value: known[&addend.value],
+            ..*addend
+        };
+        let mut collected = as_written.each_ref().map(|addends| addends.iter().map(collected).collect::<Vec<_>>());
         let [of_written, of_collected] =
             [&mut as_written, &mut collected].map(|addends| Self::of_addends(graph, addends));
         // Where no product is saved, prepared factors stay where they were written, and fewer may be multiplied there.

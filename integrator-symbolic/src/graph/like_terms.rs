@@ -2,7 +2,8 @@
 //!
 //! Comes in: values. Goes out: values that are the same but for roundings. Prepared factors move out of products, the others
 //! are multiplied as powers in one order, and sums have one addend for each product of powers: `a x x x` and `x (b x) x` are
-//! multiples of `x³`, and together one of them. Products are not expanded.
+//! multiples of `x³`, and together one of them. Products are not expanded, and neither sums nor products are taken apart that are
+//! used several times, so that the time it takes and the values that come out are in proportion to what comes in.
 
 use super::{Graph, Node, NodeId};
 use std::collections::{BTreeMap, HashMap, HashSet, btree_map::Entry};
@@ -16,50 +17,86 @@ struct Term {
     monomial: Monomial,
 }
 
-/// Values by what they were before their like terms were collected.
+/// What a product consists of, each with an exponent.
 #[derive(Default)]
-pub(crate) struct LikeTerms {
-    known: HashMap<NodeId, NodeId>,
-    /// The values that are products, or sums with some.
-    with_products: HashSet<NodeId>,
+struct Factors {
+    negative: bool,
+    over: Vec<(NodeId, i32)>,
+    under: Vec<(NodeId, i32)>,
 }
 
-impl LikeTerms {
-    /// A value whose like terms are collected.
-    pub(crate) fn of(&mut self, graph: &mut Graph, root: NodeId) -> NodeId {
-        let nodes = graph.reachable([root]);
-        for id in &nodes {
-            let is_product = |id: NodeId| self.with_products.contains(&id);
-            let found = match graph.node(*id) {
-                _ if graph.is_prepared(*id) => false,
-                Node::Mul(a, b) if graph.is_prepared(a) || graph.is_prepared(b) => is_product(a) || is_product(b),
-                Node::Mul(..) => true,
-                Node::Add(a, b) => is_product(a) || is_product(b),
-                Node::Neg(a) | Node::Div(a, _) => is_product(a),
-                Node::Power(_, halves) => is_whole(halves),
-                _ => false,
-            };
-            if found {
-                self.with_products.insert(*id);
+/// The values with their like terms collected that these and what they are made of become.
+pub(crate) fn with_like_terms_collected(graph: &mut Graph, roots: &[NodeId]) -> HashMap<NodeId, NodeId> {
+    let nodes = graph.reachable(roots.iter().copied());
+    let mut values = Values::default();
+    for id in &nodes {
+        values.note(graph, *id);
+    }
+    // Sums within sums and products within products are not values of their own.
+    let mut operands: HashSet<NodeId> = roots.iter().copied().collect();
+    for id in nodes.iter().rev().filter(|id| !graph.is_prepared(**id)) {
+        if operands.contains(id) {
+            operands.extend(values.operands(graph, *id));
+        }
+    }
+    for id in nodes.into_iter().filter(|id| operands.contains(id)) {
+        let new = if graph.is_prepared(id) { id } else { values.collected(graph, id) };
+        values.known.insert(id, new);
+    }
+    values.known
+}
+
+/// What is known of the values whose like terms are collected.
+#[derive(Default)]
+struct Values {
+    /// What they become.
+    known: HashMap<NodeId, NodeId>,
+    /// Those that are products, or sums with some.
+    with_products: HashSet<NodeId>,
+    /// Those that one other value is made of.
+    used_once: HashSet<NodeId>,
+    used_again: HashSet<NodeId>,
+}
+
+impl Values {
+    /// Notes a value whose operands have been noted.
+    fn note(&mut self, graph: &Graph, id: NodeId) {
+        let node = graph.node(id);
+        for child in node.children() {
+            if !self.used_once.insert(child) {
+                self.used_again.insert(child);
             }
         }
-        // Sums within sums are not values of their own.
-        let mut operands = HashSet::from([root]);
-        for id in nodes.iter().rev() {
-            if operands.contains(id) {
-                match self.addends(graph, *id) {
-                    Some(addends) => operands.extend(addends.into_iter().map(|(_, addend)| addend)),
-                    None => operands.extend(graph.node(*id).children()),
-                }
-            }
+        let is_product = |id: NodeId| self.with_products.contains(&id);
+        let found = match node {
+            _ if graph.is_prepared(id) => false,
+            Node::Mul(a, b) if graph.is_prepared(a) || graph.is_prepared(b) => is_product(a) || is_product(b),
+            Node::Mul(..) => true,
+            Node::Add(a, b) => is_product(a) || is_product(b),
+            Node::Neg(a) | Node::Div(a, _) => is_product(a),
+            Node::Power(_, halves) => is_whole(halves),
+            _ => false,
+        };
+        if found {
+            self.with_products.insert(id);
         }
-        for id in nodes {
-            if operands.contains(&id) && !self.known.contains_key(&id) {
-                let new = if graph.is_prepared(id) { id } else { self.collected(graph, id) };
-                self.known.insert(id, new);
-            }
+    }
+
+    /// Whether a value is a part of one other value alone.
+    fn is_part(&self, id: NodeId) -> bool {
+        !self.used_again.contains(&id)
+    }
+
+    /// The values that a value is computed from.
+    fn operands(&self, graph: &Graph, id: NodeId) -> Vec<NodeId> {
+        if let Some(addends) = self.addends(graph, id) {
+            return addends.into_iter().map(|(_, addend)| addend).collect();
         }
-        self.known[&root]
+        let Factors { over, under, .. } = factors(graph, id, |id| self.is_part(id));
+        match over[..] {
+            [(single, _)] if single == id => graph.node(id).children().collect(),
+            _ => over.into_iter().chain(under).map(|(factor, _)| factor).collect(),
+        }
     }
 
     /// The addends of a sum with products, in their order, and whether they are subtracted. A sum without products is an addend:
@@ -72,8 +109,10 @@ impl LikeTerms {
         let (mut found, mut open) = (Vec::new(), vec![(false, sum)]);
         while let Some((negative, id)) = open.pop() {
             match graph.node(id) {
-                Node::Add(a, b) if !is_flat(id) => open.extend([(negative, b), (negative, a)]),
-                Node::Neg(inner) => open.push((!negative, inner)),
+                Node::Add(a, b) if !is_flat(id) && (id == sum || self.is_part(id)) => {
+                    open.extend([(negative, b), (negative, a)]);
+                }
+                Node::Neg(inner) if self.is_part(id) => open.push((!negative, inner)),
                 _ => found.push((negative, id)),
             }
         }
@@ -85,8 +124,14 @@ impl LikeTerms {
         if let Some(addends) = self.addends(graph, id) {
             return self.sum(graph, addends);
         }
-        let node = graph.rebuilt(graph.node(id).map(|child| self.known[&child]));
-        let term = term(graph, node);
+        let Factors { negative, over, under } = factors(graph, id, |id| self.is_part(id));
+        if matches!(over[..], [(single, _)] if single == id) {
+            return graph.rebuilt(graph.node(id).map(|child| self.known[&child]));
+        }
+        let new = |factors: Vec<(NodeId, i32)>| {
+            factors.into_iter().map(|(factor, exponent)| (self.known[&factor], exponent)).collect()
+        };
+        let term = term(graph, Factors { negative, over: new(over), under: new(under) });
         product(graph, term)
     }
 
@@ -95,10 +140,8 @@ impl LikeTerms {
         let mut terms: Vec<Term> = Vec::new();
         let mut numbers = BTreeMap::<Monomial, usize>::new();
         for (negative, addend) in addends {
-            let Term { mut coefficient, monomial } = term(graph, self.known[&addend]);
-            if negative {
-                coefficient = graph.neg(coefficient);
-            }
+            let addend = Factors { negative, over: vec![(self.known[&addend], 1)], under: Vec::new() };
+            let Term { coefficient, monomial } = term(graph, addend);
             match numbers.entry(monomial.clone()) {
                 Entry::Occupied(number) if monomial.values().sum::<i32>() > 1 => {
                     let same: &mut Term = &mut terms[*number.get()];
@@ -116,41 +159,78 @@ impl LikeTerms {
     }
 }
 
+/// The largest exponent to which a power is taken for a product: exponents of exponents are numbers still.
+const LARGEST: i32 = 1 << 14;
+
+/// The most factors of a value that is multiplied factor by factor wherever it is one: the derivatives of a long product share
+/// products of its factors.
+const LONG: usize = 8;
+
 /// Whether a power of so many halves is a product.
 fn is_whole(halves: i32) -> bool {
-    halves > 0 && halves % 2 == 0
+    halves > 0 && halves % 2 == 0 && halves / 2 <= LARGEST
 }
 
-/// A value as a product.
-fn term(graph: &mut Graph, id: NodeId) -> Term {
-    match graph.node(id) {
-        _ if graph.is_prepared(id) => Term { coefficient: id, monomial: Monomial::new() },
-        Node::Neg(inner) => {
-            let inner = term(graph, inner);
-            Term { coefficient: graph.neg(inner.coefficient), ..inner }
-        }
-        Node::Mul(a, b) => {
-            let (a, b) = (term(graph, a), term(graph, b));
-            let mut monomial = a.monomial;
-            for (factor, exponent) in b.monomial {
-                *monomial.entry(factor).or_default() += exponent;
+/// What a value is the product of, down to what is no product or no part of it alone.
+fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool) -> Factors {
+    let mut found = Factors::default();
+    let mut open = vec![(value, 1)];
+    while let Some((id, exponent)) = open.pop() {
+        match graph.node(id) {
+            _ if graph.is_prepared(id) || id != value && !is_part(id) => found.over.push((id, exponent)),
+            Node::Neg(inner) => {
+                found.negative ^= exponent % 2 != 0;
+                open.push((inner, exponent));
             }
-            Term { coefficient: graph.mul(a.coefficient, b.coefficient), monomial }
+            Node::Mul(a, b) => open.extend([(b, exponent), (a, exponent)]),
+            Node::Div(a, by) if graph.is_prepared(by) => {
+                found.under.push((by, exponent));
+                open.push((a, exponent));
+            }
+            Node::Power(base, halves) if is_whole(halves) && halves / 2 * exponent <= LARGEST => {
+                open.push((base, halves / 2 * exponent));
+            }
+            _ => found.over.push((id, exponent)),
         }
-        Node::Div(a, by) if graph.is_prepared(by) => {
-            let a = term(graph, a);
-            Term { coefficient: graph.div(a.coefficient, by), ..a }
+    }
+    found
+}
+
+/// A product as what is prepared of it and the rest.
+fn term(graph: &mut Graph, Factors { mut negative, over, mut under }: Factors) -> Term {
+    let mut term = Term { coefficient: graph.constant(1.0), monomial: Monomial::new() };
+    for (factor, outer) in over {
+        let mut inner = factors(graph, factor, |_| true);
+        if inner.over.len() > LONG {
+            inner = Factors { negative: false, over: vec![(factor, 1)], under: Vec::new() };
         }
-        Node::Power(base, halves) if is_whole(halves) => {
-            let mut base = term(graph, base);
-            base.monomial.values_mut().for_each(|exponent| *exponent *= halves / 2);
-            let coefficient = match graph.as_constant(base.coefficient) {
-                Some(number) => graph.constant(number.powi(halves / 2)),
-                None => graph.power(base.coefficient, halves),
-            };
-            Term { coefficient, ..base }
+        negative ^= inner.negative && outer % 2 != 0;
+        under.extend(inner.under.into_iter().map(|(factor, exponent)| (factor, outer * exponent)));
+        for (factor, exponent) in inner.over {
+            if graph.is_prepared(factor) {
+                let power = power(graph, factor, outer * exponent);
+                term.coefficient = graph.mul(term.coefficient, power);
+            } else {
+                let sum = term.monomial.entry(factor).or_default();
+                *sum = sum.saturating_add(outer * exponent);
+            }
         }
-        _ => Term { coefficient: graph.constant(1.0), monomial: Monomial::from([(id, 1)]) },
+    }
+    for (factor, exponent) in under {
+        let power = power(graph, factor, exponent);
+        term.coefficient = graph.div(term.coefficient, power);
+    }
+    if negative {
+        term.coefficient = graph.neg(term.coefficient);
+    }
+    term
+}
+
+/// A power of what is prepared.
+fn power(graph: &mut Graph, base: NodeId, exponent: i32) -> NodeId {
+    match graph.as_constant(base) {
+        Some(number) => graph.constant(number.powi(exponent)),
+        None => graph.power(base, 2 * exponent),
     }
 }
 
@@ -188,6 +268,7 @@ fn value(graph: &mut Graph, monomial: &Monomial) -> Option<NodeId> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::differentiate::gradient;
     use crate::graph::{Element, ParameterId, Part, evaluate::Point, index::Index};
 
     /// A value of `x`, `y`, `z` and a parameter `k`.
@@ -271,12 +352,35 @@ mod tests {
             let mut graph = Graph::default();
             let at = at(&mut graph);
             let (written, expected) = (written(&mut graph, at), expected(&mut graph, at));
-            let collected = LikeTerms::default().of(&mut graph, written);
+            let collected = with_like_terms_collected(&mut graph, &[written])[&written];
             let point = || Point { parameters: &[0.5], ..Point::new(&[0.75, -1.5, 2.25], &[]) };
             let [collected_value, value] = [collected, written].map(|id| point().value(&graph, id));
             // Few binary digits: nothing is rounded.
             assert_eq!(collected_value, value, "{name}");
             assert_eq!(graph.node(collected), graph.node(expected), "{name}");
         }
+    }
+    /// Sums that double at every level, and the derivatives of a product of many factors.
+    #[test]
+    fn what_is_shared_stays_shared() {
+        let mut graph = Graph::default();
+        let [x, y, z, k] = at(&mut graph);
+        let mut sum = graph.mul(x, y);
+        for _ in 0..200 {
+            let product = product(&mut graph, [k, x, z]);
+            let inner = graph.add(sum, product);
+            sum = graph.add(sum, inner);
+        }
+        let factors: Vec<NodeId> = (0..200).map(|i| graph.constant(f64::from(i) + 0.5)).collect();
+        let mut rest = x;
+        for number in factors {
+            let factor = graph.add(y, number);
+            rest = graph.mul(rest, factor);
+        }
+        let slopes = gradient(&mut graph, rest, Part::Position);
+        let roots: Vec<NodeId> = slopes.iter().map(|slope| slope.value).chain([sum]).collect();
+        with_like_terms_collected(&mut graph, &roots);
+        // A few for each of 400 levels, where without sharing there would be 200 times 200, or more than could be counted.
+        assert!(graph.len() < 10_000, "{}", graph.len());
     }
 }

@@ -87,72 +87,72 @@ const _: () = {
                 let mut rest_of_shared_5 = Scalar::of(0.0);
                 if order > 0 && order % 2 == 0 {
                     let middle = order / 2;
-                    rest_of_shared_2 = Scalar::of(0.5) * q[middle][index_0]
-                        * q[middle][index_0];
-                    rest_of_shared_3 = Scalar::of(0.5) * q[middle][index_1]
+                    rest_of_shared_2 = Scalar::of(0.5) * q[middle][index_1]
                         * q[middle][index_1];
-                    rest_of_shared_4 = tape.kept[middle].shared_2 * q[middle][index_0];
-                    rest_of_shared_5 = tape.kept[middle].shared_3 * q[middle][index_1];
+                    rest_of_shared_3 = Scalar::of(0.5) * q[middle][index_0]
+                        * q[middle][index_0];
+                    rest_of_shared_4 = tape.kept[middle].shared_3 * q[middle][index_0];
+                    rest_of_shared_5 = tape.kept[middle].shared_2 * q[middle][index_1];
                 }
                 for low in (1..order.div_ceil(2)).rev() {
                     let high = order - low;
-                    rest_of_shared_2 = q[low][index_0]
-                        .fma(q[high][index_0], rest_of_shared_2);
-                    rest_of_shared_3 = q[low][index_1]
-                        .fma(q[high][index_1], rest_of_shared_3);
+                    rest_of_shared_2 = q[low][index_1]
+                        .fma(q[high][index_1], rest_of_shared_2);
+                    rest_of_shared_3 = q[low][index_0]
+                        .fma(q[high][index_0], rest_of_shared_3);
                     rest_of_shared_4 = tape
                         .kept[low]
-                        .shared_2
+                        .shared_3
                         .fma(
                             q[high][index_0],
                             tape
                                 .kept[high]
-                                .shared_2
+                                .shared_3
                                 .fma(q[low][index_0], rest_of_shared_4),
                         );
                     rest_of_shared_5 = tape
                         .kept[low]
-                        .shared_3
+                        .shared_2
                         .fma(
                             q[high][index_1],
                             tape
                                 .kept[high]
-                                .shared_3
+                                .shared_2
                                 .fma(q[low][index_1], rest_of_shared_5),
                         );
                 }
                 let shared_2 = if order == 0 {
-                    q[order][index_0] * q[order][index_0]
-                } else {
-                    Scalar::of(2.0)
-                        * q[0][index_0].fma(q[order][index_0], rest_of_shared_2)
-                };
-                tape.kept[order].shared_2 = shared_2;
-                let shared_3 = if order == 0 {
                     q[order][index_1] * q[order][index_1]
                 } else {
                     Scalar::of(2.0)
-                        * q[0][index_1].fma(q[order][index_1], rest_of_shared_3)
+                        * q[0][index_1].fma(q[order][index_1], rest_of_shared_2)
+                };
+                tape.kept[order].shared_2 = shared_2;
+                let shared_3 = if order == 0 {
+                    q[order][index_0] * q[order][index_0]
+                } else {
+                    Scalar::of(2.0)
+                        * q[0][index_0].fma(q[order][index_0], rest_of_shared_3)
                 };
                 tape.kept[order].shared_3 = shared_3;
                 let shared_4 = if order == 0 {
-                    (shared_2 * q[order][index_0])
-                } else {
-                    tape.kept[0]
-                        .shared_2
-                        .fma(
-                            q[order][index_0],
-                            shared_2.fma(q[0][index_0], rest_of_shared_4),
-                        )
-                };
-                let shared_5 = if order == 0 {
-                    (shared_3 * q[order][index_1])
+                    (shared_3 * q[order][index_0])
                 } else {
                     tape.kept[0]
                         .shared_3
                         .fma(
+                            q[order][index_0],
+                            shared_3.fma(q[0][index_0], rest_of_shared_4),
+                        )
+                };
+                let shared_5 = if order == 0 {
+                    (shared_2 * q[order][index_1])
+                } else {
+                    tape.kept[0]
+                        .shared_2
+                        .fma(
                             q[order][index_1],
-                            shared_3.fma(q[0][index_1], rest_of_shared_5),
+                            shared_2.fma(q[0][index_1], rest_of_shared_5),
                         )
                 };
                 p[order + 1][index_0] += -shared_4;
