@@ -40,6 +40,16 @@ impl Contribution {
         self.context.iter().filter_map(Scope::condition)
     }
 
+    /// Its value and the conditions around it.
+    pub(crate) fn values(&self) -> impl Iterator<Item = NodeId> {
+        self.conditions().chain([self.value])
+    }
+
+    /// The same with other nodes for its value and for the conditions.
+    pub(crate) fn mapped(&self, of: impl Fn(NodeId) -> NodeId) -> Self {
+        Self { value: of(self.value), context: self.around(of), ..*self }
+    }
+
     /// The loops and conditions around it, with other nodes for the conditions.
     pub(crate) fn around(&self, of: impl Fn(NodeId) -> NodeId) -> Vec<Scope> {
         let renamed = self.context.iter().map(|around| match around {

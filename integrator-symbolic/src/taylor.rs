@@ -41,14 +41,11 @@ impl Recurrences {
             let addends = gradient.iter().flat_map(|contribution| addends(graph, contribution.clone()));
             addends.collect::<Vec<_>>()
         });
-        let values = as_written.iter().flatten().flat_map(|addend| addend.conditions().chain([addend.value]));
-        let known = with_like_terms_collected(graph, &values.collect::<Vec<_>>());
-        let collected = |addend: &Contribution| Contribution {
-            context: addend.around(|condition| known[&condition]),
-            value: known[&addend.value],
-            ..*addend
-        };
-        let mut collected = as_written.each_ref().map(|addends| addends.iter().map(collected).collect::<Vec<_>>());
+        let values: Vec<_> = as_written.iter().flatten().flat_map(Contribution::values).collect();
+        let known = with_like_terms_collected(graph, &values);
+        let mut collected = as_written
+            .each_ref()
+            .map(|addends| addends.iter().map(|addend| addend.mapped(|id| known[&id])).collect::<Vec<_>>());
         let [of_written, of_collected] =
             [&mut as_written, &mut collected].map(|addends| Self::of_addends(graph, addends));
         // Where no product is saved, prepared factors stay where they were written, and fewer may be multiplied there.
@@ -67,16 +64,12 @@ impl Recurrences {
         let mut found = Self::default();
         let mut rewriting = HashMap::new();
         let mut open = Vec::new();
-        for contribution in addends.iter_mut().flatten() {
-            let value = rewritten(graph, contribution.value, &mut rewriting);
-            contribution.value = at_order_zero(graph, value);
-            for around in &mut contribution.context {
-                if let Scope::Branch(condition, _) = around {
-                    *condition = rewritten(graph, *condition, &mut rewriting);
-                    open.push(*condition);
-                }
-            }
-            open.push(contribution.value);
+        let values: Vec<_> = addends.iter().flatten().flat_map(Contribution::values).collect();
+        rewrite_all(graph, values, &mut rewriting);
+        for addend in addends.iter_mut().flatten() {
+            *addend = addend.mapped(|id| rewriting[&id]);
+            addend.value = at_order_zero(graph, addend.value);
+            open.extend(addend.values());
         }
         let mut seen = BTreeSet::new();
         while let Some(id) = open.pop() {
@@ -117,8 +110,9 @@ impl Recurrences {
         };
         self.nonlinear.insert(id);
         let slopes = slopes.map(|slope| {
-            let slope = rewritten(graph, slope?, rewriting);
-            Some(at_order_zero(graph, slope))
+            let slope = slope?;
+            rewrite_all(graph, [slope], rewriting);
+            Some(at_order_zero(graph, rewriting[&slope]))
         });
         self.slopes.insert(id, slopes);
         let operands = operands.into_iter().chain(slopes.into_iter().flatten()).map(|id| graph.signed(id).1);
@@ -193,17 +187,16 @@ fn at_order_zero(graph: &mut Graph, id: NodeId) -> NodeId {
     if graph.is_prepared(id) { graph.stepped(id) } else { id }
 }
 
-/// A value whose added numbers are coefficients of order 0, whose powers with a moving exponent are exponentials, and whose
-/// whole powers are products.
-fn rewritten(graph: &mut Graph, root: NodeId, known: &mut HashMap<NodeId, NodeId>) -> NodeId {
-    for id in graph.reachable([root]) {
+/// Finds the values whose added numbers are coefficients of order 0, whose powers with a moving exponent are exponentials, and
+/// whose whole powers are products.
+fn rewrite_all(graph: &mut Graph, roots: impl IntoIterator<Item = NodeId>, known: &mut HashMap<NodeId, NodeId>) {
+    for id in graph.reachable(roots) {
         if known.contains_key(&id) {
             continue;
         }
         let new = if graph.is_prepared(id) { id } else { rewrite(graph, id, known) };
         known.insert(id, new);
     }
-    known[&root]
 }
 
 fn rewrite(graph: &mut Graph, id: NodeId, known: &HashMap<NodeId, NodeId>) -> NodeId {

@@ -2,6 +2,7 @@
 //! splitting steps move in tiles.
 
 use integrator_symbolic::hamiltonian;
+use proc_macro2::TokenStream;
 
 /// The potential of a chain of N sites: a name, its text, and whether it is a line for lengths that fill vectors.
 const POTENTIALS: [(&str, &str, bool); 18] = [
@@ -109,4 +110,26 @@ fn rows_with_bonds_along_them_are_sites() {
         assert!(!text.contains("compile_error"), "{name}: {text}");
         assert_eq!(text.contains("STENCIL_RADII"), holds, "{name}");
     }
+}
+
+/// Whether sites of a chain of any length are moved as a lattice.
+fn is_lattice(potential: &str) -> bool {
+    let text = format!(
+        "impl Chain {{
+            fn kinetic(&self, p: &[f64]) -> f64 {{ {SQUARES} }}
+            fn potential(&self, q: &[f64]) -> f64 {{ let mut v = 0.0; {potential} v }}
+        }}"
+    );
+    let text = hamiltonian(TokenStream::new(), text.parse().expect("tokens")).to_string();
+    assert!(!text.contains("compile_error"), "{potential}: {text}");
+    text.contains("STENCIL_RADII")
+}
+
+#[test]
+fn a_bond_between_the_ends_of_a_line_closes_it() {
+    let line = "for i in 1..q.len() { v += (q[i] - q[i - 1]).powi(4); }";
+    assert!(is_lattice(line));
+    assert!(is_lattice(&format!("v += (q[0] - q[q.len() - 1]).powi(4); {line}")));
+    assert!(is_lattice(&format!("v += (q[1] - q[q.len() - 1]).powi(4); {line}")));
+    assert!(!is_lattice(&format!("v += (q[2] - q[q.len() - 1]).powi(4); {line}")), "farther than sites look");
 }

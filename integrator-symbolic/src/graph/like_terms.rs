@@ -28,7 +28,7 @@ struct Factors {
 /// The values with their like terms collected that these and what they are made of become.
 pub(crate) fn with_like_terms_collected(graph: &mut Graph, roots: &[NodeId]) -> HashMap<NodeId, NodeId> {
     let nodes = graph.reachable(roots.iter().copied());
-    let mut values = Values::default();
+    let mut values = Values { used_once: roots.iter().copied().collect(), ..Values::default() };
     for id in &nodes {
         values.note(graph, *id);
     }
@@ -53,8 +53,9 @@ struct Values {
     known: HashMap<NodeId, NodeId>,
     /// Those that are products, or sums with some.
     with_products: HashSet<NodeId>,
-    /// Those that one other value is made of.
+    /// Those that one other value is made of, or that are asked for,
     used_once: HashSet<NodeId>,
+    /// and those that are used again.
     used_again: HashSet<NodeId>,
 }
 
@@ -92,7 +93,7 @@ impl Values {
         if let Some(addends) = self.addends(graph, id) {
             return addends.into_iter().map(|(_, addend)| addend).collect();
         }
-        let Factors { over, under, .. } = factors(graph, id, |id| self.is_part(id));
+        let Factors { over, under, .. } = factors(graph, id, |id| self.is_part(id), usize::MAX);
         match over[..] {
             [(single, _)] if single == id => graph.node(id).children().collect(),
             _ => over.into_iter().chain(under).map(|(factor, _)| factor).collect(),
@@ -124,7 +125,7 @@ impl Values {
         if let Some(addends) = self.addends(graph, id) {
             return self.sum(graph, addends);
         }
-        let Factors { negative, over, under } = factors(graph, id, |id| self.is_part(id));
+        let Factors { negative, over, under } = factors(graph, id, |id| self.is_part(id), usize::MAX);
         if matches!(over[..], [(single, _)] if single == id) {
             return graph.rebuilt(graph.node(id).map(|child| self.known[&child]));
         }
@@ -143,7 +144,7 @@ impl Values {
             let addend = Factors { negative, over: vec![(self.known[&addend], 1)], under: Vec::new() };
             let Term { coefficient, monomial } = term(graph, addend);
             match numbers.entry(monomial.clone()) {
-                Entry::Occupied(number) if monomial.values().sum::<i32>() > 1 => {
+                Entry::Occupied(number) if monomial.len() > 1 || monomial.values().any(|exponent| *exponent > 1) => {
                     let same: &mut Term = &mut terms[*number.get()];
                     same.coefficient = graph.add(same.coefficient, coefficient);
                 }
@@ -171,11 +172,14 @@ fn is_whole(halves: i32) -> bool {
     halves > 0 && halves % 2 == 0 && halves / 2 <= LARGEST
 }
 
-/// What a value is the product of, down to what is no product or no part of it alone.
-fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool) -> Factors {
+/// What a value is the product of, down to what is no product or no part of it alone; of more factors than are asked for, one more.
+fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool, most: usize) -> Factors {
     let mut found = Factors::default();
     let mut open = vec![(value, 1)];
     while let Some((id, exponent)) = open.pop() {
+        if found.over.len() > most {
+            break;
+        }
         match graph.node(id) {
             _ if graph.is_prepared(id) || id != value && !is_part(id) => found.over.push((id, exponent)),
             Node::Neg(inner) => {
@@ -187,7 +191,9 @@ fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool) -> Fa
                 found.under.push((by, exponent));
                 open.push((a, exponent));
             }
-            Node::Power(base, halves) if is_whole(halves) && halves / 2 * exponent <= LARGEST => {
+            Node::Power(base, halves)
+                if is_whole(halves) && halves / 2 * exponent <= LARGEST && !has_prepared_factor(graph, base) =>
+            {
                 open.push((base, halves / 2 * exponent));
             }
             _ => found.over.push((id, exponent)),
@@ -196,11 +202,18 @@ fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool) -> Fa
     found
 }
 
+/// Whether a product has a prepared factor, or too many to look. Its powers stay together: of `(x / a)³⁰` for an `a` far from one, neither `x³⁰` nor `a³⁰`
+/// may be a number.
+fn has_prepared_factor(graph: &Graph, product: NodeId) -> bool {
+    let Factors { over, under, .. } = factors(graph, product, |_| true, LONG);
+    over.len() > LONG || !under.is_empty() || over.iter().any(|(factor, _)| graph.is_prepared(*factor))
+}
+
 /// A product as what is prepared of it and the rest.
 fn term(graph: &mut Graph, Factors { mut negative, over, mut under }: Factors) -> Term {
     let mut term = Term { coefficient: graph.constant(1.0), monomial: Monomial::new() };
     for (factor, outer) in over {
-        let mut inner = factors(graph, factor, |_| true);
+        let mut inner = factors(graph, factor, |_| true, LONG);
         if inner.over.len() > LONG {
             inner = Factors { negative: false, over: vec![(factor, 1)], under: Vec::new() };
         }
@@ -262,7 +275,10 @@ fn value(graph: &mut Graph, monomial: &Monomial) -> Option<NodeId> {
     let root = value(graph, &part(|exponent| exponent / 2));
     let square = root.map(|root| graph.rebuilt(Node::Power(root, 4)));
     let rest = part(|exponent| exponent % 2).into_keys();
-    square.into_iter().chain(rest).reduce(|product, factor| graph.mul(product, factor))
+    let mut factors: Vec<_> = square.into_iter().chain(rest).collect();
+    // What is the same in all iterations is multiplied outside of their loop.
+    factors.sort_by_key(|factor| graph.loops_of(*factor).iter().count());
+    factors.into_iter().reduce(|product, factor| graph.mul(product, factor))
 }
 
 #[cfg(test)]
@@ -313,6 +329,21 @@ mod tests {
             },
         ),
         (
+            "(x / 1000)³⁰ x as it is",
+            |g, [x, ..]| {
+                let thousand = g.constant(1000.0);
+                let quotient = g.div(x, thousand);
+                let power = g.power(quotient, 60);
+                g.mul(x, power)
+            },
+            |g, [x, ..]| {
+                let thousand = g.constant(1000.0);
+                let quotient = g.div(x, thousand);
+                let root = g.power(quotient, 60);
+                g.mul(x, root)
+            },
+        ),
+        (
             "(x - y) - (y - z) as it is",
             |g, [x, y, z, _]| {
                 let (first, second) = (g.sub(x, y), g.sub(y, z));
@@ -360,7 +391,7 @@ mod tests {
             assert_eq!(graph.node(collected), graph.node(expected), "{name}");
         }
     }
-    /// Sums that double at every level, and the derivatives of a product of many factors.
+    /// Sums that double at every level, products of the two before, and the derivatives of a product of many factors.
     #[test]
     fn what_is_shared_stays_shared() {
         let mut graph = Graph::default();
@@ -371,6 +402,11 @@ mod tests {
             let inner = graph.add(sum, product);
             sum = graph.add(sum, inner);
         }
+        let mut powers = [x, y];
+        for _ in 0..80 {
+            let [before, last] = powers;
+            powers = [last, graph.mul(last, before)];
+        }
         let factors: Vec<NodeId> = (0..200).map(|i| graph.constant(f64::from(i) + 0.5)).collect();
         let mut rest = x;
         for number in factors {
@@ -378,7 +414,7 @@ mod tests {
             rest = graph.mul(rest, factor);
         }
         let slopes = gradient(&mut graph, rest, Part::Position);
-        let roots: Vec<NodeId> = slopes.iter().map(|slope| slope.value).chain([sum]).collect();
+        let roots: Vec<NodeId> = slopes.iter().map(|slope| slope.value).chain([sum, powers[1]]).collect();
         with_like_terms_collected(&mut graph, &roots);
         // A few for each of 400 levels, where without sharing there would be 200 times 200, or more than could be counted.
         assert!(graph.len() < 10_000, "{}", graph.len());

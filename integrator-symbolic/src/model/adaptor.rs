@@ -8,17 +8,30 @@ use super::{
 use crate::graph::index::Index;
 use proc_macro2::Ident;
 use std::rc::Rc;
-use syn::{Expr, ExprMethodCall, GenericArgument, Pat, parse_quote, punctuated::Punctuated};
+use syn::{
+    Expr, ExprMethodCall, GenericArgument, Pat, PatParen, PatReference, PatType, Type, parse_quote,
+    punctuated::Punctuated,
+};
 
 impl Reader<'_> {
+    /// A sequence whose items are taken apart by a pattern.
+    pub(super) fn sequence_of(&mut self, sequence: &Expr, item: Option<&Pat>) -> Option<Sequence> {
+        match sequence {
+            Expr::MethodCall(call) if call.method == "array_windows" && call.args.is_empty() => {
+                let sized = sized_windows(call, item);
+                self.sequence(sized.as_ref().unwrap_or(sequence))
+            }
+            _ => self.sequence(sequence),
+        }
+    }
+
     /// `sequence.map(...)`, `.enumerate()` and so on.
     pub(super) fn adapted(&mut self, call: &ExprMethodCall) -> Option<Sequence> {
         let item = match call.args.first() {
             Some(Expr::Closure(closure)) => closure.inputs.first(),
             _ => None,
         };
-        let sized = sized_windows(&call.receiver, item);
-        let base = self.sequence(sized.as_ref().unwrap_or(&call.receiver))?;
+        let base = self.sequence_of(&call.receiver, item)?;
         let Sequence { from, to, ref at, filtered, literal } = base;
         let at = Rc::clone(at);
         let name = call.method.to_string();
@@ -195,20 +208,21 @@ pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
 
 /// `list.array_windows()` as `list.windows(n)`, with the number of a window's items from `array_windows::<n>()` or from the
 /// pattern that takes them apart.
-pub(super) fn sized_windows(sequence: &Expr, item: Option<&Pat>) -> Option<Expr> {
-    let Expr::MethodCall(call) = sequence else { return None };
-    if call.method != "array_windows" || !call.args.is_empty() {
-        return None;
-    }
+fn sized_windows(call: &ExprMethodCall, item: Option<&Pat>) -> Option<Expr> {
     let size: Expr = match (&call.turbofish, item) {
         (Some(turbofish), _) => match turbofish.args.first()? {
             GenericArgument::Const(size) => size.clone(),
+            GenericArgument::Type(Type::Path(name)) => parse_quote!(#name),
             _ => return None,
         },
         (None, Some(Pat::Slice(items))) => {
             let count = items.elems.len();
             parse_quote!(#count)
         }
+        (None, Some(Pat::Reference(PatReference { pat, .. }) | Pat::Paren(PatParen { pat, .. }))) => {
+            return sized_windows(call, Some(pat));
+        }
+        (None, Some(Pat::Type(PatType { pat, .. }))) => return sized_windows(call, Some(pat)),
         (None, _) => return None,
     };
     let method = Ident::new("windows", call.method.span());

@@ -331,8 +331,9 @@ fn end_of_list(call: &ExprMethodCall) -> Option<Expr> {
     }
     let (list, at) = (&end.receiver, end.method.span());
     match end.method.to_string().as_str() {
-        "first" if end.args.is_empty() => Some(parse_quote_spanned!(at=> #list[0])),
-        "last" if end.args.is_empty() => Some(parse_quote_spanned!(at=> #list[#list.len() - 1])),
+        _ if !end.args.is_empty() || matches!(&**list, Expr::MethodCall(call) if is_adaptor(call)) => None,
+        "first" => Some(parse_quote_spanned!(at=> #list[0])),
+        "last" => Some(parse_quote_spanned!(at=> { let list = &#list; list[list.len() - 1] })),
         _ => None,
     }
 }

@@ -146,7 +146,7 @@ impl Reader<'_> {
     /// `x.powi(n)`: multiplications for a literal, a power with real exponent for a parameter.
     fn whole_power(&mut self, x: NodeId, exponent: &Value, place: &Expr) -> Option<Value> {
         if let Some(literal) = signed_literal(place) {
-            let Some(halves) = literal.checked_mul(2) else {
+            let Some(halves) = halves_of(literal) else {
                 self.errors.at(place, "this exponent is too large");
                 return None;
             };
@@ -154,7 +154,7 @@ impl Reader<'_> {
         }
         let exponent = match exponent {
             Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
-                Some(Ok(whole)) if let Some(halves) = whole.checked_mul(2) => {
+                Some(Ok(whole)) if let Some(halves) = halves_of(whole) => {
                     return Some(Value::Real(self.graph.power(x, halves)));
                 }
                 _ => self.graph.number_of(*index),
@@ -204,4 +204,9 @@ fn signed_literal(expression: &Expr) -> Option<i32> {
         Expr::Paren(inner) => signed_literal(&inner.expr),
         _ => None,
     }
+}
+
+/// An exponent in halves, if those of derivatives, which are lower still, are numbers as well.
+fn halves_of(exponent: i32) -> Option<i32> {
+    exponent.checked_mul(2).filter(|halves| halves.unsigned_abs() < 1 << 30)
 }

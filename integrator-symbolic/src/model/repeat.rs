@@ -1,8 +1,8 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
 use super::{
-    Frame, Reader, Target, adaptor::sized_windows, fill::indexed_loop, flatten::nested_loop, sequence::Sequence,
-    statement::Assigned, value::Value,
+    Frame, Reader, Target, fill::indexed_loop, flatten::nested_loop, sequence::Sequence, statement::Assigned,
+    value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -49,8 +49,7 @@ impl Reader<'_> {
         if let Some(rewritten) = nested_loop(repeat).or_else(|| indexed_loop(repeat)) {
             return self.repeat(&rewritten);
         }
-        let sized = sized_windows(&repeat.expr, Some(&repeat.pat));
-        let sequence = self.sequence(sized.as_ref().unwrap_or(&repeat.expr))?;
+        let sequence = self.sequence_of(&repeat.expr, Some(&repeat.pat))?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);
             let iterations = self.few_iterations(&sequence, &repeat.expr)?;

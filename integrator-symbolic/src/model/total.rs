@@ -4,8 +4,7 @@
 mod tests;
 
 use super::{
-    BindingId, Reader, adaptor::sized_windows, flatten::nested_sum, repeat::FEW, sequence::Sequence,
-    statement::Assigned, value::Value,
+    BindingId, Reader, flatten::nested_sum, repeat::FEW, sequence::Sequence, statement::Assigned, value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -37,8 +36,7 @@ impl Reader<'_> {
             Some(Expr::Closure(step)) => step.inputs.last(),
             _ => None,
         };
-        let sized = sized_windows(&call.receiver, item);
-        let sequence = self.sequence(sized.as_ref().unwrap_or(&call.receiver))?;
+        let sequence = self.sequence_of(&call.receiver, item)?;
         let (start, step) = self.step(call)?;
         let in_term = self.few_in_term_of_list(&sequence).is_some();
         if !sequence.literal

@@ -6,6 +6,7 @@ use super::{
     adaptor::is_adaptor,
     elementary::is_elementary,
     fill::array_from_function,
+    text::identifiers,
     value::{Opaque, Value},
 };
 use proc_macro2::{TokenStream, TokenTree};
@@ -54,7 +55,11 @@ impl Reader<'_> {
 
     fn text_of_type(&self, text: TokenStream, kind: &Type) -> TokenStream {
         let Ok(expression) = syn::parse2::<Expr>(text.clone()) else { return text };
-        if !self.is_open(&expression) || mentions_impl(kind.to_token_stream()) {
+        let mut names = Vec::new();
+        identifiers(kind.to_token_stream(), &mut names);
+        // Constants of the function mean nothing outside of it.
+        let is_local = names.iter().any(|name| self.lookup(&name.to_string()).is_some());
+        if is_local || !self.is_open(&expression) || mentions_impl(kind.to_token_stream()) {
             return text;
         }
         match within(&expression) {

@@ -387,6 +387,8 @@ pub(crate) const BODIES: &[Row] = &[
     ("self.helper(q[0], q[1])", &["2:5 `helper` takes 1 argument, not 2"]),
     ("q[0].sin(1.0)", &["2:5 `sin` takes 0 arguments, not 1"]),
     ("q[0].powi(q[1])", &["2:10 the exponent of `powi` is an integer that does not depend on coordinates"]),
+    ("q[0].powi(-1_073_741_824)", &["2:10 this exponent is too large"]),
+    ("(q[0] / 1000.0).powi(150) + ((q[0].powi(400) * q[1]).powi(600) * q[1]).powi(600)", &[]),
     ("q[0].powi(2_000_000_000)", &["2:10 this exponent is too large"]),
     ("q[0].powf(2)", &["2:10 this is an integer: write it as a number, `2.0`, or `n as f64`"]),
     ("let x; q[0]", &["2:0 a variable needs its value where it is declared: write `let x = ...;`"]),

@@ -91,8 +91,8 @@ const _: () = {
                         * q[middle][index_1];
                     rest_of_shared_3 = Scalar::of(0.5) * q[middle][index_0]
                         * q[middle][index_0];
-                    rest_of_shared_4 = tape.kept[middle].shared_3 * q[middle][index_0];
-                    rest_of_shared_5 = tape.kept[middle].shared_2 * q[middle][index_1];
+                    rest_of_shared_4 = tape.kept[middle].shared_2 * q[middle][index_1];
+                    rest_of_shared_5 = tape.kept[middle].shared_3 * q[middle][index_0];
                 }
                 for low in (1..order.div_ceil(2)).rev() {
                     let high = order - low;
@@ -102,23 +102,23 @@ const _: () = {
                         .fma(q[high][index_0], rest_of_shared_3);
                     rest_of_shared_4 = tape
                         .kept[low]
-                        .shared_3
-                        .fma(
-                            q[high][index_0],
-                            tape
-                                .kept[high]
-                                .shared_3
-                                .fma(q[low][index_0], rest_of_shared_4),
-                        );
-                    rest_of_shared_5 = tape
-                        .kept[low]
                         .shared_2
                         .fma(
                             q[high][index_1],
                             tape
                                 .kept[high]
                                 .shared_2
-                                .fma(q[low][index_1], rest_of_shared_5),
+                                .fma(q[low][index_1], rest_of_shared_4),
+                        );
+                    rest_of_shared_5 = tape
+                        .kept[low]
+                        .shared_3
+                        .fma(
+                            q[high][index_0],
+                            tape
+                                .kept[high]
+                                .shared_3
+                                .fma(q[low][index_0], rest_of_shared_5),
                         );
                 }
                 let shared_2 = if order == 0 {
@@ -136,27 +136,27 @@ const _: () = {
                 };
                 tape.kept[order].shared_3 = shared_3;
                 let shared_4 = if order == 0 {
-                    (shared_3 * q[order][index_0])
-                } else {
-                    tape.kept[0]
-                        .shared_3
-                        .fma(
-                            q[order][index_0],
-                            shared_3.fma(q[0][index_0], rest_of_shared_4),
-                        )
-                };
-                let shared_5 = if order == 0 {
                     (shared_2 * q[order][index_1])
                 } else {
                     tape.kept[0]
                         .shared_2
                         .fma(
                             q[order][index_1],
-                            shared_2.fma(q[0][index_1], rest_of_shared_5),
+                            shared_2.fma(q[0][index_1], rest_of_shared_4),
                         )
                 };
-                p[order + 1][index_0] += -shared_4;
-                p[order + 1][index_1] += -shared_5;
+                let shared_5 = if order == 0 {
+                    (shared_3 * q[order][index_0])
+                } else {
+                    tape.kept[0]
+                        .shared_3
+                        .fma(
+                            q[order][index_0],
+                            shared_3.fma(q[0][index_0], rest_of_shared_5),
+                        )
+                };
+                p[order + 1][index_0] += -shared_5;
+                p[order + 1][index_1] += -shared_4;
             }
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn iteration_1<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(

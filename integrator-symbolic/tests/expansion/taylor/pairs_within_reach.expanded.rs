@@ -195,9 +195,9 @@ const _: () = {
                                 Wide,
                             >(-1.0, middle, order) * iteration.kept[middle].shared_8)
                                 .fma(iteration.kept[middle].shared_9, rest_of_shared_9);
-                            rest_of_shared_11 = iteration.kept[middle].shared_7
+                            rest_of_shared_11 = iteration.kept[middle].shared_6
                                 * iteration.kept[middle].shared_10;
-                            rest_of_shared_12 = iteration.kept[middle].shared_6
+                            rest_of_shared_12 = iteration.kept[middle].shared_7
                                 * iteration.kept[middle].shared_10;
                         }
                         for low in (1..order.div_ceil(2)).rev() {
@@ -220,22 +220,22 @@ const _: () = {
                                 .fma(iteration.kept[low].shared_9, rest_of_shared_9);
                             rest_of_shared_11 = iteration
                                 .kept[low]
-                                .shared_7
-                                .fma(
-                                    iteration.kept[high].shared_10,
-                                    iteration
-                                        .kept[high]
-                                        .shared_7
-                                        .fma(iteration.kept[low].shared_10, rest_of_shared_11),
-                                );
-                            rest_of_shared_12 = iteration
-                                .kept[low]
                                 .shared_6
                                 .fma(
                                     iteration.kept[high].shared_10,
                                     iteration
                                         .kept[high]
                                         .shared_6
+                                        .fma(iteration.kept[low].shared_10, rest_of_shared_11),
+                                );
+                            rest_of_shared_12 = iteration
+                                .kept[low]
+                                .shared_7
+                                .fma(
+                                    iteration.kept[high].shared_10,
+                                    iteration
+                                        .kept[high]
+                                        .shared_7
                                         .fma(iteration.kept[low].shared_10, rest_of_shared_12),
                                 );
                         }
@@ -278,17 +278,6 @@ const _: () = {
                         let shared_10 = Wide::of(3.0).fma(shared_5, shared_9);
                         iteration.kept[order].shared_10 = shared_10;
                         let shared_11 = if order == 0 {
-                            (shared_7 * shared_10)
-                        } else {
-                            iteration
-                                .kept[0]
-                                .shared_7
-                                .fma(
-                                    shared_10,
-                                    shared_7.fma(iteration.kept[0].shared_10, rest_of_shared_11),
-                                )
-                        };
-                        let shared_12 = if order == 0 {
                             (shared_6 * shared_10)
                         } else {
                             iteration
@@ -296,24 +285,35 @@ const _: () = {
                                 .shared_6
                                 .fma(
                                     shared_10,
-                                    shared_6.fma(iteration.kept[0].shared_10, rest_of_shared_12),
+                                    shared_6.fma(iteration.kept[0].shared_10, rest_of_shared_11),
+                                )
+                        };
+                        let shared_12 = if order == 0 {
+                            (shared_7 * shared_10)
+                        } else {
+                            iteration
+                                .kept[0]
+                                .shared_7
+                                .fma(
+                                    shared_10,
+                                    shared_7.fma(iteration.kept[0].shared_10, rest_of_shared_12),
                                 )
                         };
                         results[0][at] = Wide::select(
                             condition_0,
-                            shared_11,
+                            shared_12,
                             Wide::of(0.0),
                         );
                         results[1][at] = Wide::select(
                             condition_0,
-                            shared_12,
+                            shared_11,
                             Wide::of(0.0),
                         );
                         choice_1 = Wide::select(condition_0, -shared_12, choice_1);
                         choice_0 = Wide::select(condition_0, -shared_11, choice_0);
                     }
-                    results[2][at] = choice_0;
-                    results[3][at] = choice_1;
+                    results[2][at] = choice_1;
+                    results[3][at] = choice_0;
                 }
                 results
             }
