@@ -205,7 +205,7 @@ rows! {
     zipped_neighbours { q.iter().zip(q.iter().skip(1)).map(|(x, y)| x * y).sum::<f64>() } => [b, a + c, b + d, c];
     windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     array_windows { q.array_windows().map(|[x, y]| x * y).sum::<f64>() } => [b, a + c, b + d, c];
-    array_windows_of_a_length { q.array_windows::<{ Self::WIDTH }>().map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
+    array_windows_of_a_length { q.array_windows::<2>().map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     array_windows_in_a_loop { let mut sum = 0.0; for [x, y] in q.array_windows() { sum += x * y; } sum } => [b, a + c, b + d, c];
     array_windows_in_a_fold { q.array_windows().fold(0.0, |sum, &[x, y]| sum + x * y) } => [b, a + c, b + d, c];
     ends { q.first().unwrap() * q.last().copied().unwrap() } => [d, 0.0, 0.0, a];
