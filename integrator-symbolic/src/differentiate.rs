@@ -87,11 +87,8 @@ fn in_few_operations(graph: &mut Graph, as_written: Vec<Contribution>) -> Vec<Co
     for contribution in &mut collected {
         contribution.value = known[&contribution.value];
     }
-    let operations = |contributions: &[Contribution]| {
-        let of =
-            |contribution: &Contribution| contribution.conditions().chain([contribution.value]).collect::<Vec<_>>();
-        graph.operations(contributions.iter().flat_map(of))
-    };
+    let operations =
+        |contributions: &[Contribution]| graph.operations(contributions.iter().flat_map(Contribution::values));
     if operations(&collected) < operations(&as_written) { collected } else { as_written }
 }
 

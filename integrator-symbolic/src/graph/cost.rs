@@ -122,9 +122,7 @@ impl Graph {
         let written = roots.iter().map(|root| written[root]).fold(0, u64::saturating_add);
         Cost { written, shared }
     }
-}
 
-impl Graph {
     /// The operations of `roots` per evaluation of a flow, shared ones once, with those that powers are made of.
     pub(crate) fn operations(&self, roots: impl IntoIterator<Item = NodeId>) -> usize {
         let mut seen = HashSet::new();

@@ -93,11 +93,16 @@ impl Values {
         if let Some(addends) = self.addends(graph, id) {
             return addends.into_iter().map(|(_, addend)| addend).collect();
         }
-        let Factors { over, under, .. } = factors(graph, id, |id| self.is_part(id), usize::MAX);
-        match over[..] {
-            [(single, _)] if single == id => graph.node(id).children().collect(),
-            _ => over.into_iter().chain(under).map(|(factor, _)| factor).collect(),
+        match self.factors(graph, id) {
+            Some(Factors { over, under, .. }) => over.into_iter().chain(under).map(|(factor, _)| factor).collect(),
+            None => graph.node(id).children().collect(),
         }
+    }
+
+    /// What a value is the product of, if it is one.
+    fn factors(&self, graph: &Graph, id: NodeId) -> Option<Factors> {
+        let found = factors(graph, id, |id| self.is_part(id), usize::MAX);
+        (!matches!(found.over[..], [(single, _)] if single == id)).then_some(found)
     }
 
     /// The addends of a sum with products, in their order, and whether they are subtracted. A sum without products is an addend:
@@ -125,10 +130,9 @@ impl Values {
         if let Some(addends) = self.addends(graph, id) {
             return self.sum(graph, addends);
         }
-        let Factors { negative, over, under } = factors(graph, id, |id| self.is_part(id), usize::MAX);
-        if matches!(over[..], [(single, _)] if single == id) {
+        let Some(Factors { negative, over, under }) = self.factors(graph, id) else {
             return graph.rebuilt(graph.node(id).map(|child| self.known[&child]));
-        }
+        };
         let new = |factors: Vec<(NodeId, i32)>| {
             factors.into_iter().map(|(factor, exponent)| (self.known[&factor], exponent)).collect()
         };
@@ -202,8 +206,8 @@ fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool, most:
     found
 }
 
-/// Whether a product has a prepared factor, or too many to look. Its powers stay together: of `(x / a)³⁰` for an `a` far from one, neither `x³⁰` nor `a³⁰`
-/// may be a number.
+/// Whether a product has a prepared factor, or too many to look. Its powers stay together: of `(x / a)³⁰` for an `a` far from
+/// one, neither `x³⁰` nor `a³⁰` may be a number.
 fn has_prepared_factor(graph: &Graph, product: NodeId) -> bool {
     let Factors { over, under, .. } = factors(graph, product, |_| true, LONG);
     over.len() > LONG || !under.is_empty() || over.iter().any(|(factor, _)| graph.is_prepared(*factor))
