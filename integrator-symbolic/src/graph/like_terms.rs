@@ -209,8 +209,18 @@ fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool, most:
 /// Whether a product has a prepared factor, or too many to look. Its powers stay together: of `(x / a)³⁰` for an `a` far from
 /// one, neither `x³⁰` nor `a³⁰` may be a number.
 fn has_prepared_factor(graph: &Graph, product: NodeId) -> bool {
-    let Factors { over, under, .. } = factors(graph, product, |_| true, LONG);
-    over.len() > LONG || !under.is_empty() || over.iter().any(|(factor, _)| graph.is_prepared(*factor))
+    let (mut open, mut factors) = (vec![product], 0);
+    while let Some(id) = open.pop() {
+        match graph.node(id) {
+            _ if graph.is_prepared(id) || factors > LONG => return true,
+            Node::Neg(inner) => open.push(inner),
+            Node::Mul(a, b) => open.extend([a, b]),
+            Node::Div(_, by) if graph.is_prepared(by) => return true,
+            // A power is a factor, or has none that is prepared: to look into it here would be to look twice at each level.
+            _ => factors += 1,
+        }
+    }
+    false
 }
 
 /// A product as what is prepared of it and the rest.
