@@ -9,7 +9,7 @@ use crate::{
     ensemble::{in_lanes, lane_scalars::LaneScalars, member},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    layout::threads::{Job, all_threads, at_once},
+    layout::threads::{all_threads, on_threads},
     state::{
         clock::Clock,
         coords::Coords,
@@ -125,8 +125,7 @@ fn side_by_side(members: &[usize], group: usize, follow: &(dyn Fn(&[usize]) -> V
             found.extend(batch.iter().copied().zip(values));
         }
     };
-    let threads = all_threads().min(members.len().div_ceil(together));
-    at_once((0..threads).map(|_| Box::new(work) as Job<'_>).collect());
+    on_threads(all_threads().min(members.len().div_ceil(together)), &work);
     found.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 

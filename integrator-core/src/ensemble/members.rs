@@ -8,15 +8,11 @@ use crate::{
         request::AdvanceRequest,
     },
     error::{Divergence, Error, Lost},
-    layout::threads::all_threads,
+    layout::threads::{all_threads, on_threads},
     state::{clock::Clock, point::Point},
     trajectory::panics::Panics,
 };
-use std::{
-    panic::resume_unwind,
-    sync::{Arc, Mutex, PoisonError},
-    thread,
-};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
 /// microseconds each, in which one thread does about so many.
@@ -176,21 +172,14 @@ impl Members {
         // Whoever is free takes the next batch; no result depends on who that is.
         let batches = Mutex::new(self.batches.iter_mut());
         let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let work = || {
-            let mut lost = Vec::new();
+        let lost = Mutex::new(Vec::new());
+        on_threads(threads, &|| {
             while let Some(batch) = next() {
-                lost.extend(batch.advance(request));
+                let of_batch = batch.advance(request);
+                lost.lock().unwrap_or_else(PoisonError::into_inner).extend(of_batch);
             }
-            lost
-        };
-        thread::scope(|scope| {
-            let others: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
-            let mut lost = work();
-            for other in others {
-                lost.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
-            }
-            lost
-        })
+        });
+        lost.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// How many threads so many steps of all members are worth.

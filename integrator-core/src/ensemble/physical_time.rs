@@ -12,6 +12,7 @@ use crate::{
         members::{Members, of_member},
     },
     error::{Divergence, Error, Lost},
+    layout::threads::on_threads,
     state::{
         coords::Coords,
         phase::Phase,
@@ -34,7 +35,6 @@ use std::{
         Arc, Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
     },
-    thread,
 };
 
 /// A look at a member takes about as long as so many steps.
@@ -297,16 +297,11 @@ impl Members {
     /// Calls a function with each member under way, on as many threads as are worth it.
     fn each(&self, function: &(dyn Fn(usize) + Sync)) {
         let (members, next) = (self.under_way(), AtomicUsize::new(0));
-        let work = || {
+        let threads = self.threads_for(STEPS_OF_A_LOOK).min(members.len());
+        on_threads(threads, &|| {
             while let Some(member) = members.get(next.fetch_add(1, Ordering::Relaxed)) {
                 function(*member);
             }
-        };
-        thread::scope(|scope| {
-            for _ in 1..self.threads_for(STEPS_OF_A_LOOK).min(members.len()) {
-                scope.spawn(work);
-            }
-            work();
         });
     }
 

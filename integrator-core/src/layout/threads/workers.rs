@@ -1,0 +1,193 @@
+//! Threads that wait for the next job.
+//!
+//! Starting a thread takes tens of microseconds, as long as a thousand bodies take for a kick. So a thread that was started once
+//! waits for more: awake for a moment, since one kick follows another, and asleep from then on.
+
+use super::Job;
+use std::{
+    any::Any,
+    boxed::Box,
+    panic::{AssertUnwindSafe, catch_unwind, resume_unwind},
+    sync::{
+        Mutex, MutexGuard, PoisonError,
+        mpsc::{Receiver, Sender, channel},
+    },
+    thread,
+    time::{Duration, Instant},
+    vec::Vec,
+};
+
+/// How long a thread that waits stays awake: longer than what one thread does alone between two kicks of some thousand bodies.
+const AWAKE: Duration = Duration::from_micros(50);
+
+/// How often it looks for a message before it asks what time it is.
+const LOOKS: usize = 64;
+
+/// A thread that takes one job after the other, and tells how each of them ended.
+struct Worker {
+    jobs: Sender<Job<'static>>,
+    outcomes: Receiver<thread::Result<()>>,
+}
+
+/// The workers that wait for a job.
+fn waiting() -> MutexGuard<'static, Vec<Worker>> {
+    static WAITING: Mutex<Vec<Worker>> = Mutex::new(Vec::new());
+    WAITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Worker {
+    /// A new one, if the system has a thread.
+    fn start() -> Option<Self> {
+        let ((jobs, taken), (ended, outcomes)) = (channel::<Job<'static>>(), channel());
+        let work = move || {
+            while let Some(job) = next(&taken) {
+                let outcome = catch_unwind(AssertUnwindSafe(job));
+                if ended.send(outcome).is_err() {
+                    return;
+                }
+            }
+        };
+        thread::Builder::new().name("integrator".to_owned()).spawn(work).ok()?;
+        Some(Self { jobs, outcomes })
+    }
+}
+
+/// Waits for a message; none where nobody can send one any more.
+fn next<T>(messages: &Receiver<T>) -> Option<T> {
+    let since = Instant::now();
+    while since.elapsed() < AWAKE {
+        for _ in 0..LOOKS {
+            if let Ok(message) = messages.try_recv() {
+                return Some(message);
+            }
+            core::hint::spin_loop();
+        }
+        // Somebody else may need the processor.
+        thread::yield_now();
+    }
+    messages.recv().ok()
+}
+
+/// Jobs that workers do, for as long as this is there.
+pub(super) struct HandedOver {
+    workers: Vec<Worker>,
+    panic: Option<Box<dyn Any + Send>>,
+}
+
+impl HandedOver {
+    /// Nothing yet, with room for so many.
+    pub(super) fn to(workers: usize) -> Self {
+        Self { workers: Vec::with_capacity(workers), panic: None }
+    }
+
+    /// Hands a job over, or does it where nobody can take it.
+    #[allow(unsafe_code, reason = "workers outlive what a job borrows, and end it before")]
+    pub(super) fn hand_over(&mut self, job: Job<'_>) {
+        let worker = waiting().pop();
+        let Some(worker) = worker.or_else(Worker::start) else { return job() };
+        // SAFETY: The types differ in a lifetime alone. The worker drops the job before it tells how the job ended, and `wait`,
+        // which runs before this value is gone, even in a panic, does not return before it was told. Nobody can forget the
+        // value: it is private to `at_once`.
+        let job = unsafe { core::mem::transmute::<Job<'_>, Job<'static>>(job) };
+        match worker.jobs.send(job) {
+            Ok(()) => self.workers.push(worker),
+            Err(returned) => (returned.0)(),
+        }
+    }
+
+    /// Waits until all are done.
+    ///
+    /// # Panics
+    /// If one of them did.
+    pub(super) fn finish(mut self) {
+        self.wait();
+        if let Some(panic) = self.panic.take() {
+            resume_unwind(panic);
+        }
+    }
+
+    fn wait(&mut self) {
+        // In the opposite order, so that the next jobs go to the threads whose caches have what these read.
+        for worker in self.workers.drain(..).rev() {
+            let Some(outcome) = next(&worker.outcomes) else { continue };
+            self.panic = outcome.err().or(self.panic.take());
+            waiting().push(worker);
+        }
+    }
+}
+
+impl Drop for HandedOver {
+    fn drop(&mut self) {
+        self.wait();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Job, at_once, on_threads};
+    use std::{
+        boxed::Box,
+        collections::HashSet,
+        panic::{AssertUnwindSafe, catch_unwind},
+        sync::{
+            Barrier, Mutex,
+            atomic::{AtomicUsize, Ordering},
+        },
+        thread,
+        time::Duration,
+        vec::Vec,
+    };
+
+    #[test]
+    fn jobs_run_at_once_on_threads_that_stay() {
+        let threads = Mutex::new(HashSet::new());
+        for _ in 0..50 {
+            // Nobody passes before all are there.
+            let (barrier, mut numbers) = (Barrier::new(3), [0; 3]);
+            let jobs = numbers.iter_mut().enumerate().map(|(number, to)| {
+                let (barrier, threads) = (&barrier, &threads);
+                Box::new(move || {
+                    barrier.wait();
+                    threads.lock().unwrap().insert(thread::current().id());
+                    *to = number + 1;
+                }) as Job<'_>
+            });
+            at_once(jobs.collect());
+            assert_eq!(numbers, [1, 2, 3]);
+        }
+        // Others that run tests take some of those that wait, and leave as many.
+        assert!(threads.into_inner().unwrap().len() < 50);
+    }
+
+    #[test]
+    fn jobs_have_jobs() {
+        let count = AtomicUsize::new(0);
+        let inner = || {
+            on_threads(3, &|| {
+                count.fetch_add(1, Ordering::Relaxed);
+            });
+        };
+        on_threads(3, &inner);
+        assert_eq!(count.into_inner(), 9);
+    }
+
+    #[test]
+    fn a_panic_goes_on_when_all_have_ended() {
+        for panics in 0..3 {
+            let ended = AtomicUsize::new(0);
+            let jobs: Vec<Job<'_>> = (0..3)
+                .map(|number| {
+                    let ended = &ended;
+                    Box::new(move || {
+                        assert!(number != panics, "number {number}");
+                        thread::sleep(Duration::from_millis(5));
+                        ended.fetch_add(1, Ordering::Relaxed);
+                    }) as Job<'_>
+                })
+                .collect();
+            let panic = catch_unwind(AssertUnwindSafe(|| at_once(jobs))).unwrap_err();
+            assert_eq!(panic.downcast_ref::<String>().unwrap(), &std::format!("number {panics}"));
+            assert_eq!(ended.into_inner(), 2);
+        }
+    }
+}
