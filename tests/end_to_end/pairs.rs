@@ -66,15 +66,16 @@ fn somewhere(bodies: usize) -> Phase<Vec<[f64; 3]>> {
     Phase::new((0..bodies).map(at).collect(), (0..bodies).map(|i| at(i + 1000)).collect())
 }
 
-/// The last ones are many enough to be summed in shares.
-const SIZES: [usize; 26] =
-    [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 64, 100, 500, MANY, MANY + 5];
+/// The last ones are many enough to be summed in chunks, and in more of these.
+fn sizes() -> impl Iterator<Item = usize> {
+    (0..=20).chain([64, 100, 300, MANY, MANY + 5, 8 * MANY + 3])
+}
 
-const MANY: usize = 2048;
+const MANY: usize = 512;
 
 #[test]
 fn any_number_of_bodies_is_kicked_by_the_plain_sum() {
-    for bodies in SIZES {
+    for bodies in sizes() {
         let (system, start) = (Cluster::of(bodies), somewhere(bodies));
         let mut run = system.run_with(Euler, start.clone(), 1.0).expect("a run");
         run.advance(1).expect("finite");

@@ -225,7 +225,7 @@ impl<C: Coords> Run<C> {
     }
 
     /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many
-    /// sites and the pairs of thousands of bodies are shared out among threads, and nothing else.
+    /// sites and the pairs of hundreds of bodies are shared out among threads, and nothing else.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.engine.share_among(Some(threads));

@@ -26,10 +26,10 @@ use core::{marker::PhantomData, ops::Range};
 /// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
 pub(crate) const WIDTH: usize = 8;
 
-/// The number of rows from which on pairs are summed in chunks, and the number of chunks: a thousand bodies are done
-/// before another thread has started. The order of sums depends on these, and not on the number of threads.
-const CHUNKED_FROM: usize = 256;
-const CHUNKS: usize = 8;
+/// In how many chunks pairs are summed, from how many rows on: fewer are done before a thread that sleeps has woken up, and the
+/// more there are, the less it takes to add up what chunks have summed. The order of sums depends on these, and not on the number
+/// of threads.
+const CHUNKS: [(usize, usize); 2] = [(512, 32), (64, 8)];
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last row may have fewer bodies than
 /// lanes; what is behind them never acts on anything.
@@ -58,8 +58,8 @@ fn bodies_of_row(row: usize, bodies: usize) -> Range<usize> {
 }
 
 /// The number of chunks in which the pairs of so many bodies are summed.
-const fn chunks(bodies: usize) -> usize {
-    if bodies < CHUNKED_FROM * WIDTH { 1 } else { CHUNKS }
+fn chunks(bodies: usize) -> usize {
+    CHUNKS.iter().find(|(rows, _)| bodies >= rows * WIDTH).map_or(1, |(_, chunks)| *chunks)
 }
 
 /// A copy of rows.

@@ -1,6 +1,6 @@
 //! In which form the flows of a Hamiltonian are written, for people.
 
-use super::Flows;
+use super::{Flows, interaction::LISTED_FROM};
 use crate::{
     differentiate::Contribution,
     emit::printer::{block::Emitter, fields::Fields, names::Names},
@@ -52,7 +52,7 @@ impl Form {
 
 impl fmt::Display for Form {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
+        let text = match self {
             Self::Plain => "as the formulas stand",
             Self::Lists => "terms of lists side by side, in vectors; all else as the formulas stand",
             Self::Line => "neighbour sums along a line of sites, in vectors",
@@ -60,14 +60,16 @@ impl fmt::Display for Form {
             Self::Volume => "neighbour sums along the rows of planes, one behind the other, in vectors",
             Self::Row => "pair sums by rotations of one row of bodies",
             Self::Tiles => "pair sums in tiles of eight bodies by eight",
-            Self::Neighbours => {
-                "pair sums in tiles of eight bodies by eight; from 1024 bodies on over lists of neighbours within the cutoff"
+            Self::Neighbours | Self::NeighboursInBox => {
+                let in_box = if matches!(self, Self::NeighboursInBox) { ", in a periodic box" } else { "" };
+                return write!(
+                    formatter,
+                    "{}; from {LISTED_FROM} bodies on over lists of neighbours within the cutoff{in_box}",
+                    Self::Tiles
+                );
             }
-            Self::NeighboursInBox => {
-                "pair sums in tiles of eight bodies by eight; from 1024 bodies on over lists of neighbours within the \
-                 cutoff, in a periodic box"
-            }
-        })
+        };
+        formatter.write_str(text)
     }
 }
 

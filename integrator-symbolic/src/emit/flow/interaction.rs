@@ -10,8 +10,8 @@ use crate::{
     program::{Sink, is_direct},
 };
 
-/// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs are as fast.
-pub(super) const LISTED_FROM: u64 = 1024;
+/// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs of a liquid are as fast.
+pub(super) const LISTED_FROM: u64 = 384;
 
 /// A potential of pairs with a kinetic energy of bodies.
 pub(super) struct Interaction {

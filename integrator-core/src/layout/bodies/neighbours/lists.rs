@@ -20,10 +20,10 @@ use alloc::{boxed::Box, vec, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
 
 /// The most portions that lists are made in, and that threads take.
-pub(crate) const PORTIONS: usize = 16;
+pub(crate) const PORTIONS: usize = 64;
 
-/// The fewest rows in a portion, of which a thread makes as many in the time that it takes to start.
-const LEAST_ROWS: usize = 64;
+/// The fewest rows in a portion: a few times what it takes to hand them to a thread that is awake.
+const LEAST_ROWS: usize = 32;
 
 /// The most numbers in all lists: a gibibyte. Where there are more, all pairs are summed.
 const MOST_NUMBERS: usize = 1 << 28;
