@@ -6,7 +6,7 @@ use crate::{
     error::Error,
     flow::doubled::{Moved, Read},
     layout::lattice::{
-        sites::Sites,
+        sites::{MovedSites, Sites},
         time_tiling::{Flow, StencilRadii},
     },
     methods::taylor::RecurrencesVisitor,
@@ -135,7 +135,7 @@ pub trait Hamiltonian: Sized {
     }
     /// Applies a flow to some sites of a lattice.
     fn apply_to_sites<R: Real, K: Precision>(
-        _lattice: &mut Sites<'_, R, K, Self::Parameters<R>>,
+        _lattice: MovedSites<'_, R, K, Self::Parameters<R>>,
         _flow: &Flow,
         _sites: Range<usize>,
     ) {

@@ -196,7 +196,7 @@ pub mod __private {
                 pair_sums::{BodyConstants, ManyBody},
             },
             lattice::{
-                sites::Sites,
+                sites::{MovedSites, Sites},
                 stencil::{Boundary, Drift, Kick, Stencil},
                 time_tiling::{Flow, StencilRadii},
                 window::Window,

@@ -410,6 +410,15 @@ fn threads_on_rows_change_no_bit() {
     tiles_change_no_bit!(Closed::<2051>, Yoshida4, start::<2051>(97), [(3, 4)]);
 }
 
+/// Too few rows for chunks: threads share them flow by flow.
+#[test]
+fn threads_on_few_rows_change_no_bit() {
+    tiles_change_no_bit!(Open::<2051>, Verlet, start::<2051>(17), [(2, 4)]);
+    tiles_change_no_bit!(Closed::<2051>, VelocityVerlet, start::<2051>(29), [(3, 4), (4, 2)]);
+    let Phase { q, p } = start::<2051>(29);
+    tiles_change_no_bit!(Closed::<2051>, Verlet, Phase::compensated(q, p), [(3, 4)]);
+}
+
 /// Springs on a torus whose sizes the type knows. Those across rows are of a kind whose pull is handed on.
 struct Springs<const W: usize, const N: usize>;
 

@@ -107,8 +107,8 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
             (&mut self.q.numbers, &mut self.p.carried)
         };
         let (q, p) = (H::Coords::slots_mut(q), H::Coords::slots_mut(p));
-        let sites = &mut Sites { q, p, parameters, first, length, columns: 1, carries: None };
-        H::apply_to_sites::<R, f64>(sites, flow, 0..length);
+        let sites = Sites { q, p, parameters, first, length, columns: 1 };
+        H::apply_to_sites::<R, f64>(sites.moved_by(flow.drifts), flow, 0..length);
         if flow.drifts { self.q.take_over() } else { self.p.take_over() }
     }
 }

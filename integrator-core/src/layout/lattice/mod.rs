@@ -2,6 +2,7 @@
 
 pub(crate) mod carried;
 pub(crate) mod plane;
+mod segment;
 pub(crate) mod sites;
 pub(crate) mod stencil;
 pub(crate) mod time_tiling;

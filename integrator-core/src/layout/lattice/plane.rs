@@ -7,7 +7,7 @@
 
 use crate::{
     layout::lattice::{
-        sites::Sites,
+        sites::{MovedSites, Sites},
         stencil::{AdjacentRows, Boundary, Drift, Kick, Stencil, StencilPass},
         time_tiling::Flow,
         volume::Volume,
@@ -30,7 +30,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `T` of a plane or a volume.
     #[inline(always)]
     pub fn drift_layers<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut layers = self.layers();
+        let layers = self.layers().moved_by(true);
         let range = 0..layers.length;
         layers.move_layers::<H, Drift>(R::of(duration), time, range);
     }
@@ -38,7 +38,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `V` of a plane or a volume.
     #[inline(always)]
     pub fn kick_layers<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let mut layers = self.layers();
+        let layers = self.layers().moved_by(false);
         let range = 0..layers.length;
         layers.move_layers::<H, Kick>(R::of(-duration), time, range);
     }
@@ -51,10 +51,10 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     }
 }
 
-impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
+impl<R: Real, K: Precision, P> MovedSites<'_, R, K, P> {
     /// Applies a flow to some `layers`.
     #[inline(always)]
-    pub fn apply_to_layers<H>(&mut self, flow: &Flow, layers: Range<usize>)
+    pub fn apply_to_layers<H>(self, flow: &Flow, layers: Range<usize>)
     where
         H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
     {
@@ -66,32 +66,17 @@ impl<R: Real, K: Precision, P> Sites<'_, R, K, P> {
     }
 
     #[inline(always)]
-    fn move_layers<H: Stencil<F, Parameters<R> = P>, F: Moves>(&mut self, step: R, time: f64, range: Range<usize>) {
-        let Self { q, p, parameters, first, length: rows, columns, carries } = self;
-        let (read, moved): (&[_], _) = if F::POSITIONS { (p, q) } else { (q, p) };
-        let (first, rows, columns, parameters) = (*first, *rows, *columns, *parameters);
+    fn move_layers<H: Stencil<F, Parameters<R> = P>, F>(self, step: R, time: f64, range: Range<usize>) {
+        let Self { read, moved, parameters, first, first_moved, length: rows, columns, carries } = self;
+        let moved = &mut moved[(range.start - first_moved) * columns..][..range.len() * columns];
         let flow = PhantomData::<(H, F)>;
         let mut none = RowCarries::default();
-        let carries = carries.as_deref_mut().unwrap_or(&mut none);
+        let carries = carries.unwrap_or(&mut none);
         let around = AdjacentPlanes::none();
         let layers = Plane { columns, rows, first, range, around, read, moved, carries, parameters, step, time, flow };
         // A constant, so that nothing is compiled of volumes for planes.
         if const { H::PLANE_BOUNDARY.is_some() } { R::enter(Volume(layers)) } else { R::enter(layers) }
     }
-}
-
-/// What a flow moves.
-trait Moves {
-    /// Whether it moves the positions.
-    const POSITIONS: bool;
-}
-
-impl Moves for Drift {
-    const POSITIONS: bool = true;
-}
-
-impl Moves for Kick {
-    const POSITIONS: bool = false;
 }
 
 /// The contributions of rows at which passes ended to the rows after them, where the next passes begin.
@@ -164,14 +149,14 @@ pub(super) struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
     pub(super) columns: usize,
     /// The number of rows of the whole plane.
     pub(super) rows: usize,
-    /// The index of the first row in the slices.
+    /// The index of the first row in the slice that is read.
     pub(super) first: usize,
     /// The rows that are moved.
     pub(super) range: Range<usize>,
     pub(super) around: AdjacentPlanes<'m, S>,
     /// The coordinates that the flow depends on, row by row.
     pub(super) read: &'m [S],
-    /// Those that it moves.
+    /// Those that it moves, in the rows that are moved.
     pub(super) moved: &'m mut [S],
     pub(super) carries: &'m mut RowCarries<R>,
     pub(super) parameters: &'m H::Parameters<R>,
@@ -259,8 +244,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Plane<'_, H, F, R, S> {
             None if Self::CARRIES => self.carries.zeros(columns),
             None => self.carries.unread(columns),
         };
-        let moved = core::mem::take(&mut self.moved);
-        let moving = &mut moved[(start - self.first) * columns..][..(end - start) * columns];
+        let moving = core::mem::take(&mut self.moved);
         let mut around = None;
         let mut row = start;
         while row < end {

@@ -27,6 +27,21 @@ pub struct Sites<'m, R: Real, K: Precision, P> {
     pub(crate) length: usize,
     /// The number of sites in a row: one on a line.
     pub(crate) columns: usize,
+}
+
+/// The half of the sites that a flow moves, and the half that it reads.
+pub struct MovedSites<'m, R: Real, K: Precision, P> {
+    pub(crate) read: &'m [K::Slot<R>],
+    pub(crate) moved: &'m mut [K::Slot<R>],
+    pub(crate) parameters: &'m P,
+    /// The index of the first site or row in the slice that is read.
+    pub(crate) first: usize,
+    /// The index of the first row in the slice that is moved; on a line both begin at one site.
+    pub(crate) first_moved: usize,
+    /// The number of sites or rows of the whole lattice.
+    pub(crate) length: usize,
+    /// The number of sites in a row: one on a line.
+    pub(crate) columns: usize,
     /// What rows contribute to others, between passes over some of them.
     pub(crate) carries: Option<&'m mut RowCarries<R>>,
 }
@@ -51,7 +66,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `T` of a lattice.
     #[inline(always)]
     pub fn drift<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let pass = self.sites().drift::<H>(duration, time);
+        let pass = self.sites().moved_by(true).pass::<H, Drift>(R::of(duration), time);
         let sites = 0..pass.length;
         if Self::INLINED { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
@@ -59,7 +74,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `V` of a lattice.
     #[inline(always)]
     pub fn kick<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let pass = self.sites().kick::<H>(duration, time);
+        let pass = self.sites().moved_by(false).pass::<H, Kick>(R::of(-duration), time);
         let sites = 0..pass.length;
         if Self::INLINED { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
     }
@@ -68,7 +83,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     #[inline(always)]
     pub fn sites(&mut self) -> Sites<'_, R, C::Leaf, P> {
         let (q, p) = (C::slots_mut(&mut self.q), C::slots_mut(&mut self.p));
-        Sites { length: q.len(), q, p, parameters: &self.parameters, first: 0, columns: 1, carries: None }
+        Sites { length: q.len(), q, p, parameters: &self.parameters, first: 0, columns: 1 }
     }
 }
 
@@ -76,7 +91,7 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
     /// The same sites, borrowed again.
     #[inline(always)]
     pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
-        Sites { q: self.q, p: self.p, carries: None, ..*self }
+        Sites { q: self.q, p: self.p, ..*self }
     }
 
     /// The sites or rows up to `border`, and those from there on.
@@ -84,46 +99,40 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
         let before = (border - self.first) * self.columns;
         let (q, q_after) = self.q.split_at_mut(before);
         let (p, p_after) = self.p.split_at_mut(before);
-        (Self { q, p, carries: None, ..self }, Self { q: q_after, p: p_after, first: border, carries: None, ..self })
+        (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: border, ..self })
     }
 
+    /// What a flow moves of them: positions in a drift, momenta in a kick.
+    #[inline(always)]
+    pub(crate) fn moved_by(self, drifts: bool) -> MovedSites<'m, R, K, P> {
+        let Self { q, p, parameters, first, length, columns } = self;
+        let (read, moved): (&[_], _) = if drifts { (p, q) } else { (q, p) };
+        MovedSites { read, moved, parameters, first, first_moved: first, length, columns, carries: None }
+    }
+}
+
+impl<'m, R: Real, K: Precision, P> MovedSites<'m, R, K, P> {
     /// Applies a flow to `sites`.
     #[inline(always)]
-    pub fn apply<H>(&mut self, flow: &Flow, sites: Range<usize>)
+    pub fn apply<H>(self, flow: &Flow, sites: Range<usize>)
     where
         H: Stencil<Drift, Parameters<R> = P> + Stencil<Kick, Parameters<R> = P>,
     {
         let inlined = const { is_short::<H::Coords>() && cfg!(not(debug_assertions)) };
         if flow.drifts {
-            let pass = self.reborrow().drift::<H>(flow.duration, flow.time);
+            let pass = self.pass::<H, Drift>(R::of(flow.duration), flow.time);
             if inlined { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
         } else {
-            let pass = self.reborrow().kick::<H>(flow.duration, flow.time);
+            let pass = self.pass::<H, Kick>(R::of(-flow.duration), flow.time);
             if inlined { pass.apply(sites) } else { R::enter(ApplyPass { pass, sites }) }
         }
     }
 
-    /// The pass of the flow of `T`, which moves positions.
+    /// The pass of a flow along the sites.
     #[inline(always)]
-    fn drift<H: Stencil<Drift, Parameters<R> = P>>(
-        self,
-        duration: f64,
-        time: f64,
-    ) -> StencilPass<'m, H, Drift, R, K::Slot<R>> {
-        let Self { q: moved, p: read, parameters, first, length, .. } = self;
-        let (step, adjacent, flow) = (R::of(duration), AdjacentRows::none(), PhantomData);
-        StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
-    }
-
-    /// The pass of the flow of `V`, which moves momenta.
-    #[inline(always)]
-    fn kick<H: Stencil<Kick, Parameters<R> = P>>(
-        self,
-        duration: f64,
-        time: f64,
-    ) -> StencilPass<'m, H, Kick, R, K::Slot<R>> {
-        let Self { q: read, p: moved, parameters, first, length, .. } = self;
-        let (step, adjacent, flow) = (R::of(-duration), AdjacentRows::none(), PhantomData);
+    fn pass<H: Stencil<F, Parameters<R> = P>, F>(self, step: R, time: f64) -> StencilPass<'m, H, F, R, K::Slot<R>> {
+        let Self { read, moved, parameters, first, length, .. } = self;
+        let (adjacent, flow) = (AdjacentRows::none(), PhantomData);
         StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow }
     }
 }

@@ -12,8 +12,8 @@ use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     layout::{
         lattice::{
-            plane::RowCarries,
-            sites::{LONG, Sites},
+            segment::{Segment, SiteSegment},
+            sites::LONG,
             stencil::{Boundary, Drift, Kick, Stencil},
         },
         threads::{Job, all_threads, at_once},
@@ -25,7 +25,7 @@ use crate::{
     },
 };
 use alloc::{boxed::Box, vec::Vec};
-use core::ops::Range;
+use core::{ops::Range, slice};
 
 /// The number of sites of a tile: two arrays of doubles of this length fill a third of a first-level cache.
 const TILE: usize = 1024;
@@ -46,7 +46,7 @@ const DEPTH: usize = 64;
 /// The fewest rows of a chunk for each flow of it: each flow leans by three rows at most to either side.
 const ROWS_PER_FLOW: usize = 8;
 
-/// The fewest flows that a thread is worth: the gaps between chunks are filled by one thread.
+/// The fewest flows of a tile that chunks of layers are worth.
 const LEAST_DEPTH: usize = 4;
 
 /// A lattice shorter than this stays in the cache as it is.
@@ -55,8 +55,14 @@ const CACHED: usize = 4 * TILE;
 /// A plane of fewer sites gains nothing by tiles: its rows are moved as fast from a second-level cache.
 const CACHED_PLANE: usize = 48 * TILE;
 
-/// The least number of sites that are worth the start of a thread.
-const MIN_CHUNK: usize = 32 * TILE;
+/// The least number of sites in the chunk of a thread: the gaps between the chunks of a line are filled by one of them.
+const MIN_CHUNK: usize = 4 * TILE;
+
+/// The least number of sites to which a thread applies one flow alone, and then waits for the others.
+const MIN_SHARE: usize = 16 * TILE;
+
+/// The least number of sites, counted once for each flow, for which a thread is woken.
+const MIN_WORK: usize = 128 * TILE;
 
 /// One flow of a lattice.
 #[derive(Clone, Copy, Debug)]
@@ -123,55 +129,6 @@ impl StencilRadii {
 
 /// The block that a pass reads at a time.
 type Wide<R, K> = <<K as Precision>::Slot<R> as Slot<R>>::Wide;
-
-/// A segment of a lattice behind a pointer, whatever it is computed in: how a lattice is split is compiled once.
-trait Segment: Send {
-    /// The number of sites or rows of the whole lattice, and how many sites each of them has.
-    fn size(&self) -> [usize; 2];
-    /// Applies a flow to some of the sites or rows.
-    fn apply(&mut self, flow: &Flow, sites: Range<usize>);
-    /// Forgets what was kept of a flow for the sites behind those that it moved last.
-    fn forget(&mut self);
-    /// The segments that end at these borders.
-    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
-}
-
-/// The sites of a lattice, or a segment of them.
-struct SiteSegment<'m, H: Hamiltonian, R: Real, K: Precision> {
-    sites: Sites<'m, R, K, H::Parameters<R>>,
-    carries: RowCarries<R>,
-}
-
-impl<'m, H: Hamiltonian, R: Real, K: Precision> SiteSegment<'m, H, R, K> {
-    fn new(sites: Sites<'m, R, K, H::Parameters<R>>) -> Self {
-        Self { sites, carries: RowCarries::default() }
-    }
-}
-
-impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K> {
-    fn size(&self) -> [usize; 2] {
-        [self.sites.length, self.sites.columns]
-    }
-    fn apply(&mut self, flow: &Flow, sites: Range<usize>) {
-        let mut segment = Sites { carries: Some(&mut self.carries), ..self.sites.reborrow() };
-        H::apply_to_sites::<R, K>(&mut segment, flow, sites);
-    }
-    fn forget(&mut self) {
-        if const { matches!(H::STENCIL_RADII, Some(StencilRadii { of_layers: true, .. })) } {
-            self.carries.forget();
-        }
-    }
-    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>> {
-        let mut segments: Vec<Box<dyn Segment + '_>> = Vec::with_capacity(borders.len());
-        let mut rest = self.sites.reborrow();
-        for border in borders {
-            let (sites, after) = rest.split_at(*border);
-            rest = after;
-            segments.push(Box::new(SiteSegment::<H, R, K>::new(sites)));
-        }
-        segments
-    }
-}
 
 /// The executor of long lattices: it collects flows, and applies several of them to a tile at a time.
 pub(crate) struct TimeTiling<'m, H: Hamiltonian, R: Real, K: Precision> {
@@ -241,6 +198,7 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for &mut TimeTiling<'_, H, 
 struct SkewedFlows {
     flows: Vec<(Flow, [usize; 2])>,
     periodic: bool,
+    of_layers: bool,
 }
 
 impl SkewedFlows {
@@ -257,7 +215,7 @@ impl SkewedFlows {
             before = [behind, ahead];
             (*flow, [left, right])
         });
-        Self { flows: flows.collect(), periodic: radii.periodic() }
+        Self { flows: flows.collect(), periodic: radii.periodic(), of_layers: radii.of_layers }
     }
 
     /// The largest skew offset, that of the last flow.
@@ -275,19 +233,21 @@ fn advance_lattice(
     threads: Option<usize>,
 ) {
     let [length, columns] = lattice.size();
-    let mut count = match length * columns / MIN_CHUNK {
-        0 | 1 => 1,
-        most => threads.unwrap_or_else(all_threads).clamp(1, most),
-    };
+    let sites = length * columns;
+    let most = threads.unwrap_or_else(all_threads).min(sites * flows.len() / MIN_WORK);
+    let (mut count, mut shares) = (most.min(sites / MIN_CHUNK).max(1), 1);
     let (mut tile, mut depth, mut cached) = (TILE, DEPTH, CACHED);
     if radii.of_layers {
         cached = CACHED_PLANE;
+        shares = most.min(sites / MIN_SHARE).max(1);
         count = count.min(length / (LEAST_DEPTH * ROWS_PER_FLOW)).max(1);
         tile = (TILE_OF_ROWS / columns.max(1)).max(1);
         depth = (SKEWED_SITES / columns.max(1)).clamp(SHALLOWEST, DEPTH).min(length / count / ROWS_PER_FLOW);
     }
-    if length * columns < cached || depth < 2 {
-        flows.iter().for_each(|flow| lattice.apply(flow, 0..length));
+    // Many threads that go through the whole lattice with each flow are faster than few that move tiles.
+    if sites < cached || depth < 2 || shares >= 2 * count {
+        let all = 0..length;
+        flows.iter().for_each(|flow| apply_shared(lattice, flow, slice::from_ref(&all), shares));
         return;
     }
     for flows in flows.chunks(depth) {
@@ -307,8 +267,10 @@ fn advance_tiles(lattice: &mut dyn Segment, skewed: &SkewedFlows, tile: usize, c
         Box::new(|| chunk.advance())
     });
     at_once(jobs.collect());
-    for number in (0..count).filter(|number| *number > 0 || skewed.periodic) {
-        fill_gap(lattice, skewed, borders[number]);
+    let gaps = if skewed.periodic { 0..count } else { 1..count };
+    let borders: Vec<_> = gaps.map(|number| borders[number]).collect();
+    if !borders.is_empty() {
+        fill_gaps(lattice, skewed, &borders, count);
     }
 }
 
@@ -346,14 +308,73 @@ impl Chunk<'_> {
     }
 }
 
-/// Applies the flows to the gap that two chunks left at a border.
-fn fill_gap(lattice: &mut dyn Segment, skewed: &SkewedFlows, border: usize) {
+/// Applies the flows to the gaps that chunks left at these borders: one flow after the other, each of them in so many threads where
+/// that is worth it.
+fn fill_gaps(lattice: &mut dyn Segment, skewed: &SkewedFlows, borders: &[usize], threads: usize) {
+    let [length, columns] = lattice.size();
     for (flow, [left, right]) in &skewed.flows {
-        // Where the ends of a periodic lattice meet, the left side of the border is at the other end.
-        let end = if border == 0 { lattice.size()[0] } else { border };
-        for sites in [end - right..end, border..border + left] {
-            lattice.apply(flow, sites);
+        let mut gaps = Vec::with_capacity(borders.len() + 1);
+        for border in borders {
+            gaps.push(border.saturating_sub(*right)..border + left);
         }
-        lattice.forget();
+        // Where the ends of a periodic lattice meet, the left side of the border is at the other end.
+        if borders[0] == 0 {
+            gaps.push(length - right..length);
+        }
+        let sites = borders.len() * (left + right) * columns;
+        let shares = if skewed.of_layers { threads.min(sites / MIN_SHARE) } else { 1 };
+        apply_shared(lattice, flow, &gaps, shares);
+    }
+}
+
+/// Applies a flow to some of the sites; of layers, in so many threads.
+fn apply_shared(lattice: &mut dyn Segment, flow: &Flow, sites: &[Range<usize>], threads: usize) {
+    if threads > 1 {
+        return at_once(lattice.jobs(flow, &dealt(sites, threads)));
+    }
+    sites.iter().for_each(|sites| lattice.apply(flow, sites.clone()));
+    lattice.forget();
+}
+
+/// Ranges in so many parts of about the same length.
+fn dealt(ranges: &[Range<usize>], parts: usize) -> Vec<Vec<Range<usize>>> {
+    let all: usize = ranges.iter().map(Range::len).sum();
+    let each = all.div_ceil(parts);
+    let (mut dealt, mut room) = (Vec::with_capacity(parts), 0);
+    for range in ranges {
+        let mut from = range.start;
+        while from < range.end {
+            if room == 0 {
+                dealt.push(Vec::new());
+                room = each;
+            }
+            let to = range.end.min(from + room);
+            room -= to - from;
+            if let Some(part) = dealt.last_mut() {
+                part.push(from..to);
+            }
+            from = to;
+        }
+    }
+    dealt
+}
+
+#[cfg(test)]
+mod tests {
+    use super::dealt;
+    use alloc::vec::Vec;
+
+    #[test]
+    fn all_is_dealt_once_and_evenly() {
+        let ranges = [0..3, 10..21, 30..31];
+        let all: Vec<_> = ranges.iter().cloned().flatten().collect();
+        for parts in 1..20 {
+            let dealt = dealt(&ranges, parts);
+            let lengths: Vec<usize> = dealt.iter().map(|part| part.iter().map(ExactSizeIterator::len).sum()).collect();
+            assert!(
+                lengths.len() <= parts && lengths.iter().all(|length| (1..=15_usize.div_ceil(parts)).contains(length))
+            );
+            assert_eq!(dealt.into_iter().flatten().flatten().collect::<Vec<_>>(), all);
+        }
     }
 }

@@ -24,7 +24,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Volume<'_, H, F, R, S> {
         let (Some(rows), Some(boundary)) = (H::Coords::ROWS, H::PLANE_BOUNDARY) else { return };
         let (sites, columns) = (planes.columns, planes.columns.checked_div(rows).unwrap_or(0));
         let (moved, mut carries) = (core::mem::take(&mut planes.moved), core::mem::take(planes.carries));
-        for number in planes.range.clone() {
+        for (number, moved) in planes.range.clone().zip(moved.chunks_exact_mut(sites.max(1))) {
             let ([before, behind], at_boundary) = planes.beside(number, boundary);
             let read = [planes.at(before), planes.at(behind)];
             Plane {
@@ -34,7 +34,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Volume<'_, H, F, R, S> {
                 range: 0..rows,
                 around: AdjacentPlanes { plane: [number, planes.rows], at_boundary, read },
                 read: planes.at(Some(number)),
-                moved: &mut moved[(number - planes.first) * sites..][..sites],
+                moved,
                 carries: &mut carries,
                 parameters: planes.parameters,
                 step: planes.step,

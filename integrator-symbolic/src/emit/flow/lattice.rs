@@ -165,7 +165,9 @@ pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStrea
         const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
             ::core::option::Option::Some(#runtime::StencilRadii::of::<Self>());
     };
-    let sites = quote!(#runtime::Sites<'_, #scalar, #leaf, Self::Parameters<#scalar>>);
+    let [sites, moved] = ["Sites", "MovedSites"].map(|name| format_ident!("{name}"));
+    let [sites, moved] =
+        [sites, moved].map(|name| quote!(#runtime::#name<'_, #scalar, #leaf, Self::Parameters<#scalar>>));
     let lattice = quote! {
         #[inline(always)]
         fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
@@ -175,7 +177,7 @@ pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStrea
         }
         #[inline(always)]
         fn apply_to_sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
-            lattice: &mut #sites,
+            lattice: #moved,
             flow: &#runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {

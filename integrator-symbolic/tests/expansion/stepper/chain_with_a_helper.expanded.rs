@@ -182,7 +182,7 @@ const _: () = {
         }
         #[inline(always)]
         fn apply_to_sites<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            lattice: &mut runtime::Sites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
+            lattice: runtime::MovedSites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
             flow: &runtime::Flow,
             sites: ::core::ops::Range<usize>,
         ) {

@@ -1,0 +1,92 @@
+//! Segments of a lattice, which threads move side by side.
+
+use crate::{
+    hamiltonian::Hamiltonian,
+    layout::{
+        lattice::{
+            plane::RowCarries,
+            sites::{MovedSites, Sites},
+            time_tiling::{Flow, StencilRadii},
+        },
+        threads::Job,
+    },
+    scalar::real::Real,
+    state::precision::Precision,
+};
+use alloc::{boxed::Box, vec::Vec};
+use core::ops::Range;
+
+/// A segment of a lattice behind a pointer, whatever it is computed in: how a lattice is split is compiled once.
+pub(super) trait Segment: Send {
+    /// The number of sites or rows of the whole lattice, and how many sites each of them has.
+    fn size(&self) -> [usize; 2];
+    /// Applies a flow to some of the sites or rows.
+    fn apply(&mut self, flow: &Flow, sites: Range<usize>);
+    /// Forgets what was kept of a flow for the sites behind those that it moved last.
+    fn forget(&mut self);
+    /// The segments that end at these borders.
+    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
+    /// What applies a flow to some of the rows, the first of which are first.
+    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: &'s [Vec<Range<usize>>]) -> Vec<Job<'s>>;
+}
+
+/// The sites of a lattice, or a segment of them.
+pub(super) struct SiteSegment<'m, H: Hamiltonian, R: Real, K: Precision> {
+    sites: Sites<'m, R, K, H::Parameters<R>>,
+    carries: RowCarries<R>,
+}
+
+impl<'m, H: Hamiltonian, R: Real, K: Precision> SiteSegment<'m, H, R, K> {
+    pub(super) fn new(sites: Sites<'m, R, K, H::Parameters<R>>) -> Self {
+        Self { sites, carries: RowCarries::default() }
+    }
+}
+
+impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K> {
+    fn size(&self) -> [usize; 2] {
+        [self.sites.length, self.sites.columns]
+    }
+    fn apply(&mut self, flow: &Flow, sites: Range<usize>) {
+        let half = self.sites.reborrow().moved_by(flow.drifts);
+        H::apply_to_sites::<R, K>(MovedSites { carries: Some(&mut self.carries), ..half }, flow, sites);
+    }
+    fn forget(&mut self) {
+        if const { matches!(H::STENCIL_RADII, Some(StencilRadii { of_layers: true, .. })) } {
+            self.carries.forget();
+        }
+    }
+    fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>> {
+        let mut segments: Vec<Box<dyn Segment + '_>> = Vec::with_capacity(borders.len());
+        let mut rest = self.sites.reborrow();
+        for border in borders {
+            let (sites, after) = rest.split_at(*border);
+            rest = after;
+            segments.push(Box::new(SiteSegment::<H, R, K>::new(sites)));
+        }
+        segments
+    }
+    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: &'s [Vec<Range<usize>>]) -> Vec<Job<'s>> {
+        let half = self.sites.reborrow().moved_by(flow.drifts);
+        let MovedSites { read, parameters, first, length, columns, .. } = half;
+        let (mut rest, mut next) = (half.moved, first);
+        let mut jobs = Vec::<Job<'s>>::with_capacity(rows.len());
+        for rows in rows {
+            let mut pieces = Vec::with_capacity(rows.len());
+            for rows in rows {
+                let (_, from) = core::mem::take(&mut rest).split_at_mut((rows.start - next) * columns);
+                let (moved, after) = from.split_at_mut(rows.len() * columns);
+                (rest, next) = (after, rows.end);
+                pieces.push((moved, rows.clone()));
+            }
+            jobs.push(Box::new(move || {
+                let mut carries = RowCarries::default();
+                for (moved, rows) in pieces {
+                    let (first_moved, carries) = (rows.start, Some(&mut carries));
+                    let half = MovedSites { read, moved, parameters, first, first_moved, length, columns, carries };
+                    H::apply_to_sites::<R, K>(half, flow, rows);
+                }
+            }));
+        }
+        jobs
+    }
+}
