@@ -96,6 +96,7 @@ pub mod output;
 mod scalar;
 mod state;
 mod system;
+mod threads;
 mod trajectory;
 
 pub use composition::catalogue::*;

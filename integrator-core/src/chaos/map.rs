@@ -9,7 +9,6 @@ use crate::{
     ensemble::{in_lanes, lane_scalars::LaneScalars, member},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
-    layout::threads::{all_threads, on_threads},
     state::{
         clock::Clock,
         coords::Coords,
@@ -18,6 +17,7 @@ use crate::{
         precision::Precision,
     },
     system::energy::energy,
+    threads::{all_threads, on_threads},
     trajectory::{
         dispatch::Deviations,
         engine::Engine,

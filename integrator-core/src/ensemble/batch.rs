@@ -239,7 +239,7 @@ impl Batch {
     /// Shows the states of all members, in their order.
     pub(crate) fn states(&self, clock: Clock, visit: &mut dyn FnMut(usize, &dyn Point)) {
         let (mut completed, clock) = (self.engine.motions.clone(), self.since_opened(clock));
-        completed.complete(clock);
+        completed.complete(clock, Some(1));
         let shown = shown(&*completed, clock);
         let mut sample = self.sample.boxed_clone();
         // The members under way are in the lanes, in their order.
@@ -278,7 +278,7 @@ impl Batch {
         let mut completed = None;
         if self.is_timed() {
             let mut motions = self.engine.motions.clone();
-            motions.complete(self.since_opened(clock));
+            motions.complete(self.since_opened(clock), Some(1));
             let shown = shown(&*motions, self.since_opened(clock));
             completed = Some((motions, shown));
         }
@@ -327,7 +327,7 @@ impl Batch {
         let (lane, motions) = (self.lanes.partition_point(|other| *other < index), &*self.engine.motions);
         let (motion, lane) = (lane / motions.lanes(), lane % motions.lanes());
         let (mut completed, clock) = (copy(motions, motion..motion + 1), self.since_opened(clock));
-        completed.complete(clock);
+        completed.complete(clock, Some(1));
         let mut state = self.sample.boxed_clone();
         let shown = shown(&*completed, clock);
         show(&*completed, shown.as_deref(), lane, &mut *state);

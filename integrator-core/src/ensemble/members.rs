@@ -8,8 +8,8 @@ use crate::{
         request::AdvanceRequest,
     },
     error::{Divergence, Error, Lost},
-    layout::threads::{all_threads, on_threads},
     state::{clock::Clock, point::Point},
+    threads::{all_threads, on_threads},
     trajectory::panics::Panics,
 };
 use std::sync::{Arc, Mutex, PoisonError};

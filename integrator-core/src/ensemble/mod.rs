@@ -34,10 +34,10 @@ use crate::{
     },
     error::{Error, Lost},
     hamiltonian::{Hamiltonian, Shaped},
-    layout::threads::all_threads,
     scalar::instruction_set::InstructionSet,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped, precision::Precision},
     system::{energy::energy, motion::Prepared},
+    threads::all_threads,
     trajectory::{
         admissible::{admissible_with, change},
         dispatch::{Carried, Nothing, engine, motions, single},

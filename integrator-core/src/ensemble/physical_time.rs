@@ -12,7 +12,6 @@ use crate::{
         members::{Members, of_member},
     },
     error::{Divergence, Error, Lost},
-    layout::threads::on_threads,
     state::{
         coords::Coords,
         phase::Phase,
@@ -22,6 +21,7 @@ use crate::{
         energy::{Energies, Parts},
         motion::Found,
     },
+    threads::on_threads,
     trajectory::{
         engine::BLOCK,
         panics::{Panics, attempt},

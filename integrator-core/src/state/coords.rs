@@ -113,18 +113,24 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// Whether every coordinate of every lane is finite.
     #[inline(always)]
     fn finite<R: Real>(slots: &Self::Slots<R>) -> bool {
-        // In chunks without a branch, so that the search is vectorised.
-        for chunk in Self::slots(slots).chunks(CHUNK) {
-            let mut finite = true;
-            for slot in chunk {
-                finite &= slot.value().finite();
-            }
-            if !finite {
-                return false;
-            }
-        }
-        true
+        all_finite(Self::slots(slots))
     }
+}
+
+/// Whether all slots are finite in every lane.
+#[inline(always)]
+pub(crate) fn all_finite<R: Real, S: Slot<R>>(slots: &[S]) -> bool {
+    // In chunks without a branch, so that the search is vectorised.
+    for chunk in slots.chunks(CHUNK) {
+        let mut finite = true;
+        for slot in chunk {
+            finite &= slot.value().finite();
+        }
+        if !finite {
+            return false;
+        }
+    }
+    true
 }
 
 impl<K: Precision, const N: usize> Coords for [K; N] {

@@ -3,8 +3,14 @@
 use crate::{
     error::{NotFinite, Unsolved},
     scalar::real::Real,
-    state::{coords::Coords, digest::Digest, phase::Phase, precision::Slot},
+    state::{
+        coords::{Coords, all_finite},
+        digest::Digest,
+        phase::Phase,
+        precision::Slot,
+    },
     system::counts::Counts,
+    threads,
 };
 use alloc::{sync::Arc, vec::Vec};
 use core::{
@@ -87,6 +93,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
+    /// The same on so many threads, or all that the machine has.
+    fn copy_state_on(&mut self, from: &Self, _threads: Option<usize>) {
+        self.copy_state(from);
+    }
     /// What it has found out that would take another motion with the same constants some time.
     fn found(&self) -> Option<Found> {
         None
@@ -117,6 +127,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
+    /// The same by so many threads, or all that the machine has.
+    fn finite_on(&self, _threads: Option<usize>) -> bool {
+        self.finite()
+    }
 }
 
 /// What a trajectory has beside positions and momenta, where the time is part of its state.
@@ -160,9 +174,22 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
         self.q.clone_from(&from.q);
         self.p.clone_from(&from.p);
     }
+    fn copy_state_on(&mut self, from: &Self, threads: Option<usize>) {
+        if const { C::LENGTH.is_some() } {
+            return self.copy_state(from);
+        }
+        threads::copy(C::slots(&from.q), C::slots_mut(&mut self.q), threads);
+        threads::copy(C::slots(&from.p), C::slots_mut(&mut self.p), threads);
+    }
     #[inline(always)]
     fn finite(&self) -> bool {
         C::finite(&self.q) && C::finite(&self.p)
+    }
+    fn finite_on(&self, threads: Option<usize>) -> bool {
+        if const { C::LENGTH.is_some() } {
+            return self.finite();
+        }
+        [&self.q, &self.p].into_iter().all(|half| threads::all(C::slots(half), threads, all_finite))
     }
 }
 

@@ -34,7 +34,7 @@ pub(crate) struct Engine {
     /// Whether the constants of what a trajectory carries are those behind its own, as many as it has lanes.
     carries_constants: bool,
     /// How many threads may share a long lattice or the pairs of many bodies, if not all.
-    threads: Option<usize>,
+    pub(crate) threads: Option<usize>,
 }
 
 impl Engine {
@@ -117,31 +117,31 @@ impl Engine {
     /// Takes `steps` steps, and returns whether they end in finite numbers once the last of them is completed. What
     /// undoes a processor has no say: it would cost as much as steps do, and acts only where the state is read.
     pub(crate) fn take_steps(&mut self, clock: Clock, steps: u64) -> bool {
-        self.snapshot.copy_states(&*self.motions);
+        self.snapshot.copy_states(&*self.motions, self.threads);
         self.completed_at = None;
         self.motions.advance(clock, steps, self.threads);
         // Completing the step only adds, so that no number becomes finite by it.
         self.complete(Clock { steps: clock.steps + steps, ..clock });
-        self.completed.finite()
+        self.completed.finite(self.threads)
     }
 
     /// Completes the step under way on a copy.
     pub(crate) fn complete(&mut self, clock: Clock) {
-        self.completed.copy_states(&*self.motions);
-        self.completed.complete(clock);
+        self.completed.copy_states(&*self.motions, self.threads);
+        self.completed.complete(clock, self.threads);
         self.completed_at = Some(clock);
     }
 
     /// Goes back to where the last block began.
     pub(crate) fn undo(&mut self) {
         self.completed_at = None;
-        self.motions.copy_states(&*self.snapshot);
+        self.motions.copy_states(&*self.snapshot, self.threads);
     }
 
     /// Goes back to other motions.
     pub(crate) fn go_back(&mut self, motions: &dyn Motions) {
         self.completed_at = None;
-        self.motions.copy_states(motions);
+        self.motions.copy_states(motions, self.threads);
     }
 
     /// Goes on with as many motions from other states of the same size, at the beginning of a clock.
@@ -204,7 +204,7 @@ impl Engine {
             &self.completed
         } else {
             let mut copy = self.motions.clone();
-            copy.complete(clock);
+            copy.complete(clock, self.threads);
             again = copy;
             &again
         };
@@ -233,10 +233,10 @@ impl Engine {
             let lanes = from.into_iter().enumerate();
             shorter = load(&*self.motions, lanes.map(|(lane, point)| (self.constants_of(lane), point)).collect());
             shorter.advance(begin, 1, self.threads);
-            shorter.complete(end);
+            shorter.complete(end, self.threads);
             &shorter
         };
-        if !motions.finite() {
+        if !motions.finite(self.threads) {
             return Err(motions.unsolved(0).cloned());
         }
         let shown = shown(&**motions, end);

@@ -41,18 +41,18 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn take_over(&mut self, lanes: &[Lane]);
     /// Adds a copy of one of others.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
-    /// Copies the states of as many motions with the same constants, in place.
-    fn copy_states(&mut self, from: &dyn Motions);
+    /// Copies the states of as many motions with the same constants, in place, on so many threads or all that the machine has.
+    fn copy_states(&mut self, from: &dyn Motions, threads: Option<usize>);
     /// Takes so many steps, on so many threads or all that the machine has.
     fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>);
-    /// Completes the step under way.
-    fn complete(&mut self, clock: Clock);
+    /// Completes the step under way, on so many threads or all that the machine has.
+    fn complete(&mut self, clock: Clock, threads: Option<usize>);
     /// Whether the states that are shown at the ends of completed steps differ from these.
     fn shows(&self) -> bool;
     /// Makes these of them.
     fn show(&mut self, clock: Clock);
-    /// Whether all numbers are finite.
-    fn finite(&self) -> bool;
+    /// Whether all numbers are finite, by so many threads or all that the machine has.
+    fn finite(&self, threads: Option<usize>) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
     /// Writes the sums of the squares of the vectors behind all states, one for each state, by way of a point of their
@@ -280,10 +280,10 @@ where
         self.motions.push(Self::of(from).motions[motion].clone());
     }
 
-    fn copy_states(&mut self, from: &dyn Motions) {
+    fn copy_states(&mut self, from: &dyn Motions, threads: Option<usize>) {
         let (from, mut number) = (&Self::of(from).motions, 0);
         while number < from.len() {
-            self.motions[number].copy_state(&from[number]);
+            self.motions[number].copy_state_on(&from[number], threads);
             number += 1;
         }
     }
@@ -292,9 +292,9 @@ where
         (self.functions.advance)(&mut self.motions, clock, steps, threads);
     }
 
-    fn complete(&mut self, clock: Clock) {
+    fn complete(&mut self, clock: Clock, threads: Option<usize>) {
         for motion in &mut self.motions {
-            (self.functions.complete)(motion, clock);
+            (self.functions.complete)(motion, clock, threads);
         }
     }
 
@@ -310,8 +310,8 @@ where
         }
     }
 
-    fn finite(&self) -> bool {
-        (self.functions.finite)(&self.motions)
+    fn finite(&self, threads: Option<usize>) -> bool {
+        (self.functions.finite)(&self.motions, threads)
     }
 
     fn store(&self, lane: usize, to: &mut dyn Point) {

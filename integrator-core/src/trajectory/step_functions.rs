@@ -35,12 +35,12 @@ pub struct StepFunctions<M> {
     pub(crate) together: usize,
     /// Takes so many steps, on so many threads or all that the machine has.
     pub(crate) advance: fn(&mut [M], Clock, u64, Option<usize>),
-    /// Completes the step under way.
-    pub(crate) complete: fn(&mut M, Clock),
+    /// Completes the step under way, on so many threads or all that the machine has.
+    pub(crate) complete: fn(&mut M, Clock, Option<usize>),
     /// Makes of a completed step the state that is shown, where that differs.
     pub(crate) show: Option<fn(&mut M, Clock)>,
-    /// Whether all numbers are finite.
-    pub(crate) finite: fn(&[M]) -> bool,
+    /// Whether all numbers are finite, by so many threads or all that the machine has.
+    pub(crate) finite: fn(&[M], Option<usize>) -> bool,
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
     /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
@@ -72,7 +72,7 @@ impl<M> StepFunctions<M> {
     where
         M: Motion<C, P>,
     {
-        let complete = |_: &mut M, _| {};
+        let complete = |_: &mut M, _, _| {};
         Self {
             lanes,
             together: 1,
@@ -99,7 +99,7 @@ impl<M> StepFunctions<M> {
     where
         M: Motion<C, P>,
     {
-        (self.complete)(&mut motion, clock);
+        (self.complete)(&mut motion, clock, Some(1));
         let Some(show) = self.show else { return motion };
         let mut shown = motion.clone();
         show(&mut shown, clock);
@@ -162,7 +162,11 @@ where
         together: AdvanceAll::<H, X, R, K, E>::TOGETHER,
         advance: advance::<H, X, R, K, E>,
         complete: end::<H, X, R, K, E, false>,
-        show: if const { X::PROCESSOR.after.rows.is_empty() } { None } else { Some(end::<H, X, R, K, E, true>) },
+        show: if const { X::PROCESSOR.after.rows.is_empty() } {
+            None
+        } else {
+            Some(|motion, clock| end::<H, X, R, K, E, true>(motion, clock, Some(1)))
+        },
         finite: if const { E::REGISTERS == 0 } { all_finite } else { all_finite_in_lanes::<H, R, K> },
         dense: None,
         #[cfg(feature = "check")]
@@ -200,7 +204,7 @@ where
 }
 
 /// The end of the step under way: its last stages, or what undoes the processor behind them.
-fn end<H, X, R, K, E, const SHOWN: bool>(motion: &mut H::Motion<R, K>, clock: Clock)
+fn end<H, X, R, K, E, const SHOWN: bool>(motion: &mut H::Motion<R, K>, clock: Clock, threads: Option<usize>)
 where
     H: Hamiltonian,
     X: Composition<H>,
@@ -209,7 +213,7 @@ where
     E: Executor,
 {
     if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
-        let mut flows = TimeTiling::<H, R, K>::new(motion, Some(1));
+        let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
         End::<_, H, X, SHOWN>::new(&mut flows, clock).call();
         flows.finish();
     } else {
@@ -218,9 +222,9 @@ where
 }
 
 #[inline(always)]
-pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
+pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M], threads: Option<usize>) -> bool {
     for motion in motions {
-        if !motion.finite() {
+        if !motion.finite_on(threads) {
             return false;
         }
     }
@@ -228,7 +232,10 @@ pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M]) -> bool {
 }
 
 /// The same in the variant for the instruction set of lanes.
-fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(motions: &[H::Motion<R, K>]) -> bool {
+fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
+    motions: &[H::Motion<R, K>],
+    _threads: Option<usize>,
+) -> bool {
     R::enter(Finite::<H, R, K>(motions))
 }
 
@@ -271,6 +278,6 @@ impl<H: Hamiltonian, R: Real, K: Precision> Kernel for Finite<'_, H, R, K> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        all_finite(self.0)
+        all_finite(self.0, Some(1))
     }
 }

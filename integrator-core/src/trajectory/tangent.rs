@@ -199,7 +199,7 @@ impl<C: Coords> Tangent<C> {
             self.before = self.runs.iter().map(|run| copy(&*run.engine.motions, 0..1)).collect();
         }
         for (run, before) in self.runs.iter().zip(&mut self.before) {
-            before.copy_states(&*run.engine.motions);
+            before.copy_states(&*run.engine.motions, run.engine.threads);
         }
     }
 

@@ -1,13 +1,10 @@
 //! The layout of many bodies that act on each other in pairs: rows of eight, one row per eight bodies and coordinate.
 
 use crate::{
-    layout::{
-        bodies::{
-            load_store::{element, load_constants, pack, row_of, unpack, values},
-            neighbours::{Cutoffs, Neighbours, Sum},
-            pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
-        },
-        threads::{Job, all_threads, at_once},
+    layout::bodies::{
+        load_store::{element, load_constants, pack, row_of, unpack, values},
+        neighbours::{Cutoffs, Neighbours, Sum},
+        pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
     },
     scalar::{
         real::{Kernel, Real},
@@ -19,6 +16,7 @@ use crate::{
         precision::{Precision, Slot},
     },
     system::motion::{Found, Motion, Plain, Prepared},
+    threads::{self, Job, all_threads, at_once},
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
@@ -150,8 +148,11 @@ where
         }
     }
     fn copy_state(&mut self, from: &Self) {
-        self.q.copy_from_slice(&from.q);
-        self.p.copy_from_slice(&from.p);
+        Motion::<C, P::Single>::copy_state_on(self, from, Some(1));
+    }
+    fn copy_state_on(&mut self, from: &Self, threads: Option<usize>) {
+        threads::copy(&from.q, &mut self.q, threads);
+        threads::copy(&from.p, &mut self.p, threads);
         self.neighbours.share(&from.neighbours);
     }
     fn found(&self) -> Option<Found> {

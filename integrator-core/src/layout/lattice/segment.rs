@@ -2,16 +2,14 @@
 
 use crate::{
     hamiltonian::Hamiltonian,
-    layout::{
-        lattice::{
-            plane::RowCarries,
-            sites::{MovedSites, Sites},
-            time_tiling::{Flow, StencilRadii},
-        },
-        threads::Job,
+    layout::lattice::{
+        plane::RowCarries,
+        sites::{MovedSites, Sites},
+        time_tiling::{Flow, StencilRadii},
     },
     scalar::real::Real,
     state::precision::Precision,
+    threads::Job,
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::ops::Range;

@@ -10,19 +10,17 @@
 
 use crate::{
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
-    layout::{
-        lattice::{
-            segment::{Segment, SiteSegment},
-            sites::LONG,
-            stencil::{Boundary, Drift, Kick, Stencil},
-        },
-        threads::{Job, all_threads, at_once},
+    layout::lattice::{
+        segment::{Segment, SiteSegment},
+        sites::LONG,
+        stencil::{Boundary, Drift, Kick, Stencil},
     },
     scalar::{real::Real, simd::block::Block},
     state::{
         coords::Coords,
         precision::{Precision, Slot},
     },
+    threads::{Job, all_threads, at_once},
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::{ops::Range, slice};

@@ -174,7 +174,7 @@ where
         lanes: R::LANES,
         together: 1,
         advance: advance::<F, X, H, R, K, E>,
-        complete: complete::<F, X, H, R, K>,
+        complete: |motion, clock, _| complete::<F, X, H, R, K>(motion, clock),
         show: if const { X::PROCESSOR.after.rows.is_empty() } {
             None
         } else {

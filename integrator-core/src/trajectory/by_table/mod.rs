@@ -23,7 +23,7 @@ use crate::{
             walk::{Portion, walk},
         },
         method::{Described, Facts, Method},
-        step_functions::{Executor, StepFunctions},
+        step_functions::{Executor, StepFunctions, all_finite},
     },
 };
 use alloc::{sync::Arc, vec::Vec};
@@ -103,18 +103,14 @@ impl<H: Hamiltonian, G: Kicks<H>> Method<H> for ByTable<G> {
                     walk::<H, G, R, K, E>(motion, clock, Portion::Steps(steps), threads);
                 }
             },
-            complete: |motion, clock| walk::<H, G, R, K, E>(motion, clock, Portion::Closing, Some(1)),
+            complete: |motion, clock, threads| walk::<H, G, R, K, E>(motion, clock, Portion::Closing, threads),
             show: Some(|motion, clock| walk::<H, G, R, K, E>(motion, clock, Portion::Undoing, Some(1))),
-            finite: |motions| motions.iter().all(|motion| finite::<H, R, K>(&motion.motion)),
+            finite: all_finite,
             dense: None,
             #[cfg(feature = "check")]
             squares: None,
         }
     }
-}
-
-fn finite<H: Hamiltonian, R: Real, K: Precision>(motion: &H::Motion<R, K>) -> bool {
-    motion.finite()
 }
 
 /// The constants of a system with the flows of a composition.
@@ -165,6 +161,9 @@ impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P
     fn copy_state(&mut self, from: &Self) {
         self.motion.copy_state(&from.motion);
     }
+    fn copy_state_on(&mut self, from: &Self, threads: Option<usize>) {
+        self.motion.copy_state_on(&from.motion, threads);
+    }
     fn found(&self) -> Option<Found> {
         self.motion.found()
     }
@@ -182,6 +181,9 @@ impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P
     }
     fn finite(&self) -> bool {
         self.motion.finite()
+    }
+    fn finite_on(&self, threads: Option<usize>) -> bool {
+        self.motion.finite_on(threads)
     }
 }
 

@@ -6,15 +6,13 @@
 
 use super::{candidates::Candidates, cells::Cells};
 use crate::{
-    layout::{
-        bodies::many_rows::WIDTH,
-        threads::{Job, at_once},
-    },
+    layout::bodies::many_rows::WIDTH,
     scalar::{
         fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
         real::{Kernel, Real},
     },
+    threads::{Job, at_once},
 };
 use alloc::{boxed::Box, vec, vec::Vec};
 use core::{marker::PhantomData, ops::Range};

@@ -18,19 +18,17 @@ mod sums;
 mod tests;
 
 use crate::{
-    layout::{
-        bodies::{
-            load_store::{element, values},
-            many_rows::WIDTH,
-            pair_sums::{ManyBody, add},
-        },
-        threads::{Job, at_once},
+    layout::bodies::{
+        load_store::{element, values},
+        many_rows::WIDTH,
+        pair_sums::{ManyBody, add},
     },
     scalar::{
         real::{Kernel, Real},
         simd::row::Row,
     },
     state::{aligned::Aligned, precision::Slot},
+    threads::{Job, at_once},
 };
 use alloc::{
     boxed::Box,

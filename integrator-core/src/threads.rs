@@ -1,0 +1,116 @@
+//! Threads, where there is an operating system.
+//!
+//! Comes in: jobs that borrow. Goes out: nothing, when all of them are done. Always true: no job depends on who does it.
+
+#[cfg(feature = "std")]
+mod workers;
+
+use alloc::{boxed::Box, vec::Vec};
+use core::sync::atomic::{AtomicBool, Ordering};
+#[cfg(feature = "std")]
+use std::{num::NonZeroUsize, sync::OnceLock, thread};
+#[cfg(feature = "std")]
+use workers::HandedOver;
+
+/// The number of threads of the machine, queried once.
+#[cfg(feature = "std")]
+pub(crate) fn all_threads() -> usize {
+    static ALL: OnceLock<usize> = OnceLock::new();
+    *ALL.get_or_init(|| thread::available_parallelism().map_or(1, NonZeroUsize::get))
+}
+
+/// The one thread of a machine without an operating system.
+#[cfg(not(feature = "std"))]
+pub(crate) fn all_threads() -> usize {
+    1
+}
+
+/// A job behind a pointer, so that the code that hands it over is compiled once.
+pub(crate) type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
+
+/// Runs all jobs in parallel, the last one in this thread.
+///
+/// # Panics
+/// If one of them does, once all have ended.
+#[cfg(feature = "std")]
+pub(crate) fn at_once(mut jobs: Vec<Job<'_>>) {
+    let last = jobs.pop();
+    let mut others = HandedOver::to(jobs.len());
+    for job in jobs {
+        others.hand_over(job);
+    }
+    last.into_iter().for_each(|job| job());
+    others.finish();
+}
+
+/// Runs all jobs, one after the other.
+#[cfg(not(feature = "std"))]
+pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
+    jobs.into_iter().for_each(|job| job());
+}
+
+/// The fewest bytes for which a thread is woken to copy them or to look at them.
+const FEWEST_BYTES: usize = 1 << 19;
+
+/// How many of these elements each of so many threads has, or of all that the machine has.
+fn each<T>(elements: &[T], threads: Option<usize>) -> usize {
+    let fewest = FEWEST_BYTES / size_of::<T>().max(1);
+    elements.len().div_ceil(threads.unwrap_or_else(all_threads).max(1)).max(fewest).max(1)
+}
+
+/// Copies elements to as many others, on so many threads or all that the machine has.
+pub(crate) fn copy<T: Copy + Send + Sync>(from: &[T], to: &mut [T], threads: Option<usize>) {
+    let each = each(from, threads);
+    if from.len() <= each {
+        return to.copy_from_slice(from);
+    }
+    let pairs = from.chunks(each).zip(to.chunks_mut(each));
+    at_once(pairs.map(|(from, to)| Box::new(|| to.copy_from_slice(from)) as Job<'_>).collect());
+}
+
+/// Whether all parts of a slice pass a test, on so many threads or all that the machine has.
+pub(crate) fn all<T: Sync>(elements: &[T], threads: Option<usize>, test: fn(&[T]) -> bool) -> bool {
+    let each = each(elements, threads);
+    if elements.len() <= each {
+        return test(elements);
+    }
+    let (passed, parts) = (AtomicBool::new(true), elements.chunks(each));
+    let look = |part| {
+        passed.fetch_and(test(part), Ordering::Relaxed);
+    };
+    at_once(parts.map(|part| Box::new(move || look(part)) as Job<'_>).collect());
+    passed.into_inner()
+}
+
+/// Does the same work on so many threads, this one among them: whoever is free takes what is next.
+///
+/// # Panics
+/// If the work does, once all threads have ended it.
+#[cfg(feature = "std")]
+pub(crate) fn on_threads(threads: usize, work: &(dyn Fn() + Sync)) {
+    at_once((0..threads.max(1)).map(|_| Box::new(work) as Job<'_>).collect());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{all, copy};
+    use alloc::{vec, vec::Vec};
+
+    #[test]
+    fn all_is_copied_and_looked_at() {
+        // Twice and a half what a thread is woken for.
+        let from: Vec<u64> = (0..(5 << 19) / 16).collect();
+        for threads in [None, Some(1), Some(2), Some(3)] {
+            let mut to = vec![0; from.len()];
+            copy(&from, &mut to, threads);
+            assert_eq!(to, from);
+            for wrong in [0, 1 << 17, from.len() - 1] {
+                let whole = all(&to, threads, |part| part.iter().all(|number| *number < 1 << 60));
+                to[wrong] = 1 << 60;
+                let broken = all(&to, threads, |part| part.iter().all(|number| *number < 1 << 60));
+                assert!(whole && !broken, "{threads:?}, {wrong}");
+                to[wrong] = 0;
+            }
+        }
+    }
+}
