@@ -175,7 +175,8 @@ impl Report {
         let plan = Plan::of::<Verlet>(h);
         let pairs = count * (count - 1) / 2;
         let steps = (10_000_000 / pairs as u64).max(2);
-        let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start");
+        // Racers tell the time of one processor.
+        let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start").with_threads(1);
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
             Racer::new("tiles", || by_hand.advance(&plan, steps)),
@@ -268,9 +269,10 @@ fn large_problems(report: &mut Report) {
     let (system, start) = cluster(1000);
     let by_hand = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
     report.bodies("nbody_1000", &system, by_hand, 1e-3);
-    let (system, start) = argon(1000);
+    // Too few for lists of neighbours.
+    let (system, start) = argon(376);
     let attraction = Attraction::LennardJones { cutoff: system.cutoff };
-    report.bodies("argon_1000", &system, Bodies::new(attraction, &vec![1.0; 1000], &start.q, &start.p), 1e-4);
+    report.bodies("argon_376", &system, Bodies::new(attraction, &vec![1.0; 376], &start.q, &start.p), 1e-4);
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
