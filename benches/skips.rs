@@ -155,7 +155,7 @@ fn steps_of<H: Hamiltonian>(name: &'static str, system: H, start: Phase<H::Coord
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    let mut run = system.run_with::<f64, Verlet>(Verlet, start, 1e-3).expect("a start");
+    let mut run = system.run_with::<f64, Verlet>(Verlet, start, 1e-3).expect("a start").with_threads(1);
     Racer::new(name, move || run.advance(steps).expect("finite states"))
 }
 
@@ -229,7 +229,7 @@ fn large(report: &mut Report) {
     let (alpha, h) = (0.25, 0.05);
     let plan = Plan::of::<Verlet>(h);
     let generated = |sites: usize, steps: u64| {
-        let mut run = Fput { alpha }.run_with(Verlet, waves(sites), h).expect("a start");
+        let mut run = Fput { alpha }.run_with(Verlet, waves(sites), h).expect("a start").with_threads(1);
         Racer::new("generated", move || run.advance(steps).expect("finite states"))
     };
     let mut by_hand = waves(10_000);
@@ -261,9 +261,11 @@ fn large(report: &mut Report) {
     report.add("pairs", "7 tiles of bodies, or pairs by hand", 8.0 * pairs, [tiles, by_hand], [f64::NAN; 2]);
 
     let drop_of = |cutoff: f64| {
-        let mut run = Argon { cutoff }.run_with(Verlet, argon(500).1, 1e-4).expect("a start");
+        // Too few for lists of neighbours.
+        let mut run = Argon { cutoff }.run_with(Verlet, argon(376).1, 1e-4).expect("a start");
         Racer::new("argon", move || run.advance(8).expect("finite states"))
     };
+    let pairs = (376 * 375 / 2) as f64;
     report.add("branch", "8 a cut-off at 2.5, or none", 8.0 * pairs, [drop_of(2.5), drop_of(1e9)], [f64::NAN; 2]);
 }
 
