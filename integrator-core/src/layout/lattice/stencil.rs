@@ -160,7 +160,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
     pub(crate) fn apply(mut self, sites: Range<usize>) {
         let rest = self.apply_blocks::<S::Wide>(sites.clone());
         if const { S::Wide::WIDTH > 1 } && rest < sites.end {
-            self.apply_singles(rest..sites.end);
+            self.apply_blocks::<R>(rest..sites.end);
         }
     }
 
@@ -204,19 +204,6 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         let is_ring = const { W::WIDTH > 1 && H::BOUNDARY.periodic && H::BOUNDARY.forward > 0 };
         let is_whole = *sites == (0..self.length) && self.length.is_multiple_of(W::WIDTH);
         if is_ring && is_whole { Some(self.boundary_contributions(self.length - W::WIDTH)) } else { None }
-    }
-
-    /// Moves sites one by one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn apply_singles(&mut self, sites: Range<usize>) {
-        if const { Self::POINTWISE } {
-            self.interior::<R>(sites.start, sites.len(), Self::zero_carry());
-        } else {
-            let mut carry = self.carry_into::<R>(sites.start);
-            for site in sites {
-                carry = self.boundary_block(site, carry, None);
-            }
-        }
     }
 
     /// The number of interior blocks from the beginning of `sites` on: those without a site of the boundary at the end,
@@ -420,8 +407,14 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         }
         let mut numbers = [R::of(0.0); WIDEST];
         for (offset, number) in numbers[..W::WIDTH].iter_mut().enumerate() {
-            let site = site + offset as isize;
-            let site = if H::BOUNDARY.periodic { site.rem_euclid(length) } else { site };
+            // No division, where it would be one for each site of a block: a ring is as long as one at least.
+            let site = match site + offset as isize {
+                site if !H::BOUNDARY.periodic => site,
+                site if W::WIDTH == 1 => site.rem_euclid(length),
+                behind if behind < 0 => behind + length,
+                ahead if ahead >= length => ahead - length,
+                inside => inside,
+            };
             let at = site - self.first as isize;
             if at >= 0 && (at as usize) < row.len() {
                 *number = row[at as usize].value();
