@@ -87,13 +87,18 @@ fn fused_available() -> bool {
 }
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
+#[inline]
 fn avx512_available() -> bool {
-    fused_available()
-        && std::arch::is_x86_feature_detected!("avx512f")
-        && std::arch::is_x86_feature_detected!("avx512dq")
-        && std::arch::is_x86_feature_detected!("avx512vl")
-        && std::arch::is_x86_feature_detected!("avx512bw")
-        && std::arch::is_x86_feature_detected!("popcnt")
+    // Asked once: each feature by itself takes as long as a short lattice for a few sites.
+    static AVAILABLE: OnceLock<bool> = OnceLock::new();
+    *AVAILABLE.get_or_init(|| {
+        fused_available()
+            && std::arch::is_x86_feature_detected!("avx512f")
+            && std::arch::is_x86_feature_detected!("avx512dq")
+            && std::arch::is_x86_feature_detected!("avx512vl")
+            && std::arch::is_x86_feature_detected!("avx512bw")
+            && std::arch::is_x86_feature_detected!("popcnt")
+    })
 }
 
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
@@ -138,7 +143,7 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     if !fused_available() {
         lacking(InstructionSet::Fused);
     }
-    // SAFETY: the features that `variant` is compiled for were just detected.
+    // SAFETY: the features that `variant` is compiled for were detected.
     unsafe { variant(kernel) }
 }
 
@@ -170,7 +175,7 @@ pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
     if !avx512_available() {
         lacking(InstructionSet::Avx512);
     }
-    // SAFETY: the features that `variant` is compiled for were just detected.
+    // SAFETY: the features that `variant` is compiled for were detected.
     unsafe { variant(kernel) }
 }
 

@@ -156,7 +156,15 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
 
     /// Applies the collected flows.
     pub(crate) fn finish(&mut self) {
-        if let (Some(radii), Some(sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
+        if let (Some(radii), Some(mut sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
+            if sites.length * sites.columns < CACHED {
+                for flow in self.flows.drain(..) {
+                    let all = 0..sites.length;
+                    let half = sites.reborrow().moved_by(flow.drifts);
+                    H::apply_to_sites::<R, K>(half, &flow, all);
+                }
+                return;
+            }
             let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
             advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
         }
