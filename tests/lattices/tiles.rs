@@ -6,7 +6,7 @@ use integrator_core::prelude::*;
 const STEP: f64 = 0.01;
 
 /// Lengths around the one from which on there are tiles, and around borders of tiles.
-const TILED: [usize; 4] = [4095, 4096, 4097, 5 * 1024 + 1];
+const TILED: [usize; 4] = [3071, 3072, 3073, 5 * 1024 + 1];
 
 /// Lengths that are worth two threads, and three.
 const SHARED: [usize; 2] = [2 * 4 * 1024 + 13, 3 * 4 * 1024 + 1];

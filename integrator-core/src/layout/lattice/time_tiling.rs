@@ -48,7 +48,7 @@ const ROWS_PER_FLOW: usize = 8;
 const LEAST_DEPTH: usize = 4;
 
 /// A lattice shorter than this stays in the cache as it is.
-const CACHED: usize = 4 * TILE;
+const CACHED: usize = 3 * TILE;
 
 /// A plane of fewer sites gains nothing by tiles: its rows are moved as fast from a second-level cache.
 const CACHED_PLANE: usize = 48 * TILE;
