@@ -64,8 +64,14 @@ pub(crate) fn copy<T: Copy + Send + Sync>(from: &[T], to: &mut [T], threads: Opt
     if from.len() <= each {
         return to.copy_from_slice(from);
     }
-    let pairs = from.chunks(each).zip(to.chunks_mut(each));
-    at_once(pairs.map(|(from, to)| Box::new(|| to.copy_from_slice(from)) as Job<'_>).collect());
+    let (mut jobs, mut from, mut to) = (Vec::<Job<'_>>::new(), from, to);
+    while !from.is_empty() {
+        let (these, rest) = from.split_at(each.min(from.len()));
+        let (those, rest_of_those) = to.split_at_mut(these.len());
+        jobs.push(Box::new(|| those.copy_from_slice(these)));
+        (from, to) = (rest, rest_of_those);
+    }
+    at_once(jobs);
 }
 
 /// Whether all parts of a slice pass a test, on so many threads or all that the machine has.
@@ -74,11 +80,16 @@ pub(crate) fn all<T: Sync>(elements: &[T], threads: Option<usize>, test: fn(&[T]
     if elements.len() <= each {
         return test(elements);
     }
-    let (passed, parts) = (AtomicBool::new(true), elements.chunks(each));
-    let look = |part| {
-        passed.fetch_and(test(part), Ordering::Relaxed);
-    };
-    at_once(parts.map(|part| Box::new(move || look(part)) as Job<'_>).collect());
+    let (passed, mut elements) = (AtomicBool::new(true), elements);
+    let (mut jobs, passes) = (Vec::<Job<'_>>::new(), &passed);
+    while !elements.is_empty() {
+        let (part, rest) = elements.split_at(each.min(elements.len()));
+        jobs.push(Box::new(move || {
+            passes.fetch_and(test(part), Ordering::Relaxed);
+        }));
+        elements = rest;
+    }
+    at_once(jobs);
     passed.into_inner()
 }
 

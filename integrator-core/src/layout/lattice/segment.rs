@@ -24,8 +24,8 @@ pub(super) trait Segment: Send {
     fn forget(&mut self);
     /// The segments that end at these borders.
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
-    /// What applies a flow to some of the rows, the first of which are first.
-    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: &'s [Vec<Range<usize>>]) -> Vec<Job<'s>>;
+    /// What applies a flow to some of the rows, the first of which are first: a job for each of the ranges.
+    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: Vec<Range<usize>>) -> Vec<Job<'s>>;
 }
 
 /// The sites of a lattice, or a segment of them.
@@ -63,26 +63,20 @@ impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K>
         }
         segments
     }
-    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: &'s [Vec<Range<usize>>]) -> Vec<Job<'s>> {
+    fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: Vec<Range<usize>>) -> Vec<Job<'s>> {
         let half = self.sites.reborrow().moved_by(flow.drifts);
         let MovedSites { read, parameters, first, length, columns, .. } = half;
         let (mut rest, mut next) = (half.moved, first);
         let mut jobs = Vec::<Job<'s>>::with_capacity(rows.len());
         for rows in rows {
-            let mut pieces = Vec::with_capacity(rows.len());
-            for rows in rows {
-                let (_, from) = core::mem::take(&mut rest).split_at_mut((rows.start - next) * columns);
-                let (moved, after) = from.split_at_mut(rows.len() * columns);
-                (rest, next) = (after, rows.end);
-                pieces.push((moved, rows.clone()));
-            }
+            let (_, from) = rest.split_at_mut((rows.start - next) * columns);
+            let (moved, after) = from.split_at_mut(rows.len() * columns);
+            (rest, next) = (after, rows.end);
             jobs.push(Box::new(move || {
-                let mut carries = RowCarries::default();
-                for (moved, rows) in pieces {
-                    let (first_moved, carries) = (rows.start, Some(&mut carries));
-                    let half = MovedSites { read, moved, parameters, first, first_moved, length, columns, carries };
-                    H::apply_to_sites::<R, K>(half, flow, rows);
-                }
+                let (first_moved, mut carries) = (rows.start, RowCarries::default());
+                let carries = Some(&mut carries);
+                let half = MovedSites { read, moved, parameters, first, first_moved, length, columns, carries };
+                H::apply_to_sites::<R, K>(half, flow, rows);
             }));
         }
         jobs

@@ -160,7 +160,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
     pub(crate) fn apply(mut self, sites: Range<usize>) {
         let rest = self.apply_blocks::<S::Wide>(sites.clone());
         if const { S::Wide::WIDTH > 1 } && rest < sites.end {
-            self.apply_blocks::<R>(rest..sites.end);
+            self.apply_rest(rest..sites.end);
         }
     }
 
@@ -204,6 +204,20 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         let is_ring = const { W::WIDTH > 1 && H::BOUNDARY.periodic && H::BOUNDARY.forward > 0 };
         let is_whole = *sites == (0..self.length) && self.length.is_multiple_of(W::WIDTH);
         if is_ring && is_whole { Some(self.boundary_contributions(self.length - W::WIDTH)) } else { None }
+    }
+
+    /// Moves sites that fill no block. One by one, which is less code; those of a row, of which there may be as many as of others,
+    /// along a window.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn apply_rest(&mut self, sites: Range<usize>) {
+        if const { Self::POINTWISE || H::ROW_BOUNDARY.is_some() } {
+            self.apply_blocks::<R>(sites);
+        } else {
+            let mut carry = self.carry_into::<R>(sites.start);
+            for site in sites {
+                carry = self.boundary_block(site, carry, None);
+            }
+        }
     }
 
     /// The number of interior blocks from the beginning of `sites` on: those without a site of the boundary at the end,

@@ -158,11 +158,11 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     pub(crate) fn finish(&mut self) {
         if let (Some(radii), Some(mut sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
             if sites.length * sites.columns < CACHED {
-                for flow in self.flows.drain(..) {
+                for flow in &self.flows {
                     let all = 0..sites.length;
-                    let half = sites.reborrow().moved_by(flow.drifts);
-                    H::apply_to_sites::<R, K>(half, &flow, all);
+                    H::apply_to_sites::<R, K>(sites.reborrow().moved_by(flow.drifts), flow, all);
                 }
+                self.flows.clear();
                 return;
             }
             let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
@@ -336,7 +336,14 @@ fn fill_gaps(lattice: &mut dyn Segment, skewed: &SkewedFlows, borders: &[usize],
 /// Applies a flow to some of the sites; of layers, in so many threads.
 fn apply_shared(lattice: &mut dyn Segment, flow: &Flow, sites: &[Range<usize>], threads: usize) {
     if threads > 1 {
-        return at_once(lattice.jobs(flow, &dealt(sites, threads)));
+        let parts = dealt(sites, threads);
+        let mut pieces = lattice.jobs(flow, parts.iter().flatten().cloned().collect()).into_iter();
+        let of_part = |part: &Vec<_>| pieces.by_ref().take(part.len()).collect::<Vec<_>>();
+        let parts = parts
+            .iter()
+            .map(of_part)
+            .map(|pieces| -> Job<'_> { Box::new(|| pieces.into_iter().for_each(|job| job())) });
+        return at_once(parts.collect());
     }
     sites.iter().for_each(|sites| lattice.apply(flow, sites.clone()));
     lattice.forget();
