@@ -321,12 +321,14 @@ fn no_bit_of_a_liquid_tells_how_it_was_run() -> Result<(), Error> {
     let stated = liquid.kinetic(&start.p) + liquid.potential(&start.q);
     assert!((energy - stated).abs() <= 1e-12 * stated, "{energy} for {stated}");
     whole.advance(6)?;
-    let mut parts = liquid.run_with(VelocityVerlet, start.clone(), 0.04)?.with_threads(3);
-    for steps in [1, 3, 2] {
-        parts.advance(steps)?;
-        assert_ne!(parts.state(), start);
+    for threads in [3, usize::MAX] {
+        let mut parts = liquid.run_with(VelocityVerlet, start.clone(), 0.04)?.with_threads(threads);
+        for steps in [1, 3, 2] {
+            parts.advance(steps)?;
+            assert_ne!(parts.state(), start);
+        }
+        assert_eq!(whole.state(), parts.state(), "{threads} threads");
     }
-    assert_eq!(whole.state(), parts.state());
 
     let members = [(Liquid::new(1.2), start), (Liquid::new(0.9), Liquid::start(1))];
     let mut both = Ensemble::new(VelocityVerlet, members.clone(), 0.04)?;

@@ -74,7 +74,7 @@ impl Lists {
         let most = (bodies / 4).min(MOST_NUMBERS / bodies.max(1)) * WIDTH;
         let slots = &slot_of[..];
         let share = portions.len().div_ceil(threads.max(1)).max(1);
-        let mut jobs = Vec::<Job<'_>>::with_capacity(threads);
+        let mut jobs = Vec::<Job<'_>>::with_capacity(portions.len().div_ceil(share));
         for portions in portions.chunks_mut(share) {
             jobs.push(Box::new(move || {
                 for portion in portions {

@@ -307,7 +307,7 @@ fn in_portions<T: Send>(lists: &Lists, results: &mut [T], threads: usize, of: Of
     };
     let (each, count) = (each.max(1), rows.div_ceil(each.max(1)));
     let share = count.div_ceil(threads.max(1)).max(1);
-    let mut jobs = Vec::<Job<'_>>::with_capacity(threads);
+    let mut jobs = Vec::<Job<'_>>::with_capacity(count.div_ceil(share));
     for (thread, results) in results.chunks_mut(share * each).enumerate() {
         jobs.push(Box::new(move || {
             for (portion, results) in results.chunks_mut(each).enumerate() {
