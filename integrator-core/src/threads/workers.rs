@@ -105,13 +105,13 @@ fn soon<T>(messages: &Receiver<T>) -> Option<T> {
 /// Jobs that workers do, for as long as this is there.
 pub(super) struct HandedOver {
     workers: Vec<Worker>,
-    panic: Option<Box<dyn Any + Send>>,
+    panics: Vec<Box<dyn Any + Send>>,
 }
 
 impl HandedOver {
     /// Nothing yet, with room for so many.
     pub(super) fn to(workers: usize) -> Self {
-        Self { workers: Vec::with_capacity(workers), panic: None }
+        Self { workers: Vec::with_capacity(workers), panics: Vec::new() }
     }
 
     /// Hands a job over, or does it where nobody can take it.
@@ -134,7 +134,7 @@ impl HandedOver {
     /// If one of them did.
     pub(super) fn finish(mut self) {
         self.wait();
-        if let Some(panic) = self.panic.take() {
+        if let Some(panic) = self.panics.pop() {
             resume_unwind(panic);
         }
     }
@@ -143,7 +143,8 @@ impl HandedOver {
         // In the opposite order, so that the next jobs go to the threads whose caches have what these read.
         for worker in self.workers.drain(..).rev() {
             let outcome = soon(&worker.outcomes).or_else(|| worker.outcomes.recv().ok());
-            self.panic = outcome.and_then(Result::err).or(self.panic.take());
+            // Kept, since to drop what somebody panicked with may panic, and others have not ended yet.
+            self.panics.extend(outcome.and_then(Result::err));
             // A worker that sleeps ends when it is dropped.
             if !worker.asleep.load(Ordering::Relaxed) {
                 waiting().push(worker);
@@ -164,7 +165,7 @@ mod tests {
     use std::{
         boxed::Box,
         collections::HashSet,
-        panic::{AssertUnwindSafe, catch_unwind},
+        panic::{AssertUnwindSafe, catch_unwind, panic_any},
         sync::{
             Barrier, Mutex,
             atomic::{AtomicUsize, Ordering},
@@ -205,6 +206,37 @@ mod tests {
         };
         on_threads(3, &inner);
         assert_eq!(count.into_inner(), 9);
+    }
+
+    /// Panics when it is dropped, unless a panic is under way.
+    struct PanicsOnDrop;
+
+    impl Drop for PanicsOnDrop {
+        fn drop(&mut self) {
+            assert!(thread::panicking());
+        }
+    }
+
+    #[test]
+    fn nothing_that_is_panicked_with_ends_the_wait_for_others() {
+        let ended = AtomicUsize::new(0);
+        let jobs: Vec<Job<'_>> = (0..4)
+            .map(|number| {
+                let ended = &ended;
+                Box::new(move || {
+                    if [1, 2].contains(&number) {
+                        panic_any(PanicsOnDrop);
+                    }
+                    // Long after the others, those that write where they panicked among them.
+                    thread::sleep(Duration::from_millis(if number == 0 { 300 } else { 1 }));
+                    ended.fetch_add(1, Ordering::Relaxed);
+                }) as Job<'_>
+            })
+            .collect();
+        let panic = catch_unwind(AssertUnwindSafe(|| at_once(jobs))).unwrap_err();
+        assert_eq!(ended.load(Ordering::Relaxed), 2);
+        assert!(panic.is::<PanicsOnDrop>());
+        core::mem::forget(panic);
     }
 
     #[test]
