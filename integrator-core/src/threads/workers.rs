@@ -32,22 +32,16 @@ struct Worker {
     asleep: Arc<AtomicBool>,
 }
 
-/// The workers that wait for a job. Whoever falls asleep here is no longer one of them.
+/// The workers that wait for a job, all of them awake: who falls asleep, and who lets a worker wait, holds the lock.
 fn waiting() -> MutexGuard<'static, Vec<Worker>> {
     static WAITING: Mutex<Vec<Worker>> = Mutex::new(Vec::new());
     WAITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Worker {
-    /// One that waits awake.
+    /// One that waits.
     fn waiting() -> Option<Self> {
-        let mut waiting = waiting();
-        while let Some(worker) = waiting.pop() {
-            if !worker.asleep.load(Ordering::Relaxed) {
-                return Some(worker);
-            }
-        }
-        None
+        waiting().pop()
     }
 
     /// A new one, if the system has a thread.
@@ -78,9 +72,9 @@ fn next_job(jobs: &Receiver<Job<'static>>, asleep: &Arc<AtomicBool>) -> Option<J
         waiting.remove(place);
         return None;
     }
-    drop(waiting);
     // Somebody has the worker, who has work for it, or has not heard yet how the last job ended.
     asleep.store(true, Ordering::Relaxed);
+    drop(waiting);
     let job = jobs.recv().ok();
     asleep.store(false, Ordering::Relaxed);
     job
@@ -145,9 +139,10 @@ impl HandedOver {
             let outcome = soon(&worker.outcomes).or_else(|| worker.outcomes.recv().ok());
             // Kept, since to drop what somebody panicked with may panic, and others have not ended yet.
             self.panics.extend(outcome.and_then(Result::err));
+            let mut waiting = waiting();
             // A worker that sleeps ends when it is dropped.
             if !worker.asleep.load(Ordering::Relaxed) {
-                waiting().push(worker);
+                waiting.push(worker);
             }
         }
     }
