@@ -49,13 +49,13 @@ pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
     jobs.into_iter().for_each(|job| job());
 }
 
-/// The fewest bytes for which a thread is woken to copy them or to look at them.
+/// The fewest bytes that a thread is given to copy them or to look at them.
 const FEWEST_BYTES: usize = 1 << 19;
 
 /// How many of these elements each of so many threads has, or of all that the machine has.
 fn each<T>(elements: &[T], threads: Option<usize>) -> usize {
-    let fewest = FEWEST_BYTES / size_of::<T>().max(1);
-    elements.len().div_ceil(threads.unwrap_or_else(all_threads).max(1)).max(fewest).max(1)
+    let most = size_of_val(elements) / FEWEST_BYTES;
+    elements.len().div_ceil(threads.unwrap_or_else(all_threads).min(most).max(1)).max(1)
 }
 
 /// Copies elements to as many others, on so many threads or all that the machine has.
@@ -104,12 +104,25 @@ pub(crate) fn on_threads(threads: usize, work: &(dyn Fn() + Sync)) {
 
 #[cfg(test)]
 mod tests {
-    use super::{all, copy};
+    use super::{FEWEST_BYTES, all, copy, each};
     use alloc::{vec, vec::Vec};
 
     #[test]
+    fn no_thread_is_given_little() {
+        for length in [0, 1, FEWEST_BYTES, FEWEST_BYTES + 1, 5 * FEWEST_BYTES / 2, 8 * FEWEST_BYTES + 3] {
+            let bytes = vec![0_u8; length];
+            for threads in [0, 1, 2, 3, usize::MAX] {
+                let parts: Vec<usize> = bytes.chunks(each(&bytes, Some(threads))).map(<[u8]>::len).collect();
+                // The last part lacks what others are rounded up by.
+                let enough = parts.iter().all(|part| part + parts.len() > FEWEST_BYTES);
+                assert!(parts.len() <= threads.max(1) && (parts.len() <= 1 || enough), "{threads} threads: {parts:?}");
+            }
+        }
+    }
+
+    #[test]
     fn all_is_copied_and_looked_at() {
-        // Twice and a half what a thread is woken for.
+        // Twice and a half what a thread is given at least.
         let from: Vec<u64> = (0..(5 << 19) / 16).collect();
         for threads in [None, Some(1), Some(2), Some(3)] {
             let mut to = vec![0; from.len()];
