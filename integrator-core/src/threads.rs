@@ -35,7 +35,7 @@ pub(crate) type Job<'j> = Box<dyn FnOnce() + Send + 'j>;
 #[cfg(feature = "std")]
 pub(crate) fn at_once(mut jobs: Vec<Job<'_>>) {
     let last = jobs.pop();
-    let mut others = HandedOver::to(jobs.len());
+    let mut others = HandedOver::with_room_for(jobs.len());
     for job in jobs {
         others.hand_over(job);
     }

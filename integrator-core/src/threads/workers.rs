@@ -104,7 +104,7 @@ pub(super) struct HandedOver {
 
 impl HandedOver {
     /// Nothing yet, with room for so many.
-    pub(super) fn to(workers: usize) -> Self {
+    pub(super) fn with_room_for(workers: usize) -> Self {
         Self { workers: Vec::with_capacity(workers), panics: Vec::new() }
     }
 

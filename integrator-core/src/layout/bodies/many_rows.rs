@@ -24,8 +24,8 @@ use core::{marker::PhantomData, ops::Range};
 /// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
 pub(crate) const WIDTH: usize = 8;
 
-/// In how many chunks pairs are summed, from how many rows on: fewer are done before a thread that sleeps has woken up, and the
-/// more there are, the less it takes to add up what chunks have summed. The order of sums depends on these, and not on the number
+/// From how many rows on pairs are summed in how many chunks: fewer are done before another thread has started, and the more
+/// there are, the less it takes to add up what chunks have summed. The order of sums depends on these, and not on the number
 /// of threads.
 const CHUNKS: [(usize, usize); 2] = [(512, 32), (64, 8)];
 

@@ -59,7 +59,7 @@ const MIN_CHUNK: usize = 4 * TILE;
 /// The least number of sites to which a thread applies one flow alone, and then waits for the others.
 const MIN_SHARE: usize = 16 * TILE;
 
-/// The least number of sites, counted once for each flow, for which a thread is woken.
+/// The least number of sites, counted once for each flow, that a thread takes part for.
 const MIN_WORK: usize = 128 * TILE;
 
 /// One flow of a lattice.
