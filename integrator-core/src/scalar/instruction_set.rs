@@ -1,5 +1,5 @@
 //! Runtime dispatch: the instruction sets that this machine has, and calls of the multiversioned variants compiled for
-//! them. Beside the vectors the only module with `unsafe`.
+//! them.
 
 use crate::scalar::real::Kernel;
 use core::fmt;

@@ -39,11 +39,6 @@ fn waiting() -> MutexGuard<'static, Vec<Worker>> {
 }
 
 impl Worker {
-    /// One that waits.
-    fn waiting() -> Option<Self> {
-        waiting().pop()
-    }
-
     /// A new one, if the system has a thread.
     fn start() -> Option<Self> {
         let ((jobs, taken), (ended, outcomes)) = (channel::<Job<'static>>(), channel());
@@ -111,7 +106,9 @@ impl HandedOver {
     /// Hands a job over, or does it where nobody can take it.
     #[allow(unsafe_code, reason = "workers outlive what a job borrows, and end it before")]
     pub(super) fn hand_over(&mut self, job: Job<'_>) {
-        let Some(worker) = Worker::waiting().or_else(Worker::start) else { return job() };
+        // A statement of its own, so that nobody waits for the lock while a thread starts.
+        let waiting = waiting().pop();
+        let Some(worker) = waiting.or_else(Worker::start) else { return job() };
         // SAFETY: The types differ in a lifetime alone. The worker drops the job before it tells how the job ended, and `wait`,
         // which runs before this value is gone, even in a panic, does not return before it was told. Nobody can forget the
         // value: it is private to `at_once`.

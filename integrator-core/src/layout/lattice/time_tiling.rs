@@ -162,11 +162,10 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
                     let all = 0..sites.length;
                     H::apply_to_sites::<R, K>(sites.reborrow().moved_by(flow.drifts), flow, all);
                 }
-                self.flows.clear();
-                return;
+            } else {
+                let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
+                advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
             }
-            let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
-            advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
         }
         self.flows.clear();
     }
@@ -230,7 +229,7 @@ impl SkewedFlows {
     }
 }
 
-/// Applies flows to all sites, which are read in blocks of `width`.
+/// Applies flows to all sites of a lattice that is not short, which are read in blocks of `width`.
 fn advance_lattice(
     lattice: &mut dyn Segment,
     flows: &[Flow],
@@ -241,20 +240,19 @@ fn advance_lattice(
     let [length, columns] = lattice.size();
     let sites = length * columns;
     let most = threads.unwrap_or_else(all_threads).min(sites * flows.len() / MIN_WORK);
-    let (mut count, mut shares) = (most.min(sites / MIN_CHUNK).max(1), 1);
-    let (mut tile, mut depth, mut cached) = (TILE, DEPTH, CACHED);
+    let mut count = most.min(sites / MIN_CHUNK).max(1);
+    let (mut tile, mut depth) = (TILE, DEPTH);
     if radii.of_layers {
-        cached = CACHED_PLANE;
-        shares = most.min(sites / MIN_SHARE).max(1);
         count = count.min(length / (LEAST_DEPTH * ROWS_PER_FLOW)).max(1);
         tile = (TILE_OF_ROWS / columns.max(1)).max(1);
         depth = (SKEWED_SITES / columns.max(1)).clamp(SHALLOWEST, DEPTH).min(length / count / ROWS_PER_FLOW);
-    }
-    // Many threads that go through the whole lattice with each flow are faster than few that move tiles.
-    if sites < cached || depth < 2 || shares >= 2 * count {
-        let all = 0..length;
-        flows.iter().for_each(|flow| apply_shared(lattice, flow, slice::from_ref(&all), shares));
-        return;
+        let shares = most.min(sites / MIN_SHARE).max(1);
+        // Many threads that go through the whole lattice with each flow are faster than few that move tiles.
+        if sites < CACHED_PLANE || depth < 2 || shares >= 2 * count {
+            let all = 0..length;
+            flows.iter().for_each(|flow| apply_shared(lattice, flow, slice::from_ref(&all), shares));
+            return;
+        }
     }
     for flows in flows.chunks(depth) {
         advance_tiles(lattice, &SkewedFlows::new(flows, radii, width), tile, count);

@@ -165,9 +165,10 @@ pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStrea
         const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
             ::core::option::Option::Some(#runtime::StencilRadii::of::<Self>());
     };
-    let [sites, moved] = ["Sites", "MovedSites"].map(|name| format_ident!("{name}"));
-    let [sites, moved] =
-        [sites, moved].map(|name| quote!(#runtime::#name<'_, #scalar, #leaf, Self::Parameters<#scalar>>));
+    let [sites, moved] = ["Sites", "MovedSites"].map(|name| {
+        let name = format_ident!("{name}");
+        quote!(#runtime::#name<'_, #scalar, #leaf, Self::Parameters<#scalar>>)
+    });
     let lattice = quote! {
         #[inline(always)]
         fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
