@@ -26,11 +26,24 @@ const SYMBOLIC: MayKnow = (
         ("taylor", &["differentiate", "graph"]),
         ("syntax", &["errors", "scheme"]),
         ("model", &["errors", "graph", "limits", "spelling", "syntax"]),
+        ("pattern", &["differentiate", "graph", "lower", "model", "pairs", "program", "stencil"]),
         (
             "emit",
-            &["differentiate", "stencil", "graph", "lower", "model", "pairs", "program", "scheme", "syntax", "taylor"],
+            &[
+                "differentiate",
+                "stencil",
+                "graph",
+                "lower",
+                "model",
+                "pairs",
+                "pattern",
+                "program",
+                "scheme",
+                "syntax",
+                "taylor",
+            ],
         ),
-        ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "syntax"]),
+        ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "pattern", "syntax"]),
     ],
 );
 
@@ -95,7 +108,8 @@ const CORE: MayKnow = (
 );
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 7] = ["graph", "differentiate", "stencil", "lower", "pairs", "program", "taylor"];
+const WITHOUT_TOKENS: [&str; 8] =
+    ["graph", "differentiate", "stencil", "lower", "pairs", "program", "pattern", "taylor"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -19,6 +19,7 @@ mod limits;
 mod lower;
 mod model;
 mod pairs;
+mod pattern;
 mod program;
 mod report;
 mod scheme;
@@ -205,7 +206,7 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
         return;
     }
     let function = |name: &str| input.function(name).or_else(|| input.function("hamiltonian"));
-    match emit::judged(input, coordinates, model) {
+    match emit::judged(coordinates, model) {
         Ok(jacobi) => model.jacobi = Some(jacobi),
         Err(emit::Obstacle::Shape(message)) => {
             if let Some(function) = function("potential") {

@@ -6,6 +6,7 @@ use crate::{
     graph::{Tally, index::LoopSet},
     lower::lower,
     model::Model,
+    pattern::recognise,
     syntax::{Compose, Input},
 };
 use quote::ToTokens;
@@ -122,7 +123,8 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         graph.cost(&lowered)
     });
     let places = [&kinetic, &potential].map(|gradient| places(&mut model, gradient));
-    let forms = emit::forms(input, &mut model, &kinetic, &potential);
+    let pattern = recognise(&mut model, [&kinetic, &potential]);
+    let forms = emit::forms(input, &mut model, &kinetic, &potential, &pattern);
     let [drift, kick] = [0, 1].map(|part| Flow { form: forms[part], places: places[part].clone() });
     Report {
         system: readable(&input.item.self_ty),

@@ -30,7 +30,7 @@ const FARTHEST: i64 = 2;
 const FARTHEST_ROW: i64 = 1;
 
 /// A stencil: what is computed at each site, and where the sites are that differ from the others.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Stencil {
     /// From plane to plane and from row to row, where there are any, and from site to site.
     pub(crate) directions: Vec<Direction>,

@@ -14,6 +14,7 @@ use crate::{
     differentiate::{Contribution, gradient},
     graph::Part,
     model::{Length, Model},
+    pattern::recognise,
     scheme::{Class, InPlace},
     syntax::{Compose, Gpu, Input},
 };
@@ -106,9 +107,12 @@ pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
 /// What keeps this Hamiltonian from having text for devices, if anything does.
 pub(crate) fn no_device_text(input: &Input, gpu: &Gpu, mut model: Model) -> Option<String> {
     model.choose_in_the_middle();
+    let gradients = gradients(&mut model);
+    let gradients = gradients.each_ref().map(|gradient| &gradient[..]);
+    let pattern = recognise(&mut model, gradients);
     let names = Names::new(input);
     let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-    DeviceText::of(&mut emitter, gpu.functions).err()
+    DeviceText::of(&mut emitter, gradients, &pattern, gpu.functions).err()
 }
 
 /// The implementation of `Hamiltonian` for the annotated type.
@@ -157,6 +161,7 @@ impl<'i> Stepper<'i> {
         model.choose_in_the_middle();
         let [kinetic, potential] = gradients(&mut model);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
+        let pattern = recognise(&mut model, [&kinetic, &potential]);
 
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
@@ -167,7 +172,7 @@ impl<'i> Stepper<'i> {
         let flows = match (emitter.model.coupling, emitter.model.is_separable()) {
             (Some(coupling), _) => Flows::of_copies(&mut emitter, coupling),
             (None, _) if emitter.model.unsplit => Flows::none(),
-            (None, true) => Flows::of(&mut emitter, &kinetic, &potential),
+            (None, true) => Flows::of(&mut emitter, &kinetic, &potential, &pattern),
             (None, false) => Flows::of_parts(&mut emitter),
         };
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
@@ -178,7 +183,7 @@ impl<'i> Stepper<'i> {
         let invariants = invariants::items(&flows, &mut emitter);
         let taylor = input.taylor.map(|_| {
             let Emitter { model, names, fields } = &mut emitter;
-            orders(model, fields, names, kinetic.clone(), potential.clone())
+            orders(model, fields, names, kinetic.clone(), potential.clone(), &pattern)
         });
         let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
         let transformed =
@@ -187,7 +192,8 @@ impl<'i> Stepper<'i> {
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         // Why there is none was told before.
-        let device = input.gpu.as_ref().and_then(|gpu| DeviceText::of(&mut emitter, gpu.functions).ok());
+        let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions).ok();
+        let device = input.gpu.as_ref().and_then(text);
         let constants = Constants::of(emitter);
         Self {
             input,

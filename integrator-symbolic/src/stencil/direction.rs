@@ -7,7 +7,7 @@ use crate::graph::{
 use std::collections::HashMap;
 
 /// Where the places are that differ from the others, and how far is looked.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Direction {
     /// The running index of the places.
     pub(crate) place: LoopId,

@@ -1,63 +1,24 @@
-//! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
+//! Functions whose arguments are bodies as Rust.
 
-use super::stores;
 use crate::{
-    differentiate::{Contribution, fold_branches},
     emit::printer::{
         block::Emitter,
-        fields::{Fields, is_field, is_leaf, lower_roots},
+        fields::Fields,
         frame::{Bodies, Frame},
         function::Lines,
     },
-    graph::{
-        Element, Node, NodeId, Scope,
-        index::LoopId,
-        rename::{Renaming, rename},
-    },
-    model::{Model, Texts},
-    program::{Sink, Store, is_direct},
+    graph::index::LoopId,
+    model::Model,
+    pattern::bodies::{Constants, OfBodies},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::collections::{BTreeSet, HashMap};
-
-/// What is prepared of every body, as nodes inside the loop over all of them.
-pub(crate) struct Constants {
-    pub(crate) bodies: LoopId,
-    nodes: Vec<NodeId>,
-}
 
 impl Constants {
-    pub(crate) fn new(bodies: LoopId) -> Self {
-        Self { bodies, nodes: Vec::new() }
-    }
-
-    /// How many there are of a body.
-    pub(crate) fn count(&self) -> usize {
-        self.nodes.len()
-    }
-
-    /// The place of what is prepared for the index of a loop.
-    fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
-        let mut texts = Texts::new(&mut model.parameters, &mut model.running);
-        let renaming = Renaming::one(by, self.bodies);
-        let node = rename(&mut model.graph, id, renaming, &mut texts)?;
-        let known = self.nodes.iter().position(|known| *known == node);
-        Some(known.unwrap_or_else(|| {
-            self.nodes.push(node);
-            self.nodes.len() - 1
-        }))
-    }
-
     /// What a prepared constant of a body is called.
     fn name(&self, model: &Model, fields: &mut Fields, place: usize, by: LoopId) -> Ident {
         let field = fields.number(&model.graph, &model.parameters, self.nodes[place]);
         OfBodies::name_of(&format!("{field}_of"), model, by)
-    }
-
-    /// The tables that hold what a function reads of its bodies, by the nodes that read them.
-    pub(crate) fn tables(&self, of: &OfBodies) -> HashMap<NodeId, NodeId> {
-        of.reads.iter().map(|(id, _, place)| (*id, self.nodes[*place])).collect()
     }
 
     /// The tables that hold them.
@@ -66,73 +27,7 @@ impl Constants {
     }
 }
 
-/// A function of the bodies with the indices of some loops.
-pub(crate) struct OfBodies {
-    of: Vec<LoopId>,
-    stores: Vec<Store>,
-    /// What it reads of the prepared constants: where, of which body, and where among that body's.
-    reads: Vec<(NodeId, LoopId, usize)>,
-}
-
 impl OfBodies {
-    /// The function that gives the components of a gradient.
-    pub(crate) fn gradient(
-        model: &mut Model,
-        constants: &mut Constants,
-        of: &[LoopId],
-        gradient: &[Contribution],
-    ) -> Option<Self> {
-        let folded = fold_branches(&mut model.graph, gradient);
-        let branches = folded.iter().any(|contribution| contribution.conditions().next().is_some());
-        if is_direct(&model.graph.loops, &folded) && !branches {
-            return Self::new(model, constants, of, &folded, Sink::Assign);
-        }
-        Self::new(model, constants, of, gradient, Sink::Collect)
-    }
-
-    /// The function that puts the components of a gradient somewhere.
-    pub(crate) fn new(
-        model: &mut Model,
-        constants: &mut Constants,
-        of: &[LoopId],
-        gradient: &[Contribution],
-        sink: fn(Element) -> Sink,
-    ) -> Option<Self> {
-        let stores = stores(model, gradient, sink);
-        Self::over(model, constants, of, stores)
-    }
-
-    /// The function that gives a value.
-    pub(crate) fn value(model: &mut Model, constants: &mut Constants, of: &[LoopId], value: NodeId) -> Option<Self> {
-        let value = lower_roots(model, &[value])[0];
-        Self::over(model, constants, of, vec![Store { context: Vec::new(), sink: Sink::Return, value }])
-    }
-
-    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut stores: Vec<Store>) -> Option<Self> {
-        let leaves = read(model, &stores);
-        for store in &mut stores {
-            store.context.splice(0..0, of.iter().map(|by| Scope::Loop(*by)));
-        }
-        let mut reads = Vec::new();
-        for id in leaves {
-            let loops = model.graph.loops_of(id);
-            if let Some(by) = of.iter().copied().find(|by| loops.contains(*by)) {
-                reads.push((id, by, constants.place(model, id, by)?));
-            }
-        }
-        Some(Self { of: of.to_vec(), stores, reads })
-    }
-
-    /// The loops whose indices its bodies have.
-    pub(crate) fn loops(&self) -> &[LoopId] {
-        &self.of
-    }
-
-    /// What it stores, within these loops.
-    pub(crate) fn stores(&self) -> &[Store] {
-        &self.stores
-    }
-
     /// The name of something that belongs to a body.
     pub(crate) fn name_of(what: &str, model: &Model, by: LoopId) -> Ident {
         format_ident!("{what}{}", Self::suffix(model, by))
@@ -165,23 +60,4 @@ impl OfBodies {
         let lines = emitter.evaluate(&Frame::Bodies(bodies), &self.of, &self.stores);
         lines.map(|lines| quote!(#constants #lines))
     }
-}
-
-/// The prepared constants that values and conditions read.
-fn read(model: &Model, stores: &[Store]) -> BTreeSet<NodeId> {
-    let conditions = stores.iter().flat_map(|store| &store.context).filter_map(|around| match around {
-        Scope::Branch(condition, _) => Some(*condition),
-        Scope::Loop(_) => None,
-    });
-    let mut open: Vec<NodeId> = stores.iter().map(|store| store.value).chain(conditions).collect();
-    let (mut seen, mut read) = (BTreeSet::new(), BTreeSet::new());
-    while let Some(id) = open.pop() {
-        let node = model.graph.node(id);
-        if matches!(node, Node::FromIndex(_)) || is_field(&model.graph, &model.parameters, id) {
-            read.insert(id);
-        } else if seen.insert(id) && !is_leaf(&model.graph, &model.parameters, id) {
-            open.extend(node.children());
-        }
-    }
-    read
 }

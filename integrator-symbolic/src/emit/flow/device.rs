@@ -7,9 +7,9 @@
 mod bodies;
 mod line;
 
-use super::{Pass, constants::extents, interaction::Interaction, lattice, passes, stores};
+use super::constants::extents;
 use crate::{
-    differentiate::{Contribution, fold_branches, gradient, hessian_product},
+    differentiate::{Contribution, gradient, hessian_product},
     emit::printer::{
         block::Emitter,
         cuda::{Lines, Read, Reads, Within, evaluate},
@@ -17,8 +17,11 @@ use crate::{
     },
     graph::{Part, exact::Exact},
     model::{Length, Model},
+    pattern::{
+        Pattern, lowered,
+        stores::{Pass, passes, stores},
+    },
     program::{Sink, is_protected},
-    stencil::Components,
     syntax::DeviceFunctions,
 };
 use proc_macro2::{Literal, TokenStream};
@@ -43,12 +46,17 @@ pub(crate) struct DeviceText {
 
 impl DeviceText {
     /// The text, or what keeps a system from having one.
-    pub(crate) fn of(emitter: &mut Emitter<'_>, functions: DeviceFunctions) -> Result<Self, String> {
+    pub(crate) fn of(
+        emitter: &mut Emitter<'_>,
+        gradients: [&[Contribution]; 2],
+        pattern: &Pattern,
+        functions: DeviceFunctions,
+    ) -> Result<Self, String> {
         let shape = Shape::of(emitter.model)?;
         check_parts(emitter.model)?;
         let (mut reads, count) = (Reads::of(functions), emitter.model.flows());
         let mut flows = match emitter.model.is_separable() {
-            true => separable(emitter, &mut reads, &shape)?,
+            true => separable(emitter, &mut reads, &shape, gradients, pattern)?,
             false => of_parts(emitter, &mut reads, &shape)?,
         };
         flows += &middle(count);
@@ -233,20 +241,26 @@ fn check_parts(model: &Model) -> Result<(), String> {
 }
 
 /// The flows of `T` and of `V`.
-fn separable(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
-    if let Some(interaction) = Interaction::of(emitter.model) {
-        return bodies::flows(emitter, reads, shape, &interaction);
-    }
-    let model = &mut *emitter.model;
-    let velocity = gradient(&mut model.graph, model.kinetic, Part::Momentum);
-    let slope = gradient(&mut model.graph, model.potential, Part::Position);
-    let flows = [("drift", velocity, Part::Momentum), ("kick", slope, Part::Position)];
-    let written = flows.into_iter().map(|(name, gradient, part)| {
-        let folded = fold_branches(&mut emitter.model.graph, &gradient);
+fn separable(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    [kinetic, potential]: [&[Contribution]; 2],
+    pattern: &Pattern,
+) -> Result<String, String> {
+    let stencils = match pattern {
+        Pattern::AllPairs(pairs) => return bodies::flows(emitter, reads, shape, pairs),
+        Pattern::Sites(stencils) => stencils,
+    };
+    let flows = [("drift", kinetic, Part::Momentum), ("kick", potential, Part::Position)];
+    let written = flows.into_iter().zip(stencils).map(|((name, gradient, part), stencil)| {
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        match lattice::alike(emitter, &folded, Components::Unknown).filter(|_| !apart) {
-            Some(stencil) => line::flow(emitter, reads, shape, name, &stencil, part),
-            None => flow(emitter, reads, shape, name, &gradient, part),
+        match stencil.as_ref().filter(|_| !apart) {
+            Some(stencil) => {
+                let stencil = lowered(emitter.model, stencil);
+                line::flow(emitter, reads, shape, name, &stencil, part)
+            }
+            None => flow(emitter, reads, shape, name, gradient, part),
         }
     });
     written.collect()

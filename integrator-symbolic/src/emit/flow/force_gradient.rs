@@ -4,11 +4,12 @@
 //! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
 //! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
 
-use super::{jacobi, stores, through_buffer};
+use super::{jacobi, through_buffer};
 use crate::{
     differentiate::{gradient, hessian_product},
     emit::printer::{block::Emitter, frame::Frame, function::Lines, names::Names},
     graph::Part,
+    pattern::stores::stores,
     program::Sink,
 };
 use proc_macro2::TokenStream;

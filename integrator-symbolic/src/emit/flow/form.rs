@@ -1,10 +1,11 @@
 //! In which form the flows of a Hamiltonian are written, for people.
 
-use super::{Flows, interaction::LISTED_FROM};
+use super::Flows;
 use crate::{
     differentiate::Contribution,
     emit::printer::{block::Emitter, fields::Fields, names::Names},
     model::Model,
+    pattern::{Pattern, all_pairs::LISTED_FROM},
     stencil::Lattice,
     syntax::Input,
 };
@@ -79,9 +80,10 @@ pub(crate) fn forms(
     model: &mut Model,
     kinetic: &[Contribution],
     potential: &[Contribution],
+    pattern: &Pattern,
 ) -> [Form; 2] {
     let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
-    let Flows { drift, kick, many_body, .. } = Flows::of(&mut emitter, kinetic, potential);
+    let Flows { drift, kick, many_body, .. } = Flows::of(&mut emitter, kinetic, potential, pattern);
     if let Some(bodies) = many_body {
         return match bodies.listed() {
             Some(true) => [Form::Tiles, Form::NeighboursInBox],

@@ -1,12 +1,11 @@
 //! What stands behind a condition has no effect where the condition does not hold: a table of systems whose energy and
 //! force are computed as the stepper computes them, line by line, and held against the plain function.
 
-use super::stores;
 use crate::{
     differentiate::{fold_branches, gradient},
-    emit::printer::fields::lower_roots,
     graph::{Graph, Node, NodeId, Part, evaluate::Point},
     model::Model,
+    pattern::stores::{lower_roots, stores},
     program::{Item, Program, Sink, Store, is_protected, schedule},
 };
 

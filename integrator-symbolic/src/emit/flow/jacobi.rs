@@ -1,8 +1,7 @@
 //! Bodies that move in Jacobi coordinates: the judgement, and what is written of the map and the Kepler parts.
 
-use super::pairs::ManyBody;
 use crate::{
-    emit::printer::{block::Emitter, fields::Fields, function::Body, names::Names},
+    emit::printer::{block::Emitter, function::Body, names::Names},
     graph::{
         Part,
         index::{Index, Loop, LoopSet},
@@ -10,7 +9,8 @@ use crate::{
     },
     model::{Jacobi, Model, Shape, Texts},
     pairs::{Pairs, attraction, inverse_mass, pairs, per_body},
-    syntax::{Coordinates, Input},
+    pattern::all_pairs::AllPairs,
+    syntax::Coordinates,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -29,7 +29,7 @@ pub(crate) enum Obstacle {
 }
 
 /// What Jacobi coordinates are made with, or what stands in their way.
-pub(crate) fn judged(input: &Input, coordinates: &Coordinates, model: &mut Model) -> Result<Jacobi, Obstacle> {
+pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model) -> Result<Jacobi, Obstacle> {
     let dimension = dimension(&model.shape)?;
     let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
     let length = lengths[0];
@@ -79,8 +79,7 @@ pub(crate) fn judged(input: &Input, coordinates: &Coordinates, model: &mut Model
         inverse_mass: inverse,
         attraction: graph.sum(partners, strength),
     });
-    let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
-    let in_rows = ManyBody::of(&mut emitter).is_some();
+    let in_rows = AllPairs::of(model).is_some();
     jacobi.filter(|_| in_rows).ok_or_else(|| {
         Obstacle::Potential(
             "the terms of V are not read as those of any pair of bodies: use parameters of one body at a time, such as \

@@ -1,19 +1,11 @@
 //! Flows of lattices as Rust: what each site computes from its neighbourhood, for the runtime to sweep along.
 
 use crate::{
-    differentiate::{Contribution, fold_branches},
-    emit::printer::{
-        block::Emitter,
-        fields::{is_leaf, lower_roots},
-        frame::Frame,
-        function::Body,
-        names::Names,
-        sites::contributions,
-    },
-    graph::{Graph, Part, Scope},
-    model::Model,
+    emit::printer::{block::Emitter, frame::Frame, function::Body, names::Names, sites::contributions},
+    graph::{Part, Scope},
+    pattern::lowered,
     program::{Sink, Store},
-    stencil::{Components, Direction, Lattice, Stencil, stencil},
+    stencil::{Direction, Lattice, Stencil},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -26,45 +18,9 @@ pub(crate) struct Sweep {
     stencil: Stencil,
 }
 
-/// What the gradient of the potential tells of coordinates with two indices. A kinetic energy looks the same for points as
-/// for rows of sites.
-pub(super) fn components(emitter: &mut Emitter<'_>, potential: &[Contribution]) -> Components {
-    let Model { graph, parameters, extents, .. } = &mut *emitter.model;
-    let has_unknown_width = matches!(extents[..], [_, width] if graph.loops.literal(width).is_none());
-    if !has_unknown_width {
-        return Components::Unknown;
-    }
-    let folded = fold_branches(graph, potential);
-    let leaf = |graph: &Graph, id| is_leaf(graph, parameters, id);
-    stencil(graph, &folded, extents, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
-}
-
-/// The stencil of `gradient`, if all sites take part alike.
-pub(super) fn alike(emitter: &mut Emitter<'_>, gradient: &[Contribution], components: Components) -> Option<Stencil> {
-    let model = &mut *emitter.model;
-    let Model { graph, parameters, extents, .. } = &mut *model;
-    let mut stencil = stencil(graph, gradient, extents, components, |graph, id| is_leaf(graph, parameters, id))?;
-    for Direction { place, begins, .. } in &stencil.directions {
-        let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
-        let index = model.running.get(&first)?.clone();
-        model.running.entry(*place).or_insert(index);
-    }
-
-    let values: Vec<_> = stencil.contributions.iter().map(|contribution| contribution.value).collect();
-    for (contribution, value) in stencil.contributions.iter_mut().zip(lower_roots(model, &values)) {
-        contribution.value = value;
-    }
-    Some(stencil)
-}
-
-/// The flow along `gradient`, if it has that form.
-pub(crate) fn sweep(
-    emitter: &mut Emitter<'_>,
-    gradient: &[Contribution],
-    part: Part,
-    components: Components,
-) -> Option<Sweep> {
-    let stencil = alike(emitter, gradient, components)?;
+/// The flow along a gradient with this stencil.
+pub(crate) fn sweep(emitter: &mut Emitter<'_>, stencil: &Stencil, part: Part) -> Sweep {
+    let stencil = lowered(emitter.model, stencil);
     // The runtime goes from site to site.
     let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
     let lines = emitter.evaluate(&Frame::Sites(&stencil), &sites, &stores(&stencil));
@@ -74,7 +30,7 @@ pub(crate) fn sweep(
         Part::Momentum => format_ident!("Drift"),
         Part::Position => format_ident!("Kick"),
     };
-    Some(Sweep { flow, body, stencil })
+    Sweep { flow, body, stencil }
 }
 
 impl Sweep {

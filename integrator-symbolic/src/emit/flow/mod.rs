@@ -9,7 +9,6 @@ pub(super) mod force_gradient;
 pub(super) mod form;
 #[cfg(test)]
 mod guarded;
-pub(super) mod interaction;
 pub(super) mod invariants;
 pub(crate) mod jacobi;
 pub(super) mod kepler;
@@ -21,19 +20,22 @@ pub(super) mod transformed;
 pub(super) mod user_energies;
 
 use crate::{
-    differentiate::{Contribution, fold_branches, gradient},
+    differentiate::{Contribution, gradient},
     emit::printer::{
         block::Emitter,
-        fields::lower_roots,
         frame::Frame,
         function::{Body, Lines},
         lists::has_list_sums,
         names::Names,
     },
-    graph::{Element, Graph, NodeId, Part, exact::Exact},
-    model::{ExactPart, Length, Model, Shape},
-    program::{Sink, Store, is_direct, is_protected},
-    stencil::Components,
+    graph::{Graph, NodeId, Part, exact::Exact},
+    model::{ExactPart, Length, Shape},
+    pattern::{
+        Pattern,
+        stores::{Pass, lower_roots, passes},
+    },
+    program::Store,
+    stencil::Stencil,
 };
 use lattice::Sweep;
 use pairs::ManyBody;
@@ -59,14 +61,24 @@ pub(crate) struct Flows {
 
 impl Flows {
     /// Those along the gradients of `T` and of `V`.
-    pub(crate) fn of(emitter: &mut Emitter<'_>, kinetic: &[Contribution], potential: &[Contribution]) -> Self {
-        let many_body = ManyBody::of(emitter);
-        let components = lattice::components(emitter, potential);
-        let mut flow = |gradient: &[Contribution], part| match many_body {
-            Some(_) => Flow { body: ManyBody::flow(part), ..Flow::default() },
-            None => Flow::of(emitter, gradient, part, components),
+    pub(crate) fn of(
+        emitter: &mut Emitter<'_>,
+        kinetic: &[Contribution],
+        potential: &[Contribution],
+        pattern: &Pattern,
+    ) -> Self {
+        let flows = [(kinetic, Part::Momentum), (potential, Part::Position)];
+        let (many_body, [mut drift, mut kick]) = match pattern {
+            Pattern::AllPairs(pairs) => {
+                let flow = |(_, part)| Flow { body: ManyBody::flow(part), ..Flow::default() };
+                (Some(ManyBody::of(emitter, pairs)), flows.map(flow))
+            }
+            Pattern::Sites([velocity, force]) => {
+                let [(kinetic, of_kinetic), (potential, of_potential)] = flows;
+                let drift = Flow::of(emitter, kinetic, of_kinetic, velocity.as_ref());
+                (None, [drift, Flow::of(emitter, potential, of_potential, force.as_ref())])
+            }
         };
-        let (mut drift, mut kick) = (flow(kinetic, Part::Momentum), flow(potential, Part::Position));
         let in_jacobi = emitter.model.jacobi.is_some();
         if in_jacobi {
             (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
@@ -297,20 +309,20 @@ impl Flow {
         Self::along(emitter, &gradient, part, &Frame::Motion)
     }
 
-    /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
-    /// else contributions are collected first.
-    fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, components: Components) -> Self {
-        if gradient.is_empty() {
-            return Self::default();
+    /// That of sites which take part alike, or else each component of the gradient moves its coordinate.
+    fn of(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, stencil: Option<&Stencil>) -> Self {
+        match stencil {
+            Some(stencil) => {
+                let sweep = lattice::sweep(emitter, stencil, part);
+                Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() }
+            }
+            None if gradient.is_empty() => Self::default(),
+            None => Self::along(emitter, gradient, part, &Frame::Motion),
         }
-        let folded = fold_branches(&mut emitter.model.graph, gradient);
-        if let Some(sweep) = lattice::sweep(emitter, &folded, part, components) {
-            return Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() };
-        }
-        Self::along(emitter, gradient, part, &Frame::Motion)
     }
 
-    /// The same without regard to lattices.
+    /// Each component of the gradient moves its coordinate: on the spot where every coordinate gets one contribution;
+    /// else contributions are collected first.
     fn along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Self {
         let lines = Self::lines_along(emitter, gradient, part, frame);
         let duration = match part {
@@ -348,58 +360,6 @@ fn sheared(graph: &mut Graph, energy: NodeId) -> Vec<Contribution> {
     motion.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
     motion.extend(velocity);
     motion
-}
-
-/// Stores that are computed together, and the coordinates that they move by way of a buffer, or on the spot.
-pub(crate) struct Pass {
-    pub(crate) stores: Vec<Store>,
-    pub(crate) moved: Option<Part>,
-}
-
-/// What moves each coordinate by `step` times its component: on the spot where every coordinate gets one contribution,
-/// else collected in a buffer, and each half in one of its own.
-pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -> Vec<Pass> {
-    if gradient.is_empty() {
-        return Vec::new();
-    }
-    let folded = fold_branches(&mut model.graph, gradient);
-    let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
-    if !apart && is_direct(&model.graph.loops, &folded) {
-        return vec![Pass { stores: stores(model, &folded, Sink::Update), moved: None }];
-    }
-    let mut collected = |part: Part, half: &[Contribution]| Pass {
-        stores: stores(model, half, Sink::Collect),
-        moved: Some(part.other()),
-    };
-    if gradient.iter().all(|contribution| contribution.element.part == part) {
-        return vec![collected(part, gradient)];
-    }
-    let (own, other): (Vec<_>, Vec<_>) =
-        gradient.iter().cloned().partition(|contribution| contribution.element.part == part);
-    vec![collected(part, &own), collected(part.other(), &other)]
-}
-
-/// Where the components of a gradient go; what updates a coordinate is multiplied by the step.
-pub(crate) fn stores(model: &mut Model, gradient: &[Contribution], sink: fn(Element) -> Sink) -> Vec<Store> {
-    let target = |contribution: &Contribution| {
-        let element = contribution.element;
-        sink(element.partner())
-    };
-    let mut value = |contribution: &Contribution| match target(contribution) {
-        Sink::Update(_) => model.graph.stepped(contribution.value),
-        _ => contribution.value,
-    };
-    let values: Vec<NodeId> = gradient.iter().map(&mut value).collect();
-    let conditions = gradient.iter().flat_map(Contribution::conditions);
-    let roots: Vec<NodeId> = values.iter().copied().chain(conditions).collect();
-    let lowered = lower_roots(model, &roots);
-    let of = |id: NodeId| roots.iter().position(|root| *root == id).map_or(id, |position| lowered[position]);
-    let stores = gradient.iter().zip(values).map(|(contribution, value)| Store {
-        context: contribution.around(of),
-        sink: target(contribution),
-        value: of(value),
-    });
-    stores.collect()
 }
 
 /// The lines that collect a gradient in a buffer and apply it to the coordinates of `part`.

@@ -1,10 +1,6 @@
 //! Systems of bodies that act on each other in pairs as Rust: what moves a body, and what one body does to another. The loops
 //! over bodies and pairs are the runtime's.
 
-use super::{
-    bodies::{Constants, OfBodies},
-    interaction::{Interaction, LISTED_FROM, Listed},
-};
 use crate::{
     emit::printer::{
         block::Emitter,
@@ -12,6 +8,10 @@ use crate::{
         names::Names,
     },
     graph::{Part, index::LoopId},
+    pattern::{
+        all_pairs::{AllPairs, LISTED_FROM, Listed},
+        bodies::{Constants, OfBodies},
+    },
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -34,17 +34,17 @@ pub(crate) struct ManyBody {
 }
 
 impl ManyBody {
-    /// The parts, if the potential is one of pairs and the kinetic energy one of bodies.
-    pub(crate) fn of(emitter: &mut Emitter<'_>) -> Option<Self> {
+    /// What a potential of pairs and a kinetic energy of bodies are written as.
+    pub(crate) fn of(emitter: &mut Emitter<'_>, pairs: &AllPairs) -> Self {
         let wide = &emitter.names.wide;
-        let Interaction { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, listed } =
-            Interaction::of(emitter.model)?;
-        let sizes = [Literal::u64_unsuffixed(dimension), Literal::usize_unsuffixed(constants.count())];
+        let AllPairs { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, listed } = pairs;
+        let (pair, central) = (*pair, *central);
+        let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
         let row = emitter.model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
-        let mut writer = Writer { emitter, constants: &constants, sizes: &sizes };
-        let functions = [writer.drift(&drift), writer.pair(&force, central, pair)];
-        let acts = acts.map(|(condition, holds)| writer.acts(&condition, holds, pair));
-        let alone = alone.map(|alone| writer.alone(&alone));
+        let mut writer = Writer { emitter, constants, sizes: &sizes };
+        let functions = [writer.drift(drift), writer.pair(force, central, pair)];
+        let acts = acts.as_ref().map(|(condition, holds)| writer.acts(condition, *holds, pair));
+        let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
         let per_body = writer.per_body();
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
@@ -58,8 +58,8 @@ impl ManyBody {
             #alone
             #neighbours
         };
-        let listed = listed.map(|listed| listed.sides.is_some());
-        Some(Self { row, sizes, functions, per_body, listed })
+        let listed = listed.as_ref().map(|listed| listed.sides.is_some());
+        Self { row, sizes, functions, per_body, listed }
     }
 
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.

@@ -4,11 +4,10 @@
 use super::Flow;
 use crate::{
     differentiate::{Contribution, gradient},
-    emit::printer::{
-        block::Emitter, expression::Printer, fields::lower_roots, frame::Frame, function::Body, names::Names,
-    },
+    emit::printer::{block::Emitter, expression::Printer, frame::Frame, function::Body, names::Names},
     graph::{NodeId, Part, Scope},
     model::Model,
+    pattern::stores::lower_roots,
     program::{Program, Sink, Store},
 };
 use proc_macro2::{Literal, TokenStream};

@@ -4,17 +4,17 @@
 //! `TimeTransformed` and `Rated`, on the plain layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
 //! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root.
 
-use super::{Flow, buffer, stores};
+use super::{Flow, buffer};
 use crate::{
     differentiate::{Contribution, gradient},
     emit::printer::{
         block::Emitter,
-        fields::lower_roots,
         frame::Frame,
         function::{Body, Lines},
         names::Names,
     },
     graph::{Graph, Node, NodeId, Part},
+    pattern::stores::{lower_roots, stores},
     program::{Sink, Store, is_direct},
 };
 use proc_macro2::{Ident, Span, TokenStream};

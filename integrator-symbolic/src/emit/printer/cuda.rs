@@ -11,7 +11,7 @@ mod sites;
 use super::{
     block::Emitter,
     expression::Printer,
-    fields::{Content, Fields, is_constant, is_field},
+    fields::{Content, Fields},
     frame::Frame,
 };
 use crate::{
@@ -20,7 +20,7 @@ use crate::{
         function::Function,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    model::Length,
+    model::{Length, is_constant, is_field},
     program::{Item, Program, Sink, Store, lists::is_over_list, root_cubed, schedule},
     stencil::Stencil,
     syntax::Functions,

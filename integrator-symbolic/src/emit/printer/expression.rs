@@ -1,9 +1,6 @@
 //! Expressions as Rust: with only the parentheses that are needed, products that are added as fused multiply-adds.
 
-use super::{
-    fields::{Fields, is_field},
-    frame::Frame,
-};
+use super::{fields::Fields, frame::Frame};
 use crate::{
     graph::{
         Element, ExternalId, Graph, Node, NodeId,
@@ -11,7 +8,7 @@ use crate::{
         function::Function,
         index::{IndexId, LoopId, LoopSet},
     },
-    model::{Method, Parameter, integer::number_literal},
+    model::{Method, Parameter, integer::number_literal, is_field},
     program::root_cubed,
     syntax::Functions,
 };

@@ -2,8 +2,7 @@
 
 use crate::{
     graph::{ExternalId, Graph, Node, NodeId, ParameterId},
-    lower::lower,
-    model::{Method, Model, Parameter},
+    model::{Method, Parameter},
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::format_ident;
@@ -29,34 +28,6 @@ pub(crate) enum Content {
 pub(crate) struct Fields {
     order: Vec<(Content, Ident)>,
     names: HashMap<Content, Ident>,
-}
-
-/// Whether a node is read from a prepared constant: it depends on parameters, and on one loop at most unless it is a
-/// parameter itself (a table over two loops is only made where the user has one).
-pub(crate) fn is_field(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
-    match graph.node(id) {
-        Node::Constant(_) | Node::FromIndex(_) | Node::Neg(_) => false,
-        condition if condition.is_condition() => false,
-        Node::Parameter(parameter) => !is_constant(&parameters[parameter.0 as usize].text),
-        _ => graph.is_prepared(id) && graph.loops_of(id).iter().count() <= 1,
-    }
-}
-
-/// Whether a node is read rather than computed by a flow.
-pub(crate) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bool {
-    matches!(
-        graph.node(id),
-        Node::Constant(_) | Node::FromIndex(_) | Node::Parameter(_) | Node::Time | Node::Middle | Node::Step
-    ) || is_field(graph, parameters, id)
-}
-
-/// Whether a text is the path of a constant, which needs no preparation.
-pub(crate) fn is_constant(text: &TokenStream) -> bool {
-    text.clone().into_iter().all(|token| match token {
-        TokenTree::Ident(name) => name != "self" && name != "length",
-        TokenTree::Punct(mark) => mark.as_char() == ':',
-        TokenTree::Literal(_) | TokenTree::Group(_) => false,
-    })
 }
 
 impl Fields {
@@ -145,10 +116,4 @@ fn own_name(text: &TokenStream) -> Option<Ident> {
         }
         _ => None,
     }
-}
-
-/// Values for `roots` without powers, whose prepared constants are left alone.
-pub(crate) fn lower_roots(model: &mut Model, roots: &[NodeId]) -> Vec<NodeId> {
-    let Model { graph, parameters, .. } = model;
-    lower(graph, roots, |graph, id| is_leaf(graph, parameters, id))
 }

@@ -2,7 +2,7 @@
 
 use super::{
     expression::{Dialect, Printer},
-    fields::{Fields, is_leaf},
+    fields::Fields,
     interleaved::InterleavedIndices,
     names::Names,
 };
@@ -11,7 +11,7 @@ use crate::{
         Graph, Node, NodeId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    model::Model,
+    model::{Model, is_leaf},
     stencil::Stencil,
 };
 use proc_macro2::{Ident, TokenStream};

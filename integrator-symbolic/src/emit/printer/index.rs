@@ -2,7 +2,7 @@
 
 use super::{
     expression::{Dialect, Printer},
-    fields::{Fields, is_constant},
+    fields::Fields,
     frame::Frame,
 };
 use crate::stencil::Lattice;
@@ -14,6 +14,7 @@ use crate::{
     model::{
         Length, Shape,
         integer::{operand, operation, receiver, signed_operation},
+        is_constant,
     },
 };
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -4,7 +4,7 @@
 use super::{
     block::{Accumulation, Block},
     expression::Printer,
-    fields::{Fields, is_field},
+    fields::Fields,
     frame::Frame,
     function::Body,
     index::part_name,
@@ -15,7 +15,7 @@ use crate::{
         Graph, NodeId,
         index::{Index, IndexId, LoopId},
     },
-    model::{Model, Parameter},
+    model::{Model, Parameter, is_field},
     program::{Item, Program, lists::ListSum, results::Results},
 };
 use proc_macro2::{Ident, Literal, TokenStream};

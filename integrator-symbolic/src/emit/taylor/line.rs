@@ -10,19 +10,14 @@ use super::{
 };
 use crate::{
     differentiate::Contribution,
-    emit::printer::{
-        fields::{Fields, is_leaf},
-        frame::Frame,
-        interleaved::InterleavedIndices,
-        names::Names,
-    },
+    emit::printer::{fields::Fields, frame::Frame, interleaved::InterleavedIndices, names::Names},
     graph::{
         Element, Part,
         index::{Index, LoopId},
     },
     model::Model,
     program::{Item, Program, Sink, nest::Nest},
-    stencil::{Addend, Components, Ends, Line, stencil},
+    stencil::{Addend, Ends, Line, Stencil},
     taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Literal, TokenStream};
@@ -36,10 +31,9 @@ pub(super) fn orders(
     fields: &mut Fields,
     names: &Names,
     mut kinetic: Vec<Contribution>,
-    potential: &[Contribution],
+    stencil: &Stencil,
 ) -> Option<Orders> {
-    let Model { graph, parameters, extents, .. } = &mut *model;
-    let stencil = stencil(graph, potential, extents, Components::Unknown, |graph, id| is_leaf(graph, parameters, id))?;
+    let graph = &mut model.graph;
     let mut line = stencil.line(graph)?;
     let mut forces: Vec<_> = line.addends.iter().map(|addend| addend.contribution.clone()).collect();
     let recurrences = Recurrences::of(graph, [&mut kinetic, &mut forces]);

@@ -18,15 +18,12 @@ use super::{
 use crate::{
     differentiate::Contribution,
     emit::printer::{
-        expression::Printer,
-        fields::{Fields, is_leaf},
-        frame::Frame,
-        function::Body,
-        interleaved::InterleavedIndices,
+        expression::Printer, fields::Fields, frame::Frame, function::Body, interleaved::InterleavedIndices,
         names::Names,
     },
     graph::{Graph, Node, NodeId},
-    model::Model,
+    model::{Model, is_leaf},
+    pattern::Pattern,
     program::{Constraints, Item, Program, Sink, Store, results::Results, schedule_with},
     taylor::{Recurrences, inverse_masses},
 };
@@ -49,8 +46,10 @@ pub(crate) fn orders(
     names: &Names,
     mut kinetic: Vec<Contribution>,
     mut potential: Vec<Contribution>,
+    pattern: &Pattern,
 ) -> Orders {
-    if let Some(orders) = line::orders(model, fields, names, kinetic.clone(), &potential) {
+    let stencil = pattern.stencil_of_potential();
+    if let Some(orders) = stencil.and_then(|stencil| line::orders(model, fields, names, kinetic.clone(), stencil)) {
         return orders;
     }
     let recurrences = Recurrences::of(&mut model.graph, [&mut kinetic, &mut potential]);

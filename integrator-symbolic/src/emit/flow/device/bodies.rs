@@ -2,12 +2,15 @@
 //! another. The loops over pairs are those of the runtime on a device, in the order of the one on processors.
 
 use super::{Shape, function};
-use crate::emit::{
-    flow::{bodies::OfBodies, interaction::Interaction, pairs::ROW},
-    printer::{
-        block::Emitter,
-        cuda::{Lines, Reads, Within, evaluate},
+use crate::{
+    emit::{
+        flow::pairs::ROW,
+        printer::{
+            block::Emitter,
+            cuda::{Lines, Reads, Within, evaluate},
+        },
     },
+    pattern::{all_pairs::AllPairs, bodies::OfBodies},
 };
 
 /// The flows of `T` and of `V`, and what these ask of the system.
@@ -15,7 +18,7 @@ pub(super) fn flows(
     emitter: &mut Emitter<'_>,
     reads: &mut Reads,
     shape: &Shape,
-    interaction: &Interaction,
+    pairs: &AllPairs,
 ) -> Result<String, String> {
     if shape.length > ROW {
         return Err(format!(
@@ -24,10 +27,10 @@ pub(super) fn flows(
             shape.length
         ));
     }
-    let Interaction { drift, force, alone, central, reciprocal, .. } = interaction;
+    let AllPairs { drift, force, alone, central, reciprocal, .. } = pairs;
     let mut written = |of: &OfBodies| {
-        let within = Within { loops: of.loops(), tables: interaction.constants.tables(of), stencil: None };
-        evaluate(emitter, reads, within, of.stores())
+        let within = Within { loops: &of.of, tables: pairs.constants.tables(of), stencil: None };
+        evaluate(emitter, reads, within, &of.stores)
     };
     let Lines { text, program, indices } = written(drift)?;
     let (body, count) = (&indices[0], shape.length);

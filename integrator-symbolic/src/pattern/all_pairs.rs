@@ -1,5 +1,4 @@
-//! What moves a body, and what one body does to another, in systems of bodies that act on each other in pairs: what flows of any
-//! language are written from.
+//! All pairs: what moves a body, and what one body does to another, in systems of bodies that act on each other in pairs.
 
 use super::bodies::{Constants, OfBodies};
 use crate::{
@@ -11,35 +10,35 @@ use crate::{
 };
 
 /// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs of a liquid are as fast.
-pub(super) const LISTED_FROM: u64 = 384;
+pub(crate) const LISTED_FROM: u64 = 384;
 
 /// A potential of pairs with a kinetic energy of bodies.
-pub(super) struct Interaction {
+pub(crate) struct AllPairs {
     /// The loops over the two bodies of a pair.
-    pub(super) pair: [LoopId; 2],
+    pub(crate) pair: [LoopId; 2],
     /// How many coordinates a body has.
-    pub(super) dimension: u64,
+    pub(crate) dimension: u64,
     /// What is prepared of each body.
-    pub(super) constants: Constants,
+    pub(crate) constants: Constants,
     /// What the flow of `T` does to a body.
-    pub(super) drift: OfBodies,
+    pub(crate) drift: OfBodies,
     /// Whether a pair interacts, and whether that condition has to hold.
-    pub(super) acts: Option<(OfBodies, bool)>,
+    pub(crate) acts: Option<(OfBodies, bool)>,
     /// The gradient of the energy of a pair by the coordinates of its first body, or what their displacement is to be multiplied by.
-    pub(super) force: OfBodies,
+    pub(crate) force: OfBodies,
     /// Whether it is that factor.
-    pub(super) central: bool,
+    pub(crate) central: bool,
     /// Whether action is reaction.
-    pub(super) reciprocal: bool,
+    pub(crate) reciprocal: bool,
     /// The gradient of what a body has alone.
-    pub(super) alone: Option<OfBodies>,
+    pub(crate) alone: Option<OfBodies>,
     /// What is asked where neighbours within a cutoff are listed.
-    pub(super) listed: Option<Listed>,
+    pub(crate) listed: Option<Listed>,
 }
 
-impl Interaction {
+impl AllPairs {
     /// That of a model, if its potential is one of pairs and its kinetic energy one of bodies.
-    pub(super) fn of(model: &mut Model) -> Option<Self> {
+    pub(crate) fn of(model: &mut Model) -> Option<Self> {
         let dimension = match &model.shape.inner[..] {
             [] => 1,
             [dimension] => dimension.literal()?,
@@ -95,15 +94,15 @@ impl Interaction {
 }
 
 /// What is asked where neighbours within a cutoff are listed.
-pub(super) struct Listed {
+pub(crate) struct Listed {
     /// The square of the cutoff.
-    pub(super) square: OfBodies,
+    pub(crate) square: OfBodies,
     /// The sides of the box.
-    pub(super) sides: Option<OfBodies>,
+    pub(crate) sides: Option<OfBodies>,
     /// The energy of a pair.
-    pub(super) energy: OfBodies,
+    pub(crate) energy: OfBodies,
     /// That of a body alone.
-    pub(super) energy_alone: Option<OfBodies>,
+    pub(crate) energy_alone: Option<OfBodies>,
 }
 
 impl Listed {

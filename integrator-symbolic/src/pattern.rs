@@ -1,0 +1,50 @@
+//! Access patterns: how the iterations of the gradients of `T` and `V` reach the coordinates.
+//!
+//! Comes in: a model and its gradients. Goes out: their pattern, once, before any text is written: flows, text for devices,
+//! Taylor's recurrences and reports read it. Always true: what a pattern adds up is what comes in; where nothing is known of
+//! how iterations reach memory, they stand as they are written, one after the other. Loops over lists are found in these
+//! lines (`program/lists.rs`), and iterations that do not depend on each other too (`program/nest.rs`).
+
+pub(crate) mod all_pairs;
+pub(crate) mod bodies;
+mod sites;
+pub(crate) mod stores;
+
+use crate::{
+    differentiate::{Contribution, fold_branches},
+    model::Model,
+    stencil::Stencil,
+};
+use all_pairs::AllPairs;
+pub(crate) use sites::lowered;
+
+/// How iterations reach the coordinates.
+pub(crate) enum Pattern {
+    /// Bodies act on each other in pairs, and move as their kinetic energy says.
+    AllPairs(Box<AllPairs>),
+    /// Sites of a lattice read their neighbours, in the gradient by the momenta and in that by the positions; or else
+    /// iterations go one after the other.
+    Sites([Option<Stencil>; 2]),
+}
+
+/// The pattern of the gradients of `T` and of `V`.
+pub(crate) fn recognise(model: &mut Model, [kinetic, potential]: [&[Contribution]; 2]) -> Pattern {
+    if model.is_separable()
+        && let Some(pairs) = AllPairs::of(model)
+    {
+        return Pattern::AllPairs(Box::new(pairs));
+    }
+    let folded = [kinetic, potential].map(|gradient| fold_branches(&mut model.graph, gradient));
+    let components = sites::components(model, &folded[1]);
+    Pattern::Sites(folded.map(|gradient| sites::stencil_of(model, &gradient, components)))
+}
+
+impl Pattern {
+    /// The stencil of the gradient of `V`.
+    pub(crate) fn stencil_of_potential(&self) -> Option<&Stencil> {
+        match self {
+            Self::Sites([_, potential]) => potential.as_ref(),
+            Self::AllPairs(_) => None,
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Sites of a lattice that take part alike.
+
+use super::stores::lower_roots;
+use crate::{
+    differentiate::Contribution,
+    graph::Graph,
+    model::{Model, is_leaf},
+    stencil::{Components, Direction, Stencil, stencil},
+};
+
+/// What the gradient of the potential tells of coordinates with two indices. A kinetic energy looks the same for points as
+/// for rows of sites.
+pub(super) fn components(model: &mut Model, potential: &[Contribution]) -> Components {
+    let Model { graph, parameters, extents, .. } = model;
+    let has_unknown_width = matches!(extents[..], [_, width] if graph.loops.literal(width).is_none());
+    if !has_unknown_width {
+        return Components::Unknown;
+    }
+    let leaf = |graph: &Graph, id| is_leaf(graph, parameters, id);
+    stencil(graph, potential, extents, Components::Unknown, leaf).map_or(Components::Unknown, |_| Components::Sites)
+}
+
+/// The stencil of a gradient, if all sites take part alike.
+pub(super) fn stencil_of(model: &mut Model, gradient: &[Contribution], components: Components) -> Option<Stencil> {
+    let Model { graph, parameters, extents, running, .. } = model;
+    let stencil = stencil(graph, gradient, extents, components, |graph, id| is_leaf(graph, parameters, id))?;
+    for Direction { place, begins, .. } in &stencil.directions {
+        let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
+        let index = running.get(&first)?.clone();
+        running.entry(*place).or_insert(index);
+    }
+    Some(stencil)
+}
+
+/// A stencil whose values have no powers.
+pub(crate) fn lowered(model: &mut Model, stencil: &Stencil) -> Stencil {
+    let mut stencil = stencil.clone();
+    let values: Vec<_> = stencil.contributions.iter().map(|contribution| contribution.value).collect();
+    for (contribution, value) in stencil.contributions.iter_mut().zip(lower_roots(model, &values)) {
+        contribution.value = value;
+    }
+    stencil
+}
