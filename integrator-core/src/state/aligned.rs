@@ -16,24 +16,42 @@ pub struct Aligned<T> {
 impl<T: Copy> Aligned<T> {
     /// The array with these elements.
     pub(crate) fn new(length: usize, at: &dyn Fn(usize) -> T) -> Self {
-        if length == 0 {
-            return Self { elements: Vec::new(), first: 0 };
-        }
-        let size = size_of::<T>().max(1);
-        let mut elements = Vec::<T>::with_capacity(length + LINE / size);
-        let left = elements.as_ptr().addr().wrapping_neg() % LINE;
-        // Where no whole number of elements fills the rest of the line, the array is not aligned.
-        let first = if left.is_multiple_of(size) { left / size } else { 0 };
+        let (mut elements, first) = Self::room(length);
         for index in 0..first + length {
             elements.push(at(index.saturating_sub(first)));
         }
         Self { elements, first }
     }
+
+    /// The array with the same element so many times.
+    pub(crate) fn filled(length: usize, element: T) -> Self {
+        let (mut elements, first) = Self::room(length);
+        elements.resize(first + length, element);
+        Self { elements, first }
+    }
+
+    /// Room for so many elements, and how many unused ones are before them.
+    fn room(length: usize) -> (Vec<T>, usize) {
+        if length == 0 {
+            return (Vec::new(), 0);
+        }
+        let size = size_of::<T>().max(1);
+        let elements = Vec::<T>::with_capacity(length + LINE / size);
+        let left = elements.as_ptr().addr().wrapping_neg() % LINE;
+        // Where no whole number of elements fills the rest of the line, the array is not aligned.
+        let first = if left.is_multiple_of(size) { left / size } else { 0 };
+        (elements, first)
+    }
 }
 
 impl<T: Copy> Clone for Aligned<T> {
     fn clone(&self) -> Self {
-        Self::new(self.len(), &|index| self[index])
+        let (mut elements, first) = Self::room(self.len());
+        if let Some(unused) = self.first() {
+            elements.resize(first, *unused);
+        }
+        elements.extend_from_slice(self);
+        Self { elements, first }
     }
     fn clone_from(&mut self, from: &Self) {
         if self.len() == from.len() {
@@ -69,6 +87,9 @@ mod tests {
             let array = Aligned::new(length, &of);
             let mut other = Aligned::new(3, &of);
             other.clone_from(&array);
+            let filled = Aligned::filled(length, of(1));
+            assert!(filled.len() == length && filled.iter().all(|element| *element == of(1)), "{length} elements");
+            assert!(length == 0 || (filled.as_ptr() as usize).is_multiple_of(LINE) || !aligned, "{length} elements");
             for array in [array.clone(), array, other] {
                 assert!(array.iter().copied().eq((0..length).map(of)), "{length} elements");
                 let at_a_line = (array.as_ptr() as usize).is_multiple_of(LINE);

@@ -19,7 +19,7 @@ pub struct InverseMass<R: Copy> {
 
 impl<R: Real> Default for InverseMass<R> {
     fn default() -> Self {
-        Self { numbers: Aligned::new(0, &|_| R::of(0.0)) }
+        Self { numbers: Aligned::filled(0, R::of(0.0)) }
     }
 }
 

@@ -121,7 +121,7 @@ pub struct Table<R> {
 impl<R: Real> Table<R> {
     /// Coefficients that are zero.
     pub fn new(layout: Layout) -> Self {
-        Self { numbers: Aligned::new(COEFFICIENTS * layout.width, &|_| R::of(0.0)) }
+        Self { numbers: Aligned::filled(COEFFICIENTS * layout.width, R::of(0.0)) }
     }
     /// The coefficients by order.
     #[inline(always)]

@@ -118,7 +118,7 @@ impl<R: Real, const D: usize> Clone for Neighbours<R, D> {
 impl<R: Real, const D: usize> Neighbours<R, D> {
     /// Those of a motion whose neighbours were never asked for.
     pub(crate) fn none() -> Self {
-        let points = Aligned::new(0, &|_| R::of(0.0));
+        let points = Aligned::filled(0, R::of(0.0));
         Self { listed: None, borrowed: Weak::new(), sums: 0, points, results: Vec::new() }
     }
 
@@ -184,7 +184,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         let quads = quads(D + S);
         let length = slots.len() * quads * 4;
         if self.points.len() != length {
-            self.points = Aligned::new(length, &|_| R::of(0.0));
+            self.points = Aligned::filled(length, R::of(0.0));
         }
         let (points, _) = self.points.as_chunks_mut();
         for (row, slots) in slots.chunks(WIDTH).enumerate() {
