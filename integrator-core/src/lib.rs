@@ -210,7 +210,7 @@ pub mod __private {
             Recurrences, RecurrencesVisitor,
             inverse_mass::InverseMass,
             iterations::{Iterations, Target, splat},
-            line::{Bundle, Ends, Line},
+            line::{Bundle, Ends, Few, Line},
             series::{
                 COEFFICIENTS, div_by_order, div_by_two_orders, half_power, next_record, power_sum, power_weight,
                 power_weight_with, time_coefficients,

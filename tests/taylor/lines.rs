@@ -104,6 +104,11 @@ lines! {
     from_a_wall(self, q, p)
         { let mut t = 0.0; for i in 0..p.len() { t += p[i] * p[i] / 2.0; } t }
         { let mut v = q[0].cosh(); for i in 1..q.len() { v += (q[i] - q[i - 1]).cosh(); } v } 0.0;
+    ring(self, q, p)
+        { let mut t = 0.0; for i in 0..p.len() { t += p[i] * p[i] / (2.0 * self.masses[i]); } t }
+        { let mut v = 0.0; for i in 0..q.len() { v += (q[(i + 1) % q.len()] - q[i]).powi(4) / 4.0; } v } 0.0;
+    // Here it gets three, whose roundings grow with the distance of neighbouring motions, by e² at most.
+    // What a branch adds is an addend of its own in a list.
     with_stops(self, q, p)
         { let mut t = 0.0; for i in 0..p.len() { t += p[i] * p[i] / 2.0; } t }
         {
@@ -113,11 +118,7 @@ lines! {
                 v += r * r / 2.0 + if r < 0.0 { r.powi(4) } else { 0.0 };
             }
             v
-        } 0.0;
-    ring(self, q, p)
-        { let mut t = 0.0; for i in 0..p.len() { t += p[i] * p[i] / (2.0 * self.masses[i]); } t }
-        { let mut v = 0.0; for i in 0..q.len() { v += (q[(i + 1) % q.len()] - q[i]).powi(4) / 4.0; } v } 0.0;
-    // Here it gets three, whose roundings grow with the distance of neighbouring motions, by e² at most.
+        } 64.0;
     sine_gordon(self, q, p)
         { let mut t = 0.0; for i in 0..p.len() { t += p[i] * p[i] / (2.0 * self.masses[i]); } t }
         {

@@ -53,6 +53,12 @@ fn count<R: Real>(layout: Layout) -> usize {
     layout.width() / lanes::<R>()
 }
 
+/// The number of vectors that compute: behind those that hold sites is the one of the site at rest before the first.
+#[inline(always)]
+fn computing<R: Real>(layout: Layout, ends: Ends) -> usize {
+    count::<R>(layout) + ends.before()
+}
+
 /// A vector with another number in one lane; or the other number, where a vector is one.
 #[inline(always)]
 fn with_lane<R: Real>(vector: Wide<R>, lane: usize, other: Wide<R>) -> Wide<R> {
@@ -72,7 +78,7 @@ type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; 
 /// that of one.
 pub struct Line<R: Real, B, T, const VALUES: usize, const ORDERS: usize> {
     bundles: Vec<B>,
-    /// The vectors that fill no bundle, and behind all the one before the first site, if it has a neighbour at rest.
+    /// The vectors that fill no bundle.
     singles: Vec<T>,
     results: Vec<Results<R, VALUES, ORDERS>>,
 }
@@ -80,6 +86,23 @@ pub struct Line<R: Real, B, T, const VALUES: usize, const ORDERS: usize> {
 impl<R: Real, B, T, const VALUES: usize, const ORDERS: usize> Default for Line<R, B, T, VALUES, ORDERS> {
     fn default() -> Self {
         Self { bundles: Vec::new(), singles: Vec::new(), results: Vec::new() }
+    }
+}
+
+/// What a few vectors compute, which stays in registers where there are enough: stored and loaded again, it would come later
+/// than the sums over what is known. `VECTORS` is zero where they are too many.
+pub struct Few<R: Real, const VALUES: usize, const ORDERS: usize, const VECTORS: usize> {
+    results: [Results<R, VALUES, ORDERS>; VECTORS],
+}
+
+impl<R: Real, const VALUES: usize, const ORDERS: usize, const VECTORS: usize> Few<R, VALUES, ORDERS, VECTORS> {
+    /// Whether registers hold them: where each vector is one, bundles have the most.
+    const IN_REGISTERS: bool = VECTORS > 0 && vectors::<R, Bundle<R>>() == MOST;
+
+    /// Before any vector has computed.
+    #[inline(always)]
+    pub fn new() -> Self {
+        Self { results: [[[Wide::<R>::of(0.0); ORDERS]; VALUES]; VECTORS] }
     }
 }
 
@@ -103,16 +126,15 @@ impl<R: Real, B: Default, T: Default, const VALUES: usize, const ORDERS: usize> 
     #[cold]
     #[inline(never)]
     pub fn build(&mut self, layout: Layout, ends: Ends) {
-        let (count, together) = (count::<R>(layout), vectors::<R, Bundle<R>>());
-        self.bundles.resize_with(count / together, B::default);
-        self.singles.resize_with(count % together + ends.before(), T::default);
-        self.results.resize(count + ends.before(), [[Wide::<R>::of(0.0); ORDERS]; VALUES]);
+        self.bundles.resize_with(self.bundles(layout, ends).len(), B::default);
+        self.singles.resize_with(self.singles(layout, ends).len(), T::default);
+        self.results.resize(computing::<R>(layout, ends), [[Wide::<R>::of(0.0); ORDERS]; VALUES]);
     }
 
     /// The numbers of the bundles.
     #[inline(always)]
-    pub fn bundles(&self, layout: Layout) -> Range<usize> {
-        0..count::<R>(layout) / vectors::<R, Bundle<R>>()
+    pub fn bundles(&self, layout: Layout, ends: Ends) -> Range<usize> {
+        0..computing::<R>(layout, ends) / vectors::<R, Bundle<R>>()
     }
 
     /// The vectors of a bundle.
@@ -127,22 +149,29 @@ impl<R: Real, B: Default, T: Default, const VALUES: usize, const ORDERS: usize> 
     /// The numbers of the vectors that fill no bundle.
     #[inline(always)]
     pub fn singles(&self, layout: Layout, ends: Ends) -> Range<usize> {
-        0..count::<R>(layout) % vectors::<R, Bundle<R>>() + ends.before()
+        0..computing::<R>(layout, ends) % vectors::<R, Bundle<R>>()
     }
 
     /// One of these vectors.
     #[inline(always)]
-    pub fn single(&mut self, number: usize, layout: Layout) -> Vectors<'_, R, Wide<R>, T, VALUES, ORDERS> {
-        let first = count::<R>(layout) / vectors::<R, Bundle<R>>() * vectors::<R, Bundle<R>>() + number;
+    pub fn single(&mut self, number: usize, layout: Layout, ends: Ends) -> Vectors<'_, R, Wide<R>, T, VALUES, ORDERS> {
+        let first = self.bundles(layout, ends).len() * vectors::<R, Bundle<R>>() + number;
         let results = &mut self.results[first..][..1];
         Vectors { kept: &mut self.singles[number], first, results, vectors: PhantomData }
     }
 
     /// What all sites computed.
     #[inline(always)]
-    pub fn computed(&self, layout: Layout, ends: Ends) -> Computed<'_, R, VALUES, ORDERS> {
-        let count = count::<R>(layout);
-        Computed { results: &self.results[..count + ends.before()], count, ends }
+    pub fn computed<'l, const VECTORS: usize>(
+        &'l self,
+        few: &'l Few<R, VALUES, ORDERS, VECTORS>,
+        layout: Layout,
+        ends: Ends,
+    ) -> Computed<'l, R, VALUES, ORDERS> {
+        let (count, all) = (count::<R>(layout), computing::<R>(layout, ends));
+        let in_registers = const { Few::<R, VALUES, ORDERS, VECTORS>::IN_REGISTERS };
+        let results = if in_registers { &few.results[..] } else { &self.results };
+        Computed { results: &results[..all], count, ends }
     }
 }
 
@@ -237,12 +266,14 @@ impl<R: Real, V: Row<Wide<R>>, T, const VALUES: usize, const ORDERS: usize> Vect
 
     /// Stores what the sites computed.
     #[inline(always)]
-    pub fn store(self, values: [[V; ORDERS]; VALUES]) {
+    pub fn store<const VECTORS: usize>(self, few: &mut Few<R, VALUES, ORDERS, VECTORS>, values: [[V; ORDERS]; VALUES]) {
+        let in_registers = const { Few::<R, VALUES, ORDERS, VECTORS>::IN_REGISTERS };
+        let results = if in_registers { &mut few.results[self.first..][..vectors::<R, V>()] } else { self.results };
         for value in 0..VALUES {
             for at in 0..ORDERS {
                 let mut numbers = [Wide::<R>::of(0.0); MOST];
                 values[value][at].write(&mut numbers);
-                for (results, number) in self.results.iter_mut().zip(numbers) {
+                for (results, number) in results.iter_mut().zip(numbers) {
                     results[value][at] = number;
                 }
             }
@@ -290,7 +321,7 @@ mod tests {
     };
 
     /// What sites read and get is what loops over sites say. Sums of these numbers are exact.
-    fn sites_are_those_of_a_loop<R: Real>(sites: usize, ends: Ends) {
+    fn sites_are_those_of_a_loop<R: Real, const FEW: usize>(sites: usize, ends: Ends) {
         let layout = Layout::of::<Vec<f64>>(sites, true);
         let number = |site: usize| site as f64 + 1.0;
         let mut table = Table::<R>::new(layout);
@@ -301,18 +332,19 @@ mod tests {
         let mut line = Line::<R, u8, u8, 2, 2>::default();
         assert!(line.is_empty());
         line.build(layout, ends);
+        let mut few = Few::<R, 2, 2, FEW>::new();
         for vectors in line.singles(layout, ends) {
-            let vectors = line.single(vectors, layout);
+            let vectors = line.single(vectors, layout, ends);
             let (own, next) = (vectors.own(&q, 3), vectors.next(&q, 3, ends));
-            vectors.store([own, next]);
+            vectors.store(&mut few, [own, next]);
         }
-        for vectors in line.bundles(layout) {
+        for vectors in line.bundles(layout, ends) {
             let vectors = line.bundle(vectors);
             let (own, next) = (vectors.own(&q, 3), vectors.next(&q, 3, ends));
-            vectors.store([own, next]);
+            vectors.store(&mut few, [own, next]);
         }
 
-        let computed = line.computed(layout, ends);
+        let computed = line.computed(&few, layout, ends);
         let number = |site: Option<usize>| site.map_or(0.0, number);
         let after = |site: usize| match ends {
             Ends::Ring => Some((site + 1) % sites),
@@ -340,10 +372,10 @@ mod tests {
     }
 
     fn lines_of_all_kinds<R: Real>() {
-        for sites in [8, 16, 24, 32, 40, 72] {
-            sites_are_those_of_a_loop::<R>(sites, Ends::Ring);
-            for first_at_rest in [false, true] {
-                sites_are_those_of_a_loop::<R>(sites, Ends::Open { first_at_rest });
+        for ends in [Ends::Ring, Ends::Open { first_at_rest: false }, Ends::Open { first_at_rest: true }] {
+            for sites in [8, 16, 24, 32, 40, 72] {
+                sites_are_those_of_a_loop::<R, 0>(sites, ends);
+                sites_are_those_of_a_loop::<R, 10>(sites, ends);
             }
         }
     }

@@ -56,6 +56,12 @@ pub(super) fn orders(
     Some(finished(&writer, fields, quote!(#first #sites), true))
 }
 
+/// The number of sites in a vector.
+const LANES: u64 = 8;
+
+/// The most vectors, with one before the first site, whose results are held in registers.
+const FEW: u64 = 7;
+
 /// The loop over the sites of a line.
 pub(super) struct Sites<'p> {
     nest: Nest<'p>,
@@ -63,6 +69,8 @@ pub(super) struct Sites<'p> {
     without_last: Vec<bool>,
     ends: Ends,
     site: LoopId,
+    /// How many sites there are.
+    number: u64,
 }
 
 impl<'p> Sites<'p> {
@@ -72,7 +80,7 @@ impl<'p> Sites<'p> {
         let [Item::Loop { by, body }] = &program.items[..] else { return None };
         let nests = nest_context(model, program, recurrences).nests(*by, body)?;
         let [nest] = <[Nest<'p>; 1]>::try_from(nests).ok()?;
-        let graph = &model.graph;
+        let (graph, number) = (&model.graph, model.shape.length.literal()?);
         let is_alike = nest.loops == [*site] && nest.constants.is_empty() && nest.predicates.is_empty();
         let is_common = nest.invariants.iter().all(|id| graph.is_prepared(*id));
         let reads_positions = nest.reads.iter().all(|(_, element)| element.part == Part::Position);
@@ -92,7 +100,13 @@ impl<'p> Sites<'p> {
             of_sink.all(|addend| addend.without_last == first).then_some(first)
         });
         let without_last = without_last.collect::<Option<Vec<_>>>()?;
-        (without_last.len() == nest.targets.len()).then_some(Self { nest, without_last, ends: *ends, site: *site })
+        (without_last.len() == nest.targets.len()).then_some(Self {
+            nest,
+            without_last,
+            ends: *ends,
+            site: *site,
+            number,
+        })
     }
 }
 
@@ -108,10 +122,12 @@ fn ends(ends: Ends, names: &Names) -> TokenStream {
 impl Writer<'_> {
     /// The lines that compute two orders of the momenta of a line, and the positions that follow.
     pub(super) fn line(&mut self, fields: &mut Fields, sites: &Sites<'_>) -> TokenStream {
-        let Sites { nest, without_last, ends: beyond, site } = sites;
+        let Sites { nest, without_last, ends: beyond, site, number } = sites;
         self.orders_per_call = OrdersPerCall::Two;
         let names = self.source.names;
         let (runtime, scalar) = (&names.runtime, &names.scalar);
+        let vectors = number.div_ceil(LANES) + 1;
+        let few = Literal::u64_unsuffixed(if vectors <= FEW { vectors } else { 0 });
         let number = self.records.len();
         let (list, iteration) = (list(number), iteration(number));
         let Kernel { function, reads, results, clock } =
@@ -130,7 +146,7 @@ impl Writer<'_> {
         let call = quote! {
             #read
             let results = #iteration::<#scalar, _>(vectors.kept, [#(#reads),*], [], [#(#common),*], order, #(#clock,)*);
-            vectors.store(results);
+            vectors.store(&mut few, results);
         };
         let addends = nest.targets.iter().zip(&results.targets).zip(without_last);
         let addends = addends.map(|((element, target), without_last)| match (is_own(*element), without_last) {
@@ -154,20 +170,23 @@ impl Writer<'_> {
         }
         let names: BTreeSet<_> = addends.iter().map(|(name, _)| format_ident!("{name}")).collect();
         let names = names.iter();
+        let values = Literal::usize_unsuffixed(results.values());
         quote! {
             const ENDS: #runtime::Ends = #ends;
             #function
             #times
             if tape.#list.is_empty() { tape.#list.build(layout, ENDS); }
+            let mut few = #runtime::Few::<#scalar, #values, 2, #few>::new();
             for number in tape.#list.singles(layout, ENDS) {
-                let vectors = tape.#list.single(number, layout);
+                let vectors = tape.#list.single(number, layout, ENDS);
                 #call
             }
-            for number in tape.#list.bundles(layout) {
+            for number in tape.#list.bundles(layout, ENDS) {
                 let vectors = tape.#list.bundle(number);
                 #call
             }
-            let (sites, inverse_masses) = (tape.#list.computed(layout, ENDS), tape.inverse_mass.of_all(layout));
+            let sites = tape.#list.computed(&few, layout, ENDS);
+            let inverse_masses = tape.inverse_mass.of_all(layout);
             for vector in sites.vectors() {
                 #(let #names = sites.#names(vector);)*
                 for at in 0..2 {

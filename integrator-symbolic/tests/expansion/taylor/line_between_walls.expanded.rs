@@ -124,8 +124,9 @@ const _: () = {
             if tape.iterations_1.is_empty() {
                 tape.iterations_1.build(layout, ENDS);
             }
+            let mut few = runtime::Few::<Scalar, 1, 2, 5>::new();
             for number in tape.iterations_1.singles(layout, ENDS) {
-                let vectors = tape.iterations_1.single(number, layout);
+                let vectors = tape.iterations_1.single(number, layout, ENDS);
                 let read_0 = vectors.next(q, order, ENDS);
                 let read_1 = vectors.own(q, order);
                 let results = iteration_1::<
@@ -138,9 +139,9 @@ const _: () = {
                     [runtime::splat(parameters.alpha)],
                     order,
                 );
-                vectors.store(results);
+                vectors.store(&mut few, results);
             }
-            for number in tape.iterations_1.bundles(layout) {
+            for number in tape.iterations_1.bundles(layout, ENDS) {
                 let vectors = tape.iterations_1.bundle(number);
                 let read_0 = vectors.next(q, order, ENDS);
                 let read_1 = vectors.own(q, order);
@@ -154,12 +155,10 @@ const _: () = {
                     [runtime::splat(parameters.alpha)],
                     order,
                 );
-                vectors.store(results);
+                vectors.store(&mut few, results);
             }
-            let (sites, inverse_masses) = (
-                tape.iterations_1.computed(layout, ENDS),
-                tape.inverse_mass.of_all(layout),
-            );
+            let sites = tape.iterations_1.computed(&few, layout, ENDS);
+            let inverse_masses = tape.inverse_mass.of_all(layout);
             for vector in sites.vectors() {
                 let before = sites.before(vector);
                 let own = sites.own(vector);
