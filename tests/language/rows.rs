@@ -278,6 +278,7 @@ rows! {
     any_rust { let top = self.table.iter().copied().fold(0.0, f64::max); top * q[0] } => [4.0, 0.0, 0.0, 0.0];
     made_lists { let twice = |x: f64| 2.0 * x; let list = vec![1.0, twice(self.mass)]; list[1] * q[0] } => [4.0, 0.0, 0.0, 0.0];
 
+    integers_of_other_types { let k = 2 * self.charge - 1; let mut v = (1.0 + q[0]).powi(self.charge + 1) + k as f64 * q[1]; if self.charge % 2 == 0 { v += q[2]; } v += match self.charge % 3 { 2 => q[3], _ => 0.0 }; v } => [3.0 * (1.0 + a).powi(2), 3.0, 1.0, 1.0];
     // Time
     time { q[0] * (self.mass * t).sin() + t * t } => [(s.mass * t).sin(), 0.0, 0.0, 0.0];
     time_in_conditions { if t < 1.0 { t * q[0] } else { q[0] } } => [t, 0.0, 0.0, 0.0];

@@ -89,7 +89,8 @@ impl Reader<'_> {
         if let Expr::Tuple(_) = expression {
             return Some(Some((whole, None)));
         }
-        Some(Some(match self.expression(expression)? {
+        let value = self.expression(expression)?;
+        Some(Some(match self.of_own_type(value) {
             Value::Opaque(opaque) => (opaque, None),
             Value::Integer(index) => (self.opaque(&Value::Integer(index)).unwrap_or(whole), Some(index)),
             _ => (whole, None),

@@ -152,7 +152,8 @@ impl Reader<'_> {
             Expr::Path(path) if path.qself.is_none() => path.path.segments.iter().map(|part| &part.ident).collect(),
             _ => Vec::new(),
         };
-        if let ([kind, name], [Value::Integer(index)]) = (&segments[..], &arguments[..])
+        if let ([kind, name], [value @ Value::Integer(index)]) = (&segments[..], &arguments[..])
+            && let Value::Integer(_) = self.of_own_type(value.clone())
             && *kind == "f64"
             && *name == "from"
         {

@@ -70,6 +70,7 @@ impl Reader<'_> {
         match value {
             Value::Opaque(opaque) => Some(opaque.clone()),
             Value::Closure(callable) => callable.text.clone(),
+            Value::Integer(index) if let Some(own) = self.own_integers.get(index) => Some(own.clone()),
             Value::Integer(index) => {
                 Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
             }

@@ -70,7 +70,7 @@ use sorted_parts::sorted;
 use std::collections::HashMap;
 use syn::{ImplItemFn, ItemUse, Pat, ReturnType, spanned::Spanned};
 use text::standing_alone;
-use value::{Value, View};
+use value::{Opaque, Value, View};
 
 /// An expression of parameters that is evaluated once per run.
 pub(crate) struct Parameter {
@@ -357,6 +357,8 @@ struct Reader<'i> {
     graph: Graph,
     parameters: Vec<Parameter>,
     parameter_ids: HashMap<String, ParameterId>,
+    /// Integers of the system and literals with the text that joins them, whose type may be another than that of an index.
+    own_integers: HashMap<IndexId, Opaque>,
     running: HashMap<LoopId, Ident>,
     externals: Vec<Method>,
     /// The parameters that derivatives are taken by, by their names, as far as they were read.
@@ -396,6 +398,7 @@ impl<'i> Reader<'i> {
             graph: Graph::default(),
             parameters: Vec::new(),
             parameter_ids: HashMap::new(),
+            own_integers: HashMap::new(),
             running: HashMap::new(),
             externals: Vec::new(),
             sensitive: HashMap::new(),

@@ -20,7 +20,7 @@ impl Reader<'_> {
                 let value = self.expression(&unary.expr)?;
                 Some(dereferenced(value, &unary.expr))
             }
-            UnOp::Neg(_) => match self.expression(&unary.expr)?.into_place() {
+            UnOp::Neg(_) => match self.operand_of_own_type(&unary.expr)?.into_place() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
                 Value::Integer(index) => {
                     let zero = self.literal_index(0);
@@ -97,8 +97,11 @@ impl Reader<'_> {
         right_place: &Expr,
         whole: &Expr,
     ) -> Option<Value> {
-        let (left, right) = (left.into_place(), right.into_place());
+        let (mut left, mut right) = (left.into_place(), right.into_place());
         if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
+            if self.own_text(&left).is_some() && self.own_text(&right).is_some() {
+                [left, right] = [left, right].map(|value| self.of_own_type(value));
+            }
             let literals =
                 matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
             return match (self.opaque(&left), self.opaque(&right)) {
@@ -118,8 +121,15 @@ impl Reader<'_> {
                 return Some(Value::Opaque(joined(&a, op, &b)));
             }
             (Value::Integer(_), Value::Integer(_) | Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(_)) => {
+                let own = self.own_text(&left).zip(self.own_text(&right)).map(|(a, b)| joined(&a, op, &b));
                 let (a, b) = (self.integer(&left)?, self.integer(&right)?);
-                return Some(Value::Integer(self.integer_operation(op, a, b)));
+                let index = self.integer_operation(op, a, b);
+                if let Some(Opaque { text, loops }) = own
+                    && self.graph.loops.literal(index).is_none()
+                {
+                    self.own_integers.insert(index, Opaque { text: quote!((#text)), loops });
+                }
+                return Some(Value::Integer(index));
             }
             // Text of parameters stays text, unless it would join the indices of different loops into one table.
             _ if !(literal_only(&left) && literal_only(&right)) => {
@@ -152,6 +162,33 @@ impl Reader<'_> {
         }))
     }
 
+    fn operand_of_own_type(&mut self, operand: &Expr) -> Option<Value> {
+        let value = self.expression(operand)?;
+        Some(self.of_own_type(value))
+    }
+
+    /// The text of an integer that is one of the system, or a literal beside one.
+    fn own_text(&self, value: &Value) -> Option<Opaque> {
+        match value {
+            Value::Integer(index) if self.graph.loops.literal(*index).is_none() => {
+                self.own_integers.get(index).cloned()
+            }
+            value => self.opaque(value),
+        }
+    }
+
+    /// An integer that is made of those of the system and of literals, as text: where it is no index, it has the type that the
+    /// system gives it.
+    pub(super) fn of_own_type(&self, value: Value) -> Value {
+        match value {
+            Value::Integer(index) => match self.own_integers.get(&index) {
+                Some(own) => Value::Opaque(own.clone()),
+                None => value,
+            },
+            other => other,
+        }
+    }
+
     fn integer_operation(&mut self, op: &BinOp, a: IndexId, b: IndexId) -> IndexId {
         self.graph.loops.intern(match op {
             BinOp::Add(_) => Index::Add(a, b),
@@ -181,7 +218,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn cast(&mut self, cast: &ExprCast) -> Option<Value> {
-        let value = self.expression(&cast.expr)?;
+        let value = self.operand_of_own_type(&cast.expr)?;
         let to_float = super::shape::is_f64(&cast.ty);
         match value {
             Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),
