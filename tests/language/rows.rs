@@ -10,6 +10,11 @@ use std::{
 /// A list that is outside of every impl.
 const WEIGHTS: [f64; 2] = [2.0, 0.5];
 
+/// A function that is outside of every impl.
+fn weight(x: f64) -> f64 {
+    1.0 + x
+}
+
 /// Declares a test for every row: the name, the body of `potential`, and its gradient at coordinates `a, b, c, d` and
 /// time `t` for the system `s`. Names that rows mention are given once, in front.
 macro_rules! rows {
@@ -122,6 +127,7 @@ rows! {
     arithmetic { q[0] * q[1] - q[2] / (1.0 + q[3]) } => [b, a, -1.0 / (1.0 + d), c / (1.0 + d).powi(2)];
     shadowing { let x = q[0]; let x = x * x; x * q[1] } => [2.0 * a * b, a * a, 0.0, 0.0];
     assignment { let mut x = q[0]; x *= q[1]; x = x + 1.0; x } => [b, a, 0.0, 0.0];
+    assigned_together { let (mut x, mut y) = (q[0], q[1]); if x > y { (x, y) = (y, x); } x * y * y } => [2.0 * a * b, a * a, 0.0, 0.0];
     blocks { let x = { let y = q[0]; y * y }; x } => [2.0 * a, 0.0, 0.0, 0.0];
     tuples { let pair = (q[0], q[1]); pair.0 * pair.1 } => [b, a, 0.0, 0.0];
     arrays { let d = [q[0] - q[1], q[2] - q[3]]; d[0] * d[1] } => [c - d, d - c, a - b, b - a];
@@ -134,6 +140,7 @@ rows! {
     from_functions { let h: [f64; 24] = std::array::from_fn(|k| k as f64 * q[k % 4]); h.iter().map(|x| x * x).sum::<f64>() } => [0, 1, 2, 3].map(|i| (0..6).map(|m| 2.0 * START[i] * ((i + 4 * m) as f64).powi(2)).sum::<f64>());
     patterns { let ([x, _], (y, z)) = ([q[0], q[1]], (q[2], q[3])); x * y * z } => [c * d, 0.0, a * d, a * c];
     taken_apart { let [x, y, z, w] = q; x * y * z * w } => [b * c * d, a * c * d, a * b * d, a * b * c];
+    taken_apart_at_the_ends { let [x, .., y] = q; let [_, between @ ..] = q; x * y + between[0] * between[2] + between.len() as f64 * x } => [d + 3.0, d, 0.0, a + b];
     references { let x = &q[0]; *x * x } => [2.0 * a, 0.0, 0.0, 0.0];
     typed_variables { let x: f64 = q[0]; x * x } => [2.0 * a, 0.0, 0.0, 0.0];
     literals { 2f64 * q[0] + 1_0.5e-1_f64 * q[1] } => [2.0, 1.05, 0.0, 0.0];
@@ -169,8 +176,10 @@ rows! {
     upper_triangle { let mut v = 0.0; for i in 0..4 { for j in i + 1..4 { v += q[i] * q[j]; } } v } => [b + c + d, a + c + d, a + b + d, a + b + c];
     several_sums { let (mut u, mut v) = (0.0, 0.0); for i in 0..4 { u += q[i]; v += q[i] * q[i]; } u * v } => [a, b, c, d].map(|x| (a * a + b * b + c * c + d * d) + 2.0 * x * (a + b + c + d));
     arrays_of_sums { let mut s = [0.0; 2]; for i in 0..4 { s[0] += q[i]; s[1] -= q[i] * q[i]; } s[0] * s[1] } => [a, b, c, d].map(|x| -(a * a + b * b + c * c + d * d) - 2.0 * x * (a + b + c + d));
+    inner_arrays_of_sums { let mut s = [0.0; 2]; for pair in q.chunks_exact(2) { for d in 0..2 { s[d] += pair[d]; } } s[0] * s[1] } => [b + d, a + c, b + d, a + c];
     inner_sums { let mut v = 0.0; for i in 0..2 { let mut r = 1.0; for d in 0..2 { r += q[2 * i + d] * q[2 * i + d]; } v += r.sqrt(); } v } => [a / (1.0 + a * a + b * b).sqrt(), b / (1.0 + a * a + b * b).sqrt(), c / (1.0 + c * c + d * d).sqrt(), d / (1.0 + c * c + d * d).sqrt()];
     skipping { let mut v = 0.0; for i in 0..4 { for j in 0..4 { if i == j { continue; } v += q[i] * q[j]; } } v } => [2.0 * (b + c + d), 2.0 * (a + c + d), 2.0 * (a + b + d), 2.0 * (a + b + c)];
+    skipped_patterns { let mut v = 0.0; for i in 0..4 { let Some(k) = self.by_number.get(&i) else { continue }; if let Some(l) = self.by_pair.get(&(i, 0)) && *l > 3.0 { continue; } v += k * q[i]; } v } => [0.0, 5.0, 6.0, 0.0];
     over_coordinates { let mut v = 0.0; for x in q { v += x * x; } for x in &q { v += x; } v } => [2.0 * a + 1.0, 2.0 * b + 1.0, 2.0 * c + 1.0, 2.0 * d + 1.0];
     over_lists { let mut v = 0.0; for &(i, j) in &self.bonds { v += (q[i] - q[j]).powi(2); } v } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - d), 0.0, 2.0 * (d - b)];
     listed_indices { let mut v = 0.0; for i in 0..4 { v += q[i] * q[self.neighbours[i]]; } v } => [b + d, a + c, b + d, a + c];
@@ -195,6 +204,7 @@ rows! {
     polynomials { let mut v = 0.0; for k in self.table.iter().rev() { v = v * q[0] + k; } v } => [3.0 + 4.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
     polynomials_in_arms { let mut v = 0.0; for i in 0..4 { v += match &self.kinds[i] { Kind::Listed { list, .. } => list.iter().rev().fold(0.0, |v, k| v * q[i] + k), _ => q[i] }; } v } => [1.0, 1.0, 7.0, 1.0];
     products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
+    read_on_the_way { let (mut s, mut v) = (0.0, 0.0); for x in q { s += x; v += s * s; } let mut e = 1.0; for _ in 0..6 { e -= (e * e - 2.0 - q[0]) / (2.0 * e); } v + e } => { let sums = [a, a + b, a + b + c, a + b + c + d]; let tail = |k: usize| sums[k..].iter().map(|s| 2.0 * s).sum::<f64>(); [tail(0) + 0.5 / (2.0 + a).sqrt(), tail(1), tail(2), tail(3)] };
 
     // Iterators
     mapped { q.iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
@@ -203,14 +213,19 @@ rows! {
     zipped { q.iter().zip(&self.table).map(|(x, k)| k * x).sum::<f64>() } => [4.0, 3.0, 2.0, 1.0];
     zipped_with_fewer { q.iter().zip(self.table.iter().skip(2)).map(|(x, k)| k * x).sum::<f64>() } => [2.0, 1.0, 0.0, 0.0];
     zipped_neighbours { q.iter().zip(q.iter().skip(1)).map(|(x, y)| x * y).sum::<f64>() } => [b, a + c, b + d, c];
+    rings_by_cycle { q.iter().zip(q.iter().cycle().skip(1)).map(|(x, y)| x * y * y).sum::<f64>() } => [b * b + 2.0 * a * d, c * c + 2.0 * a * b, d * d + 2.0 * b * c, a * a + 2.0 * c * d];
     windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
+    windows_taken_apart { let mut v = 0.0; for pair in q.windows(2) { let [x, y] = pair else { continue }; if let &[z, _] = pair { v += x * y * z; } } v } => [2.0 * a * b, a * a + 2.0 * b * c, b * b + 2.0 * c * d, c * c];
     array_windows { q.array_windows().map(|[x, y]| x * y).sum::<f64>() } => [b, a + c, b + d, c];
     array_windows_of_a_length { q.array_windows::<2>().map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     array_windows_in_a_loop { let mut sum = 0.0; for [x, y] in q.array_windows() { sum += x * y; } sum } => [b, a + c, b + d, c];
     array_windows_in_a_fold { q.array_windows().fold(0.0, |sum, &[x, y]| sum + x * y) } => [b, a + c, b + d, c];
     ends { q.first().unwrap() * q.last().copied().unwrap() } => [d, 0.0, 0.0, a];
+    items_that_may_be_there { let mut v = 0.0; for i in 0..q.len() { v += q[i] * q.get(i + 1).map_or(1.0, |x| x * x); if let Some(x) = q.get(i + 2) { v += x * q[i]; } } v } => [b * b + c, 2.0 * a * b + c * c + d, 2.0 * b * c + d * d + a, 2.0 * c * d + 1.0 + b];
+    split_lists { let (left, right) = q.split_at(2); let (first, rest) = q.split_first().unwrap(); left[0] * right[1] + first * rest.iter().sum::<f64>() } => [d + b + c + d, a, a, a + a];
     ends_of_a_part { q[1..].first().expect("a site") * q[..3].last().unwrap() } => [0.0, c, b, 0.0];
     chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
+    iterators_in_variables { let pairs = q.iter().zip(&self.table); let squares = q.iter().map(|x| x * x); let chosen = self.table.iter().rev().take(3); pairs.map(|(x, k)| k * x).sum::<f64>() + squares.sum::<f64>() + chosen.zip(q).map(|(k, x)| k * x).sum::<f64>() } => [5.0 + 2.0 * a, 5.0 + 2.0 * b, 5.0 + 2.0 * c, 1.0 + 2.0 * d];
     folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
     folded_further { q.iter().fold(0.0, |sum, x| sum * sum + x) } => [8.0 * a * (a * a + b) * ((a * a + b).powi(2) + c), 4.0 * (a * a + b) * ((a * a + b).powi(2) + c), 2.0 * ((a * a + b).powi(2) + c), 1.0];
     folded_coefficients { (0..3).rev().fold(0.0, |v, k| v * q[0] + self.stiffness[k]) } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
@@ -248,7 +263,9 @@ rows! {
     matched_items { let mut v = 0.0; for (kind, x) in self.kinds.iter().zip(q) { v += match kind { Kind::Free => 0.0, Kind::Spring(k) => *k * x, Kind::Listed { list, at } => list[*at] * x * x }; } v } => [2.0, 0.0, 2.0 * 7.0 * c, 3.0];
     arm_references { let mut v = 0.0; for i in 0..4 { match &self.kinds[i] { Kind::Free => {} Kind::Spring(k) => v += k * q[i] * q[i], Kind::Listed { at, .. } => v += q[at + 1] } } if let Some(k) = &self.optional { v += k * q[1]; } v } => [4.0 * a, 1.5, 1.0, 6.0 * d];
     if_let { if let Some(k) = self.optional { k * q[0] } else { q[1] } } => [1.5, 0.0, 0.0, 0.0];
+    if_let_among_conditions { if let Some(k) = self.optional && k > 1.0 && q[0] > 0.0 && let Kind::Spring(l) = self.kind { k * l * q[0] } else { q[1] } } => [2.25, 0.0, 0.0, 0.0];
     let_else { let Some(k) = self.optional else { return 0.0 }; k * q[0] } => [1.5, 0.0, 0.0, 0.0];
+    options { self.optional.map_or(0.0, |k| k * q[0]) + self.kinds.get(9).map(|_| q[1]).unwrap_or(q[2]) + self.optional.unwrap_or(q[3]) } => [1.5, 0.0, 1.0, 0.0];
     early_return { let r = q[0] - q[1]; if r < 0.5 { return 0.0; } let s = r * q[2]; if self.tilted { return s; } s * s } => [c, -c, a - b, 0.0];
     nested_return { let mut v = q[3]; if q[0] > 0.0 { v += q[2]; if q[1] > 0.0 { return v; } else { v *= 2.0; } } else if q[1] > 1.0 { return 0.0; } v * q[0] } => [2.0 * (c + d), 0.0, 2.0 * a, 2.0 * a];
     returned_values { let k = match self.optional { Some(k) => k, None => return q[1] }; return k * q[0]; } => [1.5, 0.0, 0.0, 0.0];
@@ -266,19 +283,21 @@ rows! {
     fields { self.cell.edge * q[0] + self.stiffness[2] * q[1] + self.cell.sides[1] * q[2] } => [1.5, 3.0, 2.5, 0.0];
     vectors { self.table[1] * q[0] + self.table.len() as f64 * q[1] } => [3.0, 4.0, 0.0, 0.0];
     casts { self.count as f64 * q[0] + f64::from(self.charge) * q[1] + self.soft as f64 * q[2] } => [3.0, 2.0, 0.5, 0.0];
+    integers_of_other_types { let k = 2 * self.charge - 1; let mut v = (1.0 + q[0]).powi(self.charge + 1) + k as f64 * q[1]; if self.charge % 2 == 0 { v += q[2]; } v += match self.charge % 3 { 2 => q[3], _ => 0.0 }; v } => [3.0 * (1.0 + a).powi(2), 3.0, 1.0, 1.0];
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
     types_that_are_asked_for { let k: f64 = self.table.iter().sum(); let (n, m): (usize, f64) = (self.neighbours.iter().sum(), self.soft.into()); let list: Vec<f64> = self.table.iter().map(|x| x * x).collect(); let line = |k: f64, x: f64| 2.0 * k * x; 2.0 * k * q[0] + n as f64 * q[1] + m.sqrt() * q[2] + list[1] * q[3] + line(self.soft.into(), q[3]) } => [20.0, 6.0, 0.5_f64.sqrt(), 10.0];
     given_references { let first = self.table.first().unwrap(); let mut v = first * q[0] + self.table.last().unwrap().powf(q[1]); v += first; v } => [4.0, 0.0, 0.0, 0.0];
     maps { let mut v = self.by_name["stiff"] * q[3]; for i in 0..4 { if self.columns.contains(&i) { v += q[i]; } if let Some(k) = self.by_number.get(&i) { v += k * q[i]; } for j in 0..i { if self.by_pair.contains_key(&(i, j)) { v += self.by_pair[&(i, j)] * q[i] * q[j]; } } } v } => [1.0 + 2.0 * b + 4.0 * d, 6.0 + 2.0 * a + 3.0 * c, 6.0 + 3.0 * b, 8.0 + 4.0 * a];
+    iterators_of_the_system { let mut v = 0.0; for (k, x) in self.by_number.values().zip(q) { v += k * x; } v + self.lists.iter().flatten().zip(q).map(|(i, x)| *i as f64 * x).sum::<f64>() } => [5.0 + 1.0, 6.0 + 0.0, 3.0, 1.0];
     boxes { *self.boxed * q[0] + *self.shared * q[1] + *self.lent * q[2] } => [1.25, 2.25, 3.25, 0.0];
     borrowed_values { let k = &self.mass; let l = match self.charge { 1 => 1.0, _ => *k }; self.table.iter().zip(q).map(|(s, x)| *s * l * x).sum::<f64>() } => [8.0, 6.0, 4.0, 2.0];
     constant_lists { const C: [f64; 3] = [1.0, 2.0, 4.0]; let mut v = 0.0; for i in 0..24 { v += C[i % 3] * WEIGHTS[i % 2] * q[i % 4]; } v } => [28.0, 7.0, 28.0, 7.0];
+    functions_of_literals { weight(2.0) * q[0] + weight(self.mass) * q[1] } => [3.0, 3.0, 0.0, 0.0];
     any_rust { let top = self.table.iter().copied().fold(0.0, f64::max); top * q[0] } => [4.0, 0.0, 0.0, 0.0];
     made_lists { let twice = |x: f64| 2.0 * x; let list = vec![1.0, twice(self.mass)]; list[1] * q[0] } => [4.0, 0.0, 0.0, 0.0];
 
-    integers_of_other_types { let k = 2 * self.charge - 1; let mut v = (1.0 + q[0]).powi(self.charge + 1) + k as f64 * q[1]; if self.charge % 2 == 0 { v += q[2]; } v += match self.charge % 3 { 2 => q[3], _ => 0.0 }; v } => [3.0 * (1.0 + a).powi(2), 3.0, 1.0, 1.0];
     // Time
     time { q[0] * (self.mass * t).sin() + t * t } => [(s.mass * t).sin(), 0.0, 0.0, 0.0];
     time_in_conditions { if t < 1.0 { t * q[0] } else { q[0] } } => [t, 0.0, 0.0, 0.0];

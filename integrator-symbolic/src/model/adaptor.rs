@@ -100,6 +100,18 @@ impl Reader<'_> {
             }
             ("step_by", Some(stride)) => self.strided(base, stride),
             ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
+            ("cycle", None) => {
+                let message = "`cycle` has no end: it is understood in the argument of a `zip`, which the other sequence ends, \
+                               as in `q.iter().zip(q.iter().cycle().skip(1))`";
+                self.errors.at(&call.method, message);
+                None
+            }
+            ("chunks", Some(_)) => {
+                let message = "the last one of `chunks` may have fewer items than the others: write `chunks_exact`, which \
+                               leaves out those that are too few";
+                self.errors.at(&call.method, message);
+                None
+            }
             ("array_windows", None) => {
                 let message = "how many items a window has is not said here: write `array_windows::<2>()`, or take the window \
                                apart where it is used, as in `.map(|[a, b]| ..)`";
@@ -116,7 +128,10 @@ impl Reader<'_> {
 
     /// Pairs of items, as many as the shorter sequence has. The index is the first sequence's.
     fn zipped(&mut self, base: Sequence, place: &Expr) -> Option<Sequence> {
-        let other = self.sequence(place)?;
+        let other = match endless(place) {
+            Some(endless) => self.repeating(endless, &base)?,
+            None => self.sequence(place)?,
+        };
         if other.filtered {
             let message = "how many items `filter` leaves is not known, so they have no partners in a `zip`: zip first \
                            and put `filter` last, or write a loop with an `if`";
@@ -132,6 +147,30 @@ impl Reader<'_> {
             let others = reader.graph.loops.shifted(index, from, others_from);
             let (a, b) = (reader.item_of(&base, index)?, reader.item_of(&other, others)?);
             Some(Item::plain(Value::Tuple(vec![a.value, b.value])))
+        };
+        Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// As many items of a sequence that begins anew at its end as another one has.
+    fn repeating(&mut self, endless: Endless<'_>, like: &Sequence) -> Option<Sequence> {
+        let base = self.sequence(endless.items)?;
+        if base.filtered {
+            let message = "how many items `filter` leaves is not known, so they begin anew nowhere: zip first and put \
+                           `filter` last, or write a loop with an `if`";
+            self.errors.at(endless.items, message);
+            return None;
+        }
+        let from = match endless.skipped {
+            Some(count) => self.bound(count)?,
+            None => self.literal_index(0),
+        };
+        let (count, length) = (self.count_of(like), self.count_of(&base));
+        let to = self.graph.loops.intern(Index::Add(from, count));
+        let literal = base.literal;
+        let at = move |reader: &mut Reader<'_>, index| {
+            let position = reader.graph.loops.intern(Index::Rem(index, length));
+            let position = reader.graph.loops.intern(Index::Add(base.from, position));
+            reader.item_of(&base, position)
         };
         Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
     }
@@ -185,6 +224,24 @@ impl Reader<'_> {
 pub(super) const ADAPTED: &str =
     "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows, array_windows and chunks_exact";
 
+/// A sequence that begins anew at its end, `items.cycle()`, behind some of its items.
+struct Endless<'e> {
+    items: &'e Expr,
+    skipped: Option<&'e Expr>,
+}
+
+fn endless(sequence: &Expr) -> Option<Endless<'_>> {
+    let Expr::MethodCall(call) = sequence else { return None };
+    let cycle = |call: &'_ ExprMethodCall| call.method == "cycle" && call.args.is_empty();
+    match &*call.receiver {
+        items if cycle(call) => Some(Endless { items, skipped: None }),
+        Expr::MethodCall(inner) if call.method == "skip" && cycle(inner) => {
+            Some(Endless { items: &inner.receiver, skipped: call.args.first() })
+        }
+        _ => None,
+    }
+}
+
 /// Whether a method makes a sequence of a sequence.
 pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
     const ADAPTORS: [&str; 13] = [
@@ -203,7 +260,8 @@ pub(super) fn is_adaptor(call: &ExprMethodCall) -> bool {
         "by_ref",
     ];
     let name = call.method.to_string();
-    ADAPTORS.contains(&name.as_str()) || matches!(name.as_str(), "windows" | "array_windows" | "chunks_exact")
+    ADAPTORS.contains(&name.as_str())
+        || matches!(name.as_str(), "windows" | "array_windows" | "chunks_exact" | "chunks" | "cycle")
 }
 
 /// `list.array_windows()` as `list.windows(n)`, with the number of a window's items from `array_windows::<n>()` or from the

@@ -122,7 +122,7 @@ impl Reader<'_> {
             };
             let arm = self.arm(pattern, matched.clone(), earlier.clone());
             if text.guard.is_none() && (is_last || is_irrefutable(pattern)) {
-                let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow));
+                let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow, 1));
                 last = Some(self.side(&fork, None, true, read));
                 break;
             }
@@ -139,7 +139,7 @@ impl Reader<'_> {
             };
             // A guard may fail where its pattern fits, so that later arms are tried there as well.
             earlier.extend(text.guard.is_none().then(|| arm.pattern.clone()));
-            let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow));
+            let read = |reader: &mut Self| reader.in_arm(arm, |reader| reader.settled_body(text.body, flow, 1));
             let side = self.side(&fork, condition, true, read);
             sides.push((condition, side, place));
             condition.into_iter().for_each(|condition| self.past(condition));
@@ -149,7 +149,7 @@ impl Reader<'_> {
     }
 
     /// Whether an arm's pattern fits.
-    fn fits(&mut self, arm: &Arm, integer: Option<IndexId>, pattern: &Pat) -> NodeId {
+    pub(super) fn fits(&mut self, arm: &Arm, integer: Option<IndexId>, pattern: &Pat) -> NodeId {
         if let (Some(index), Some(literals)) = (integer, literals(pattern)) {
             let none = self.graph.truth(false);
             return literals.into_iter().fold(none, |any, literal| {
@@ -164,7 +164,7 @@ impl Reader<'_> {
     }
 
     /// An arm whose names no other arm around it has.
-    fn arm(&self, pattern: &Pat, matched: Opaque, earlier: Vec<TokenStream>) -> Arm {
+    pub(super) fn arm(&self, pattern: &Pat, matched: Opaque, earlier: Vec<TokenStream>) -> Arm {
         let mut names = Names(Vec::new());
         names.visit_pat(pattern);
         let taken = |name: &Ident| self.arms.iter().flat_map(|arm| &arm.names).any(|(_, known)| known == name);
@@ -183,7 +183,7 @@ impl Reader<'_> {
     }
 
     /// Reads something in an arm, where the names of its pattern are known.
-    fn in_arm<T>(&mut self, arm: Arm, read: impl FnOnce(&mut Self) -> T) -> T {
+    pub(super) fn in_arm<T>(&mut self, arm: Arm, read: impl FnOnce(&mut Self) -> T) -> T {
         self.scopes.push(HashMap::new());
         for (name, own) in &arm.names {
             let value = Opaque { text: own.to_token_stream(), loops: arm.matched.loops };
@@ -196,28 +196,29 @@ impl Reader<'_> {
         value
     }
 
-    /// The body of an arm: what leaves it is a number, since the names of the pattern mean nothing outside.
-    fn settled_body(&mut self, body: Body<'_>, flow: Flow) -> Option<Outcome> {
+    /// The body of so many arms inside of each other: what leaves it is a number, since the names of the patterns mean
+    /// nothing outside.
+    pub(super) fn settled_body(&mut self, body: Body<'_>, flow: Flow, arms: usize) -> Option<Outcome> {
         let mut assigned = Assigned::default();
         body.visit(&mut assigned);
         let ids: Vec<_> = assigned.names.iter().filter_map(|name| self.lookup(name)).collect();
         let outcome = self.body(body, flow);
         for id in ids {
             let left = std::mem::replace(&mut self.bindings[id.0].value, Value::Unknown);
-            self.bindings[id.0].value = self.settled(left);
+            self.bindings[id.0].value = self.settled(left, arms);
         }
         let Outcome { value, returned } = outcome?;
-        let returned = returned.into_iter().map(|(condition, value)| (condition, self.settled(value))).collect();
-        Some(Outcome { value: self.settled(value), returned })
+        let returned = returned.into_iter().map(|(condition, value)| (condition, self.settled(value, arms))).collect();
+        Some(Outcome { value: self.settled(value, arms), returned })
     }
 
-    fn settled(&mut self, value: Value) -> Value {
+    fn settled(&mut self, value: Value, arms: usize) -> Value {
         match value {
-            Value::Opaque(Opaque { ref text, .. }) if self.arms.last().is_some_and(|arm| arm.binds(text)) => {
+            Value::Opaque(Opaque { ref text, .. }) if self.arms.iter().rev().take(arms).any(|arm| arm.binds(text)) => {
                 self.real(&value).map_or(value, Value::Real)
             }
-            Value::Array(parts) => Value::Array(parts.into_iter().map(|part| self.settled(part)).collect()),
-            Value::Tuple(parts) => Value::Tuple(parts.into_iter().map(|part| self.settled(part)).collect()),
+            Value::Array(parts) => Value::Array(parts.into_iter().map(|part| self.settled(part, arms)).collect()),
+            Value::Tuple(parts) => Value::Tuple(parts.into_iter().map(|part| self.settled(part, arms)).collect()),
             other => other,
         }
     }

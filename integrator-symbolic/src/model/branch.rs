@@ -2,7 +2,7 @@
 
 use super::{
     BindingId, Reader, Target,
-    early_return::Outcome,
+    early_return::{Flow, Outcome, has_let},
     sequence::Sequence,
     statement::Assigned,
     text::place,
@@ -13,7 +13,7 @@ use crate::graph::{
     index::{Index, IndexId},
 };
 use quote::ToTokens;
-use syn::{BinOp, Block, Expr, ExprIf, Stmt, visit::Visit};
+use syn::{BinOp, Block, Expr, ExprIf, Local, Pat, Stmt, parse_quote, visit::Visit};
 
 /// The variables that the sides of a branch assign to, and what they were before it.
 pub(super) struct Fork {
@@ -96,6 +96,13 @@ impl Reader<'_> {
 
     /// `if condition { continue; }` and the statements behind it: they happen where the condition does not hold.
     pub(super) fn skipped(&mut self, skip: &ExprIf, rest: &[Stmt]) -> Option<Value> {
+        if has_let(&skip.cond) {
+            let nothing = parse_quote!({});
+            let otherwise: Expr = parse_quote!({ #(#rest)* });
+            let otherwise = Some((Default::default(), Box::new(otherwise)));
+            let whole = ExprIf { then_branch: nothing, else_branch: otherwise, ..skip.clone() };
+            return self.branch(&whole, Flow::Value).map(|outcome| outcome.value);
+        }
         let condition = self.condition_of(&skip.cond).map(|condition| self.graph.not(condition));
         let mut assigned = Assigned::default();
         for statement in rest {
@@ -331,6 +338,17 @@ pub(super) fn is_skip(statement: &Stmt) -> Option<&ExprIf> {
     let Block { stmts, .. } = &branch.then_branch;
     match (&stmts[..], &branch.else_branch) {
         ([Stmt::Expr(Expr::Continue(skip), _)], None) if skip.label.is_none() => Some(branch),
+        _ => None,
+    }
+}
+
+/// `let pattern = value else { continue; };`
+pub(super) fn is_skip_unless(statement: &Stmt) -> Option<(&Pat, &Expr)> {
+    let Stmt::Local(Local { pat, init: Some(init), .. }) = statement else { return None };
+    let (_, otherwise) = init.diverge.as_ref()?;
+    let Expr::Block(otherwise) = &**otherwise else { return None };
+    match &otherwise.block.stmts[..] {
+        [Stmt::Expr(Expr::Continue(skip), _)] if skip.label.is_none() => Some((pat, &init.expr)),
         _ => None,
     }
 }

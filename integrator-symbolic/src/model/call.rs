@@ -19,7 +19,7 @@ use crate::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn, parse_quote_spanned};
+use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn, Pat, parse_quote, parse_quote_spanned};
 
 /// What may be done with code that is never looked into.
 pub(super) const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
@@ -42,7 +42,7 @@ impl Reader<'_> {
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
             return None;
         }
-        if let Some(element) = end_of_list(call)
+        if let Some(element) = end_of_list(call).or_else(|| where_some(call))
             && self.verbatim(&Expr::MethodCall(call.clone())).is_none()
         {
             return self.expression(&element);
@@ -159,8 +159,12 @@ impl Reader<'_> {
         {
             return Some(Value::Real(self.graph.number_of(*index)));
         }
+        // A function of literals that is seen here is a number that is known here.
         let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));
-        if !literals && let Some((text, loops)) = self.opaque_list(&arguments, &call.args) {
+        let is_seen = matches!(segments[..], [.., kind, _] if kind == "f64") || helper.is_some();
+        if !(literals && is_seen)
+            && let Some((text, loops)) = self.opaque_list(&arguments, &call.args)
+        {
             return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
         }
         match segments[..] {
@@ -319,13 +323,18 @@ fn is_map_of_array(call: &ExprMethodCall) -> bool {
     call.method == "map" && matches!(&*call.receiver, Expr::Path(_) | Expr::Array(_) | Expr::Index(_))
 }
 
-/// `list.first().unwrap()` and `list.last().unwrap()` as elements: a list without any is a panic either way.
+/// `list.first().unwrap()` and `list.last().unwrap()` as elements, `list.split_at(n)` and its like as parts: a list with too
+/// few is a panic either way.
 fn end_of_list(call: &ExprMethodCall) -> Option<Expr> {
     let is_one_of = |call: &ExprMethodCall, names: [&str; 2]| names.iter().any(|name| call.method == name);
     let receiver = |call: &ExprMethodCall| match &*call.receiver {
         Expr::MethodCall(inner) => Some(inner.clone()),
         _ => None,
     };
+    if call.method == "split_at" && call.args.len() == 1 {
+        let (list, at, span) = (&call.receiver, &call.args[0], call.method.span());
+        return Some(parse_quote_spanned!(span=> { let (list, at) = (&#list, #at); (&list[..at], &list[at..]) }));
+    }
     let mut end = receiver(call).filter(|_| is_one_of(call, ["unwrap", "expect"]))?;
     while is_one_of(&end, ["copied", "cloned"]) {
         end = receiver(&end)?;
@@ -335,8 +344,51 @@ fn end_of_list(call: &ExprMethodCall) -> Option<Expr> {
         _ if !end.args.is_empty() || matches!(&**list, Expr::MethodCall(call) if is_adaptor(call)) => None,
         "first" => Some(parse_quote_spanned!(at=> #list[0])),
         "last" => Some(parse_quote_spanned!(at=> { let list = &#list; list[list.len() - 1] })),
+        "split_first" => Some(parse_quote_spanned!(at=> { let list = &#list; (&list[0], &list[1..]) })),
+        "split_last" => Some(parse_quote_spanned!(at=> {
+            let list = &#list;
+            (&list[list.len() - 1], &list[..list.len() - 1])
+        })),
         _ => None,
     }
+}
+
+/// `value.map_or(otherwise, |x| ...)`, `value.map(|x| ...).unwrap_or(otherwise)` and `value.unwrap_or(otherwise)` as the branch
+/// that they are.
+fn where_some(call: &ExprMethodCall) -> Option<Expr> {
+    let mapped = |inner: &Expr| match inner {
+        Expr::MethodCall(inner)
+            if inner.method == "map" && matches!(inner.args.first(), Some(Expr::Closure(_) | Expr::Path(_))) =>
+        {
+            Some(((*inner.receiver).clone(), inner.args.first().cloned()))
+        }
+        _ => None,
+    };
+    let arguments: Vec<&Expr> = call.args.iter().collect();
+    let ((value, change), otherwise) = match (call.method.to_string().as_str(), &arguments[..]) {
+        ("map_or", [otherwise, change]) => (((*call.receiver).clone(), Some((*change).clone())), (*otherwise).clone()),
+        ("map_or_else", [Expr::Closure(otherwise), change]) if otherwise.inputs.is_empty() => {
+            (((*call.receiver).clone(), Some((*change).clone())), (*otherwise.body).clone())
+        }
+        ("unwrap_or", [otherwise]) => {
+            (mapped(&call.receiver).unwrap_or(((*call.receiver).clone(), None)), (*otherwise).clone())
+        }
+        ("unwrap_or_default", []) => (mapped(&call.receiver)?, parse_quote!(0.0)),
+        _ => return None,
+    };
+    let at = call.method.span();
+    let item = match &change {
+        Some(Expr::Closure(closure)) if let [Pat::Ident(name)] = &closure.inputs.iter().collect::<Vec<_>>()[..] => {
+            name.ident.clone()
+        }
+        _ => Ident::new("__item", at),
+    };
+    let found: Expr = match change {
+        Some(Expr::Path(function)) => parse_quote_spanned!(at=> #function(#item)),
+        Some(closure) => parse_quote_spanned!(at=> (#closure)(#item)),
+        None => parse_quote_spanned!(at=> #item),
+    };
+    Some(parse_quote_spanned!(at=> if let Some(#item) = #value { #found } else { #otherwise }))
 }
 
 /// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.

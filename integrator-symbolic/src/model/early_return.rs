@@ -1,10 +1,23 @@
 //! Early `return`: what follows a branch that may return is read once, where it has not.
 
-use super::{Reader, arm::ArmText, branch::Sides, escape::returns, statement::Assigned, value::Value};
+use super::{
+    Reader,
+    arm::ArmText,
+    branch::Sides,
+    escape::returns,
+    statement::{Assigned, is_assignment},
+    value::Value,
+};
 use crate::graph::{Graph, NodeId};
 use quote::ToTokens;
 use std::collections::HashMap;
-use syn::{Block, Expr, ExprBlock, ExprIf, ExprLet, Local, Pat, Stmt, visit::Visit};
+use syn::{
+    BinOp, Block, Expr, ExprBinary, ExprBlock, ExprIf, ExprLet, Local, Pat, PatTupleStruct, Stmt, parse_quote,
+    visit::Visit,
+};
+
+const IF_LET: &str = "`if let` is understood on values of the system, which read no coordinates: compare numbers, as in \
+                      `if r < cutoff`";
 
 /// Where a branch stands.
 #[derive(Clone, Copy)]
@@ -60,7 +73,7 @@ fn chain(first: &ExprIf) -> (Vec<&ExprIf>, Body<'_>) {
     let mut branches = vec![first];
     loop {
         match branches[branches.len() - 1].else_branch.as_ref().map(|(_, otherwise)| &**otherwise) {
-            Some(Expr::If(next)) if !matches!(*next.cond, Expr::Let(_)) => branches.push(next),
+            Some(Expr::If(next)) if !has_let(&next.cond) => branches.push(next),
             Some(otherwise) => return (branches, Body::Expression(otherwise)),
             None => return (branches, Body::Nothing),
         }
@@ -92,18 +105,10 @@ impl Reader<'_> {
     /// `if condition { ... } else { ... }`, as a value or as a statement.
     pub(super) fn branch(&mut self, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
         if let Expr::Let(ExprLet { pat, expr, .. }) = &*branch.cond {
-            let Some((matched, integer)) = self.matchable(expr)? else {
-                let message = "`if let` is understood on values of the system, which read no coordinates: compare \
-                               numbers, as in `if r < cutoff`";
-                self.errors.at(&branch.cond, message);
-                return None;
-            };
-            let otherwise = branch.else_branch.as_ref().map_or(Body::Nothing, |(_, body)| Body::Expression(body));
-            let arms = [
-                ArmText { pattern: Some(pat), guard: None, body: Body::Block(&branch.then_branch) },
-                ArmText { pattern: None, guard: None, body: otherwise },
-            ];
-            return self.first_of(&arms, &matched, integer, flow, branch);
+            return self.if_let(pat, expr, branch, flow);
+        }
+        if has_let(&branch.cond) {
+            return self.let_chain(branch, flow);
         }
         let (branches, last) = chain(branch);
         let mut condition = self.condition_of(&branch.cond);
@@ -131,16 +136,82 @@ impl Reader<'_> {
         self.joined(fork, sides, last)
     }
 
+    /// One side where a pattern fits, the other one elsewhere.
+    fn if_let(&mut self, pattern: &Pat, value: &Expr, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
+        let otherwise = branch.else_branch.as_ref().map_or(Body::Nothing, |(_, body)| Body::Expression(body));
+        let fits = Body::Block(&branch.then_branch);
+        let Some((matched, integer)) = self.matchable(value)? else {
+            if let Some(inside) = where_there(pattern, value, branch) {
+                return self.branch(&inside, flow);
+            }
+            self.scopes.push(HashMap::new());
+            let fits_length = self.fits_length(pattern, value);
+            let outcome = fits_length.map(|fitting| Some(self.body(if fitting? { fits } else { otherwise }, flow)));
+            self.scopes.pop();
+            return match outcome? {
+                Some(outcome) => outcome,
+                None => {
+                    self.errors.at(&branch.cond, IF_LET);
+                    None
+                }
+            };
+        };
+        let arms = [
+            ArmText { pattern: Some(pattern), guard: None, body: fits },
+            ArmText { pattern: None, guard: None, body: otherwise },
+        ];
+        self.first_of(&arms, &matched, integer, flow, branch)
+    }
+
+    /// `if a && let Some(x) = y && b { ... } else { ... }`: what stands behind a pattern knows its names, and is asked where
+    /// it fits alone.
+    fn let_chain(&mut self, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
+        let mut conditions = Vec::new();
+        joined_by_and(&branch.cond, &mut conditions);
+        let mut assigned = Assigned::default();
+        assigned.visit_expr_if(branch);
+        let fork = self.fork(&assigned);
+        let (depth, opened) = (self.conditions.len(), self.arms.len());
+        let body = Body::Block(&branch.then_branch);
+        let (condition, side) = self.where_all_hold(&conditions, &mut |reader| {
+            let arms = reader.arms.len() - opened;
+            reader.side(&fork, None, true, |reader| reader.settled_body(body, flow, arms))
+        })?;
+        self.past(condition);
+        let otherwise = branch.else_branch.as_ref().map_or(Body::Nothing, |(_, body)| Body::Expression(body));
+        let last = self.side(&fork, None, true, |reader| reader.body(otherwise, flow));
+        self.conditions.truncate(depth);
+        self.joined(fork, vec![(Some(condition), side, branch)], last)
+    }
+
+    /// Reads something where all conditions hold, and says whether they do.
+    fn where_all_hold<T>(&mut self, conditions: &[&Expr], read: &mut dyn FnMut(&mut Self) -> T) -> Option<(NodeId, T)> {
+        let Some((first, rest)) = conditions.split_first() else { return Some((self.graph.truth(true), read(self))) };
+        let (holds, (behind, value)) = match first {
+            Expr::Let(ExprLet { pat, expr, .. }) => {
+                let Some((matched, integer)) = self.matchable(expr)? else {
+                    self.errors.at(first, IF_LET);
+                    return None;
+                };
+                let arm = self.arm(pat, matched, Vec::new());
+                let fits = self.fits(&arm, integer, pat);
+                let inside = |reader: &mut Self| reader.in_arm(arm, |reader| reader.where_all_hold(rest, read));
+                (fits, self.under(Some(fits), true, inside)?)
+            }
+            first => {
+                let holds = self.condition_of(first)?;
+                (holds, self.under(Some(holds), true, |reader| reader.where_all_hold(rest, read))?)
+            }
+        };
+        Some((self.graph.and(holds, behind), value))
+    }
+
     /// An integer that a condition on indices or on the system chooses.
     fn chosen_integer(&mut self, branch: &ExprIf, condition: NodeId) -> Option<Value> {
-        let [Stmt::Expr(first @ (Expr::Lit(_) | Expr::Binary(_) | Expr::Path(_)), None)] =
-            &branch.then_branch.stmts[..]
-        else {
-            return None;
-        };
+        let first = formula(&branch.then_branch)?;
         let (_, otherwise) = branch.else_branch.as_ref()?;
-        let Expr::Block(ExprBlock { block: Block { stmts, .. }, .. }) = &**otherwise else { return None };
-        let [Stmt::Expr(Expr::Lit(_) | Expr::Binary(_) | Expr::Path(_), None)] = &stmts[..] else { return None };
+        let Expr::Block(ExprBlock { block, .. }) = &**otherwise else { return None };
+        formula(block)?;
         // What reads elements is no choice of integers, and would have its mistakes noted twice.
         let whole = self.verbatim(&Expr::If(branch.clone()));
         if whole.is_none() && (reads_elements(first) || reads_elements(otherwise)) {
@@ -157,7 +228,8 @@ impl Reader<'_> {
             (Body::Expression(expression), Flow::Value) => self.statement(expression).map(Outcome::of),
             (Body::Expression(expression), Flow::Function) => self.leaving(expression),
             (Body::Nothing, _) => Some(Outcome::of(Value::Unit)),
-            (Body::Statements(statements), _) => self.run(statements),
+            (Body::Statements(statements), Flow::Value) => self.statements(statements).map(Outcome::of),
+            (Body::Statements(statements), Flow::Function) => self.run(statements),
             (Body::Block(block), _) => {
                 self.scopes.push(HashMap::new());
                 let outcome = match flow {
@@ -188,7 +260,8 @@ impl Reader<'_> {
             let outcome = match statement {
                 Stmt::Local(Local { pat, init: Some(init), .. }) => match &init.diverge {
                     Some((_, otherwise)) => {
-                        let outcome = self.let_else(pat, &init.expr, otherwise, rest, statement);
+                        let otherwise = Body::Expression(otherwise);
+                        let outcome = self.let_else(pat, &init.expr, otherwise, rest, Flow::Function, statement);
                         rest = &[];
                         outcome?
                     }
@@ -217,24 +290,28 @@ impl Reader<'_> {
         Some(whole)
     }
 
-    /// `let pattern = value else { return ... };` and what is behind it, which knows the names of the pattern.
-    fn let_else(
+    /// `let pattern = value else { ... };`, which leaves here, and what is behind it, which knows the names of the pattern.
+    pub(super) fn let_else(
         &mut self,
         pattern: &Pat,
         value: &Expr,
-        otherwise: &Expr,
+        otherwise: Body<'_>,
         rest: &[Stmt],
+        flow: Flow,
         place: &Stmt,
     ) -> Option<Outcome> {
         let Some((matched, integer)) = self.matchable(value)? else {
+            if let Some(fits) = self.fits_length(pattern, value)? {
+                return self.body(if fits { Body::Statements(rest) } else { otherwise }, flow);
+            }
             self.errors.at(place, "`let ... else` is understood on values of the system, which read no coordinates");
             return None;
         };
         let arms = [
             ArmText { pattern: Some(pattern), guard: None, body: Body::Statements(rest) },
-            ArmText { pattern: None, guard: None, body: Body::Expression(otherwise) },
+            ArmText { pattern: None, guard: None, body: otherwise },
         ];
-        self.first_of(&arms, &matched, integer, Flow::Function, place)
+        self.first_of(&arms, &matched, integer, flow, place)
     }
 
     /// An expression of a function's own body, which may return.
@@ -254,6 +331,54 @@ impl Reader<'_> {
             Expr::Match(whole) => self.matched(whole, Flow::Function),
             _ => self.statement(expression).map(Outcome::of),
         }
+    }
+}
+
+/// `if let Some(x) = q.get(i) { ... }` over coordinates as a branch by the index.
+fn where_there(pattern: &Pat, value: &Expr, branch: &ExprIf) -> Option<ExprIf> {
+    let Pat::TupleStruct(PatTupleStruct { path, elems, .. }) = pattern else { return None };
+    let mut value = value;
+    let got = loop {
+        let Expr::MethodCall(call) = value else { return None };
+        match (call.method.to_string().as_str(), call.args.len()) {
+            ("copied" | "cloned", 0) => value = &call.receiver,
+            ("get", 1) => break call,
+            _ => return None,
+        }
+    };
+    let (true, 1) = (path.is_ident("Some"), elems.len()) else { return None };
+    let (item, list, at, body) = (&elems[0], &got.receiver, &got.args[0], &branch.then_branch);
+    Some(ExprIf {
+        cond: parse_quote!(#at < #list.len()),
+        then_branch: parse_quote!({ let #item = &#list[#at]; #body }),
+        ..branch.clone()
+    })
+}
+
+/// Whether a condition matches a pattern, alone or among others.
+pub(super) fn has_let(condition: &Expr) -> bool {
+    let mut conditions = Vec::new();
+    joined_by_and(condition, &mut conditions);
+    conditions.iter().any(|condition| matches!(condition, Expr::Let(_)))
+}
+
+/// The conditions that `&&` joins, in their order.
+fn joined_by_and<'e>(condition: &'e Expr, found: &mut Vec<&'e Expr>) {
+    match condition {
+        Expr::Binary(ExprBinary { left, op: BinOp::And(_), right, .. }) => {
+            joined_by_and(left, found);
+            joined_by_and(right, found);
+        }
+        other => found.push(other),
+    }
+}
+
+/// What a block is, if it may be the formula of an integer.
+fn formula(block: &Block) -> Option<&Expr> {
+    match &block.stmts[..] {
+        [Stmt::Expr(Expr::Binary(binary), None)] if is_assignment(&binary.op) => None,
+        [Stmt::Expr(formula @ (Expr::Lit(_) | Expr::Binary(_) | Expr::Path(_)), None)] => Some(formula),
+        _ => None,
     }
 }
 

@@ -4,12 +4,14 @@ use super::{
     NOT_SEPARABLE, Reader,
     statement::simple_name,
     text::{mentions_item, referent},
+    types::is_collected,
     value::{Opaque, Value},
 };
 use crate::graph::{
     NodeId, Part,
     index::{Index, IndexId, IntegerType},
 };
+use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::{BinOp, Expr, ExprCast, ExprUnary, Type, UnOp};
 
@@ -247,10 +249,14 @@ fn dereferenced(value: Value, place: &Expr) -> Value {
     let text = match referent(&text) {
         Some(text) => text,
         // An item of a list is a reference or not, as the list is: the text reads it where it lies.
-        None if is_variable(place) && mentions_item(&text) => text,
+        None if is_variable(place) && mentions_item(&text) && !is_collected_item(&text) => text,
         None => quote!((*#text)),
     };
     Value::Opaque(Opaque { text, loops })
+}
+
+fn is_collected_item(text: &TokenStream) -> bool {
+    syn::parse2(text.clone()).is_ok_and(|item| is_collected(&item))
 }
 
 /// Whether an expression is a variable, or what a variable refers to.

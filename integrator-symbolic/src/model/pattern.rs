@@ -2,13 +2,14 @@
 
 use super::{
     Reader,
+    sequence::Sequence,
     text::{place, referent},
     value::{Opaque, Value, View},
 };
 use crate::graph::index::Index;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
-use syn::{Pat, PatIdent, PatStruct, spanned::Spanned, visit::Visit};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Expr, Pat, PatIdent, PatParen, PatReference, PatStruct, spanned::Spanned, visit::Visit};
 
 impl Reader<'_> {
     /// Binds the names of a pattern to the parts of a value.
@@ -29,7 +30,13 @@ impl Reader<'_> {
             Pat::Paren(inner) => self.bind(&inner.pat, value),
             Pat::Reference(inner) => self.bind(&inner.pat, value.into_place()),
             Pat::Struct(parts) if matches!(value, Value::Opaque(_)) => self.bind_fields(parts, &value),
-            Pat::Slice(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
+            Pat::Slice(parts) => {
+                let names: Vec<&Pat> = parts.elems.iter().collect();
+                match names.iter().position(|name| rest_of(name).is_some()) {
+                    Some(at) => self.bind_ends(pattern, &names, at, &value),
+                    None => self.bind_all(pattern, &names, value),
+                }
+            }
             Pat::Tuple(parts) => self.bind_all(pattern, &parts.elems.iter().collect::<Vec<_>>(), value),
             other => {
                 // The names exist all the same, so that one mistake gives one message.
@@ -69,6 +76,90 @@ impl Reader<'_> {
         for (name, part) in names.iter().zip(parts) {
             self.bind(name, part);
         }
+    }
+
+    /// `[x, y, ..]`, `[first, rest @ .., last]`: names for the first items, for the last ones, and for those between.
+    fn bind_ends(&mut self, pattern: &Pat, names: &[&Pat], at: usize, value: &Value) {
+        let (first, last) = (&names[..at], &names[at + 1..]);
+        let Some((parts, between)) = self.ends(value, first.len(), last.len(), pattern) else {
+            for name in first.iter().chain(last) {
+                self.bind(name, Value::Unknown);
+            }
+            rest_of(names[at]).flatten().into_iter().for_each(|name| self.declare(name.to_string(), Value::Unknown));
+            return;
+        };
+        for (name, part) in first.iter().chain(last).zip(parts) {
+            self.bind(name, part);
+        }
+        rest_of(names[at]).flatten().into_iter().for_each(|name| self.declare(name.to_string(), between.clone()));
+    }
+
+    /// The first and the last items of a list, and the list of those between.
+    fn ends(&mut self, value: &Value, first: usize, last: usize, pattern: &Pat) -> Option<(Vec<Value>, Value)> {
+        match value {
+            Value::Unknown => None,
+            Value::Opaque(Opaque { text, loops }) => {
+                let list = place(text.clone());
+                let [from, back] = [first, last].map(Literal::usize_unsuffixed);
+                let between = Opaque { text: quote!((&#list[#from..#list.len() - #back])), loops: *loops };
+                let at =
+                    |position: TokenStream| Value::Opaque(Opaque { text: quote!(#list[#position]), loops: *loops });
+                let back = |distance: usize| {
+                    let distance = Literal::usize_unsuffixed(distance);
+                    quote!(#list.len() - #distance)
+                };
+                let from_front = (0..first).map(|position| at(Literal::usize_unsuffixed(position).to_token_stream()));
+                let parts = from_front.chain((1..=last).rev().map(|distance| at(back(distance)))).collect();
+                Some((parts, Value::Opaque(between)))
+            }
+            value => {
+                let list = self.listed(value.clone(), pattern)?;
+                if let Some(count) = self.count_of_literal(&list)
+                    && count < (first + last) as u64
+                {
+                    let message = format!("{} names do not fit {count} items", first + last);
+                    self.errors.at(pattern, message);
+                    return None;
+                }
+                let from = self.offset(list.from, first as u64);
+                let back = self.literal_index(last as u64);
+                let to = self.graph.loops.intern(Index::Sub(list.to, back));
+                let from_front = (0..first as u64).map(|position| (list.from, position));
+                let places: Vec<_> = from_front.chain((0..last as u64).map(|position| (to, position))).collect();
+                let parts = places.into_iter().map(|(from, position)| {
+                    let index = self.offset(from, position);
+                    Some(self.item_of(&list, index)?.value)
+                });
+                let parts = parts.collect::<Option<_>>()?;
+                Some((parts, Value::List(Sequence { from, to, ..list })))
+            }
+        }
+    }
+
+    /// Whether a pattern of so many items fits a value with a known number of them, with its names bound if it does;
+    /// nothing is said of other patterns and values.
+    pub(super) fn fits_length(&mut self, pattern: &Pat, value: &Expr) -> Option<Option<bool>> {
+        let mut inner = pattern;
+        while let Pat::Reference(PatReference { pat, .. }) | Pat::Paren(PatParen { pat, .. }) = inner {
+            inner = pat;
+        }
+        let Pat::Slice(parts) = inner else { return Some(None) };
+        let value = self.expression(value)?;
+        let count = match &value {
+            Value::Array(_) | Value::View(_) | Value::List(_) => {
+                let list = self.listed(value.clone(), pattern)?;
+                self.count_of_literal(&list)
+            }
+            _ => None,
+        };
+        let Some(count) = count else { return Some(None) };
+        let names = parts.elems.len() as u64;
+        let has_rest = parts.elems.iter().any(|name| rest_of(name).is_some());
+        let fits = if has_rest { count + 1 >= names } else { count == names };
+        if fits {
+            self.bind(pattern, value);
+        }
+        Some(Some(fits))
     }
 
     /// The elements of a value that has to have `count` of them.
@@ -113,6 +204,17 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+}
+
+/// The name of the items that `..` or `rest @ ..` leaves, if it has one; `None` of other patterns.
+fn rest_of(pattern: &Pat) -> Option<Option<&Ident>> {
+    match pattern {
+        Pat::Rest(_) => Some(None),
+        Pat::Ident(name) => {
+            name.subpat.as_ref().filter(|(_, rest)| matches!(**rest, Pat::Rest(_))).map(|_| Some(&name.ident))
+        }
+        _ => None,
     }
 }
 

@@ -148,12 +148,16 @@ impl Reader<'_> {
         let is_outside = |name: &String| self.lookup(name).is_some();
         let is_array = |name: &String| {
             self.lookup(name).is_some_and(|id| match &self.bindings[id.0].value {
-                Value::Array(_) => true,
+                // Of sums, arrays alone are indexed.
+                Value::Array(_) | Value::Accumulating => true,
                 Value::List(part) => part.literal,
                 _ => false,
             })
         };
-        assigned.replaced.iter().any(is_outside) || assigned.indexed.iter().any(is_array)
+        let is_read = |name: &String| is_outside(name) && assigned.read.contains(name);
+        assigned.replaced.iter().any(is_outside)
+            || assigned.indexed.iter().any(is_array)
+            || assigned.names.iter().any(is_read)
     }
 
     /// Whether a body assigns to a list, or to an array with more elements than a loop that is written out has

@@ -15,7 +15,7 @@ use crate::graph::{
     Comparison, NodeId,
     index::{Index, IndexId},
 };
-use quote::quote;
+use quote::{ToTokens, quote};
 use std::rc::Rc;
 use syn::{Block, Expr, ExprIndex, ExprRange, RangeLimits, visit::Visit};
 
@@ -76,6 +76,20 @@ impl Item {
 const EXPECTED: &str = "a loop runs over a range of integers, over coordinates or over a list of parameters: write \
                         `for i in a..b`, `for x in q.iter()` or `for &(a, b) in &self.bonds`";
 
+/// Whether an expression is an iterator and no list, so that its items have to be collected before they are counted.
+fn is_iterator(expression: &Expr) -> bool {
+    match expression {
+        Expr::Paren(inner) => matches!(*inner.expr, Expr::Range(_)) || is_iterator(&inner.expr),
+        Expr::MethodCall(call) => match call.method.to_string().as_str() {
+            "iter" | "into_iter" | "windows" | "array_windows" | "chunks_exact" | "chunks" | "rchunks" | "values"
+            | "keys" | "into_values" | "into_keys" | "chars" | "bytes" => true,
+            "collect" | "unwrap" | "expect" => false,
+            _ => is_iterator(&call.receiver),
+        },
+        _ => false,
+    }
+}
+
 impl Reader<'_> {
     /// The sequence that an expression is; notes a mistake if it is none.
     pub(super) fn sequence(&mut self, expression: &Expr) -> Option<Sequence> {
@@ -94,7 +108,11 @@ impl Reader<'_> {
                 }
                 Some(self.integers(from, to))
             }
-            Expr::MethodCall(call) if is_adaptor(call) => self.adapted(call),
+            Expr::MethodCall(call)
+                if is_adaptor(call) && !(call.method == "chunks" && self.verbatim(expression).is_some()) =>
+            {
+                self.adapted(call)
+            }
             Expr::Index(ExprIndex { expr, index, .. })
                 if let Expr::Range(range) = &**index
                     && let Some(part) = self.part_of_list(expr, range) =>
@@ -165,7 +183,7 @@ impl Reader<'_> {
     }
 
     /// The elements of coordinates, of an array, or of a list of parameters.
-    fn listed(&mut self, value: Value, place: &Expr) -> Option<Sequence> {
+    pub(super) fn listed(&mut self, value: Value, place: &impl ToTokens) -> Option<Sequence> {
         let zero = self.literal_index(0);
         match value {
             Value::View(view) => {
@@ -198,6 +216,10 @@ impl Reader<'_> {
             Value::Opaque(Opaque { text, loops }) => {
                 let behind_reference = referent(&text).is_some();
                 let text = text::place(text);
+                let text = match syn::parse2(text.clone()) {
+                    Ok(expression) if is_iterator(&expression) => quote!((#text).collect::<Vec<_>>()),
+                    _ => text,
+                };
                 let length = self.parameter(quote!(#text.len()), "integer", loops);
                 let length = self.graph.loops.intern(Index::Parameter(length));
                 self.graph.loops.declare_list_length(length);
@@ -217,7 +239,7 @@ impl Reader<'_> {
     }
 
     /// How many items the coordinates have at a level, as an integer.
-    pub(super) fn extent(&mut self, level: usize, place: &Expr) -> Option<IndexId> {
+    pub(super) fn extent(&mut self, level: usize, place: &impl ToTokens) -> Option<IndexId> {
         let shape = self.shape.clone()?;
         match shape.extent(level) {
             Some(extent) => Some(self.length(extent)),

@@ -1,12 +1,21 @@
 //! Blocks and assignments.
 
-use super::{BindingId, Reader, Target, branch::is_skip, fill::declared_array, repeat::FEW, value::Value};
+use super::{
+    BindingId, Reader, Target,
+    adaptor::is_adaptor,
+    branch::{is_skip, is_skip_unless},
+    early_return::{Body, Flow},
+    fill::declared_array,
+    repeat::FEW,
+    value::Value,
+};
 use crate::{errors::quoted, graph::NodeId};
 use proc_macro2::Ident;
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::HashMap;
 use syn::{
-    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, Item, Local, Macro, Pat, Stmt, visit::Visit,
+    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, ExprUnary, Item, Local, Macro, Pat, Stmt,
+    UnOp, parse_quote, visit::Visit,
 };
 
 /// How elements of arrays are assigned.
@@ -31,6 +40,10 @@ impl Reader<'_> {
             if let Some(skip) = is_skip(statement) {
                 return self.skipped(skip, rest).filter(|_| sound);
             }
+            if let Some((pattern, value)) = is_skip_unless(statement) {
+                let outcome = self.let_else(pattern, value, Body::Nothing, rest, Flow::Value, statement);
+                return outcome.map(|outcome| outcome.value).filter(|_| sound);
+            }
             match statement {
                 Stmt::Expr(expression, semicolon) => {
                     let result = self.statement(expression);
@@ -49,12 +62,19 @@ impl Reader<'_> {
         let value = match &local.init {
             Some(init) if init.diverge.is_none() => match declared_array(local) {
                 Some(array) => self.expression(&array),
+                None if matches!(&*init.expr, Expr::MethodCall(call) if is_adaptor(call)) => {
+                    // What an iterator in a variable gives is what is read of it later.
+                    self.verbatim(&init.expr).or_else(|| self.collected(&init.expr))
+                }
                 None => match &local.pat {
                     Pat::Type(typed) => self.expression_of(&init.expr, &typed.ty),
                     _ => self.expression(&init.expr),
                 },
             },
-            Some(_) => {
+            Some(init) => {
+                if let Some(true) = self.fits_length(&local.pat, &init.expr)? {
+                    return Some(());
+                }
                 self.errors.at(local, "`let ... else` is not understood here: write `if let` around what needs the value, or give it unconditionally");
                 None
             }
@@ -115,8 +135,30 @@ impl Reader<'_> {
         }
     }
 
+    /// `(a, b) = (x, y)`: both are evaluated before either is assigned.
+    fn assign_parts(&mut self, places: Vec<&Expr>, right: &Expr, whole: &Expr) -> Option<Value> {
+        let value = self.expression(right)?;
+        self.scopes.push(HashMap::new());
+        let names: Vec<Ident> = (0..places.len()).map(|place| format_ident!("__part_{place}")).collect();
+        let pattern: Pat = match whole {
+            Expr::Array(_) => parse_quote!([#(#names),*]),
+            _ => parse_quote!((#(#names,)*)),
+        };
+        self.bind(&pattern, value);
+        let assigned = places.into_iter().zip(&names).filter(|(place, _)| !matches!(place, Expr::Infer(_)));
+        let outcomes: Vec<_> =
+            assigned.map(|(place, name)| self.assign(place, None, &parse_quote!(#name), place)).collect();
+        self.scopes.pop();
+        outcomes.into_iter().all(|outcome| outcome.is_some()).then_some(Value::Unit)
+    }
+
     /// `place = right`, or `place op= right`, where the place is a variable or an element of an array.
     fn assign(&mut self, left: &Expr, op: Option<&BinOp>, right: &Expr, whole: &Expr) -> Option<Value> {
+        match (left, op) {
+            (Expr::Tuple(tuple), None) => return self.assign_parts(tuple.elems.iter().collect(), right, left),
+            (Expr::Array(array), None) => return self.assign_parts(array.elems.iter().collect(), right, left),
+            _ => {}
+        }
         let target = self.target(left)?;
         if self.bindings[target.id.0].depth < self.frames.len() {
             return self.accumulate(target, left, op, right, whole);
@@ -138,7 +180,7 @@ impl Reader<'_> {
     fn target(&mut self, place: &Expr) -> Option<Target> {
         match place {
             Expr::Paren(inner) => self.target(&inner.expr),
-            Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => self.target(expr),
+            Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => self.target(expr),
             Expr::Index(ExprIndex { expr, index, .. }) => {
                 let mut target = self.target(expr)?;
                 if let Value::Opaque(_) = self.element_of(&target)? {
@@ -288,32 +330,68 @@ pub(super) struct Assigned {
     pub(super) replaced: Vec<String>,
     /// The names that are indexed.
     pub(super) indexed: Vec<String>,
+    /// The names that are read, or of which elements are, but for what is added to.
+    pub(super) read: Vec<String>,
 }
 
 impl Visit<'_> for Assigned {
     fn visit_expr(&mut self, expression: &Expr) {
-        let (target, adds) = match expression {
-            Expr::Assign(ExprAssign { left, right, .. }) => (root_name(left), addend(left, None, right).is_some()),
-            Expr::Binary(ExprBinary { left, op, right, .. }) if is_assignment(op) => {
-                (root_name(left), addend(left, Some(op), right).is_some())
-            }
-            _ => (None, true),
+        let (left, op, right) = match expression {
+            Expr::Assign(ExprAssign { left, right, .. }) => (left, None, right),
+            Expr::Binary(ExprBinary { left, op, right, .. }) if is_assignment(op) => (left, Some(op), right),
+            other => return self.visit_value(other),
         };
-        self.names.extend(target.map(ToString::to_string));
+        self.assign(left);
+        match addend(left, op, right) {
+            Some((_, addend)) => self.visit_expr(addend),
+            None => {
+                self.replace(left);
+                self.visit_expr(right);
+            }
+        }
+    }
+}
+
+impl Assigned {
+    /// Notes what is assigned to. It is not read, but for the indices in it.
+    fn assign(&mut self, place: &Expr) {
+        match place {
+            Expr::Tuple(parts) => parts.elems.iter().for_each(|part| self.assign(part)),
+            Expr::Array(parts) => parts.elems.iter().for_each(|part| self.assign(part)),
+            Expr::Paren(inner) => self.assign(&inner.expr),
+            Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => self.assign(expr),
+            Expr::Index(ExprIndex { expr, index, .. }) => {
+                self.indexed.extend(root_name(expr).map(ToString::to_string));
+                self.assign(expr);
+                self.visit_expr(index);
+            }
+            place => self.names.extend(simple_name(place).map(ToString::to_string)),
+        }
+    }
+
+    /// Notes that what was in a place is lost.
+    fn replace(&mut self, place: &Expr) {
+        match place {
+            Expr::Tuple(parts) => parts.elems.iter().for_each(|part| self.replace(part)),
+            Expr::Array(parts) => parts.elems.iter().for_each(|part| self.replace(part)),
+            place => self.replaced.extend(root_name(place).map(ToString::to_string)),
+        }
+    }
+
+    fn visit_value(&mut self, expression: &Expr) {
         if let Expr::Reference(ExprReference { mutability: Some(_), expr, .. }) = expression {
             self.names.extend(root_name(expr).map(ToString::to_string));
-        }
-        if !adds {
-            self.replaced.extend(target.map(ToString::to_string));
         }
         if let Expr::Index(ExprIndex { expr, .. }) = expression {
             self.indexed.extend(root_name(expr).map(ToString::to_string));
         }
+        self.read.extend(simple_name(expression).map(ToString::to_string));
         syn::visit::visit_expr(self, expression);
     }
 }
 
-fn is_assignment(op: &BinOp) -> bool {
+/// Whether an operator changes what is on its left.
+pub(super) fn is_assignment(op: &BinOp) -> bool {
     matches!(op, BinOp::AddAssign(_) | BinOp::SubAssign(_) | BinOp::MulAssign(_) | BinOp::DivAssign(_))
 }
 
@@ -340,7 +418,7 @@ pub(super) fn simple_name(expression: &Expr) -> Option<&Ident> {
 fn root_name(place: &Expr) -> Option<&Ident> {
     match place {
         Expr::Index(ExprIndex { expr, .. }) => root_name(expr),
-        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => root_name(expr),
+        Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => root_name(expr),
         _ => simple_name(place),
     }
 }

@@ -76,7 +76,9 @@ impl Reader<'_> {
     pub(super) fn by_value(&self, text: TokenStream, kind: &str) -> TokenStream {
         let may_refer = match kind {
             "operand" | "number" | "integer" => syn::parse2::<Expr>(text.clone()).is_ok_and(|expression| {
-                self.is_name_of_arm(&expression) || kind == "operand" && self.may_refer(&expression)
+                self.is_name_of_arm(&expression)
+                    || is_collected(&expression)
+                    || kind == "operand" && self.may_refer(&expression)
             }),
             _ => false,
         };
@@ -135,6 +137,12 @@ impl Reader<'_> {
         let function = self.input.function(&call.method.to_string()).filter(|_| is_self)?;
         Some(&function.sig.output)
     }
+}
+
+/// Whether an expression is an item of an iterator that was collected, which may give references.
+pub(super) fn is_collected(expression: &Expr) -> bool {
+    let Expr::Index(item) = within(expression) else { return false };
+    matches!(within(&item.expr), Expr::MethodCall(call) if call.method == "collect")
 }
 
 /// An expression without the parentheses around it, and the last one of a block.
