@@ -109,6 +109,41 @@ fn particles(k: f64) -> Phase<Vec<[f64; 2]>> {
     Phase::new(q, p)
 }
 
+/// Bodies of a list beside a first one that drifts on its own; of those that the list has no strength for, nothing is said.
+struct Some {
+    strengths: Vec<f64>,
+}
+
+#[hamiltonian(split = drift + kepler)]
+impl Some {
+    fn drift(&self, p: &[[f64; 2]]) -> f64 {
+        0.5 * (p[0][0] * p[0][0] + p[0][1] * p[0][1])
+    }
+    fn kepler(&self, q: &[[f64; 2]], p: &[[f64; 2]]) -> f64 {
+        let bodies = q.iter().zip(p).skip(1).zip(&self.strengths);
+        bodies.map(|((q, p), k)| 0.5 * (p[0] * p[0] + p[1] * p[1]) - k / q[0].hypot(q[1])).sum()
+    }
+}
+
+#[test]
+fn bodies_from_the_middle_of_a_list_move_as_they_do_alone() {
+    let Phase { q, p } = particles(1.0);
+    let some = Some { strengths: vec![1.0, 2.0, 3.0] };
+    let mut run = some.run(Phase::new(q[..5].to_vec(), p[..5].to_vec()), 0.1).expect("a run");
+    run.advance(20).expect("finite");
+    let moved = run.state();
+    for body in 1..4 {
+        let alone = Satellite { mass: 1.0, strength: body as f64, flattening: 0.0 };
+        let mut alone = alone.run_with(Verlet, Phase::new(q[body], p[body]), 0.1).expect("a run");
+        alone.advance(20).expect("finite");
+        // Its orbit is cut into other pieces, so that it is rounded elsewhere.
+        let distance = (moved.q[body][0] - alone.state().q[0]).hypot(moved.p[body][1] - alone.state().p[1]);
+        assert!(distance < 1e-13, "{distance}");
+    }
+    assert_eq!(moved.q[4], q[4], "beyond the list");
+    assert!((moved.q[0][0] - q[0][0] - 2.0 * p[0][0]).abs() < 1e-14, "a drift");
+}
+
 // A test for each, so that they run side by side.
 #[test]
 fn planets_are_certified() {

@@ -26,35 +26,46 @@ pub(super) fn flow(emitter: &mut Emitter<'_>, orbits: &[Orbits]) -> Flow {
 }
 
 fn call(emitter: &mut Emitter<'_>, orbits: &Orbits) -> TokenStream {
-    let range = range(emitter, orbits.bodies);
+    let (before, range) = range(emitter, orbits.bodies);
     let [q, p] = [quote!(q), quote!(p)].map(|half| match &range {
         Some(range) => quote!(&mut motion.#half[#range]),
         None => quote!(::core::slice::from_mut(&mut motion.#half)),
     });
     let [inverse_mass, strength] =
         [orbits.inverse_mass, orbits.strength].map(|constant| constant_of(emitter, constant, range.as_ref()));
-    quote!(solver.flow([#q, #p], #inverse_mass, #strength, duration);)
+    quote!(#before solver.flow([#q, #p], #inverse_mass, #strength, duration);)
 }
 
-/// The indices of bodies among the points of the coordinates, if these are points.
-fn range(emitter: &mut Emitter<'_>, bodies: Bodies) -> Option<TokenStream> {
+/// The indices of bodies among the points of the coordinates, if these are points, behind what is read before the points
+/// are lent to be moved: how many there are may be among it.
+fn range(emitter: &mut Emitter<'_>, bodies: Bodies) -> (TokenStream, Option<TokenStream>) {
     let Emitter { model, names, fields } = emitter;
     let program = Program::default();
     let printer = Printer::new(model, names, &program, &Frame::Motion);
     match bodies {
-        Bodies::Whole => None,
+        Bodies::Whole => (TokenStream::new(), None),
         Bodies::One(index) => {
+            let literal = model.graph.loops.literal(index).is_some();
             let index = printer.index(fields, index);
-            Some(quote!(#index..=#index))
+            read_before(quote!(#index..=#index), literal)
         }
         Bodies::Each(by) => {
             let range = model.graph.loops.get(by);
             if model.graph.loops.literal(range.from) == Some(0) && model.lengths.first() == Some(&range.to) {
-                return Some(quote!(..));
+                return (TokenStream::new(), Some(quote!(..)));
             }
+            let literal = [range.from, range.to].iter().all(|bound| model.graph.loops.literal(*bound).is_some());
             let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
-            Some(quote!(#from..#to))
+            read_before(quote!(#from..#to), literal)
         }
+    }
+}
+
+/// A range that is read where it is wanted, if it is a literal, or once before.
+fn read_before(range: TokenStream, literal: bool) -> (TokenStream, Option<TokenStream>) {
+    match literal {
+        true => (TokenStream::new(), Some(range)),
+        false => (quote!(let bodies = #range;), Some(quote!(bodies.clone()))),
     }
 }
 
