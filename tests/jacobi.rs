@@ -292,6 +292,16 @@ fn any_number_of_bodies_may_move() {
 }
 
 #[test]
+fn no_bodies_at_all_are_a_system() {
+    let start: Phase<[[f64; 3]; 0]> = Phase::new([], []);
+    let system = Bodies::<0> { gravity: 1.0, mass: Vec::new() };
+    assert_eq!(end(&system, Aba1064, start, 0.1, 3), start);
+    let mut run = system.run(start, 0.1).expect("a run");
+    run.advance(3).expect("nothing to move");
+    assert_eq!(run.energy(), 0.0);
+}
+
+#[test]
 fn masses_that_make_no_coordinates_are_refused() {
     let (system, start) = solar();
     let refusal = |mass: Vec<f64>| {

@@ -263,7 +263,8 @@ fn map_positions<L: Rows<D>, const D: usize>(
     from: &[Coordinates<L, D>],
     to: &mut [Coordinates<L::AtRest, D>],
 ) {
-    let (mut later, mut centre) = ([L::Row::of(0.0); D], values(&from[0]));
+    let Some(first) = from.first() else { return };
+    let (mut later, mut centre) = ([L::Row::of(0.0); D], values(first));
     for centre in &mut centre {
         *centre = L::Row::permute(*centre, &[0; 8]);
     }
@@ -297,8 +298,10 @@ fn map_momenta<L: Rows<D>, const D: usize>(
             total[d] = sum.permute(&[count as u64 - 1; 8]);
         }
     }
-    for d in 0..D {
-        to[0][d].fma(weights[0].first, total[d]);
+    if let (Some(first), Some(weights)) = (to.first_mut(), weights.first()) {
+        for d in 0..D {
+            first[d].fma(weights.first, total[d]);
+        }
     }
 }
 
