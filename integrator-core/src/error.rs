@@ -158,8 +158,10 @@ pub enum Error {
         /// Those that there are.
         known: &'static [&'static str],
     },
-    /// Samples every 0 steps.
-    #[error("samples(0) would stay at one point for ever: ask for a sample every 1 or more steps")]
+    /// Samples every 0 steps, or after no time.
+    #[error(
+        "an interval of 0 between samples would stay at one point for ever: ask for one every 1 or more steps, or after a time"
+    )]
     SampleInterval,
     /// The function whose zeros are looked for has no value at a state of the run.
     #[error("the function whose zeros are looked for is {value} at t = {time}: it has to be finite along the run")]

@@ -52,9 +52,18 @@ fn samples_that_stay_where_they_are() {
     assert_eq!(error, Error::SampleInterval);
     assert_eq!(
         error.to_string(),
-        "samples(0) would stay at one point for ever: ask for a sample every 1 or more steps"
+        "an interval of 0 between samples would stay at one point for ever: ask for one every 1 or more steps, or after a time"
     );
     assert!(samples.next().is_none());
+    for (interval, error) in [(0.0, Some(Error::SampleInterval)), (f64::NAN, None), (f64::INFINITY, None)] {
+        let mut samples = HenonHeiles.run(start(), 0.1).expect("an admissible start").samples_at(interval);
+        let found = samples.next().expect("an error").expect_err("no time between samples");
+        match error {
+            Some(error) => assert_eq!(found, error),
+            None => assert!(matches!(found, Error::Time { time } if time.is_nan()), "{found}"),
+        }
+        assert!(samples.next().is_none());
+    }
 }
 
 #[test]

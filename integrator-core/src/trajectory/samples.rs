@@ -93,6 +93,7 @@ impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for SamplesAt<C, R> {
         let run = self.run.borrow_mut();
         let outcome = match taken {
             _ if self.interval == 0.0 => Err(Error::SampleInterval),
+            _ if !time.is_finite() => Err(Error::Time { time }),
             0 => run.check_clock(),
             _ => run.advance_to(time),
         };
