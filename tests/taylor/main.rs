@@ -5,6 +5,7 @@
 
 mod crossings;
 mod drift;
+mod ends;
 mod ensemble;
 mod global_error;
 #[path = "../support/instruction_sets.rs"]

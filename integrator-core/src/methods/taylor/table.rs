@@ -107,6 +107,11 @@ impl Layout {
         };
         component * self.stride + within
     }
+    /// The index of the component of the point that is nearest to these in an order slice.
+    pub fn near(self, point: i64, component: i64) -> usize {
+        let nearest = |number: i64, count: usize| (number.max(0) as usize).min(count.saturating_sub(1));
+        self.index(nearest(point, self.length), nearest(component, self.components))
+    }
     /// The index of a coordinate in an order slice.
     pub fn index_of(self, coordinate: usize) -> usize {
         self.index(coordinate / self.components, coordinate % self.components)

@@ -46,6 +46,25 @@ impl Printer<'_> {
         }
     }
 
+    /// The same for a coordinate that may be read behind a condition alone: one that is not there is the nearest that is.
+    pub(crate) fn near_in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
+        let is_apart = |id| matches!(self.graph.loops.index(id), Index::Add(..) | Index::Sub(..) | Index::Minus(..));
+        if !self.graph.loops.of_coordinate(element).any(is_apart) {
+            return self.in_row(fields, element);
+        }
+        let index = self.signed_index(fields, element.index);
+        let component = match element.component.map(|component| (component, self.graph.loops.index(component))) {
+            None => quote!(0),
+            Some((_, Index::InPlane(row, site))) => {
+                let sites = self.graph.loops.sites_of_row().map(|sites| self.signed_index(fields, sites));
+                let [row, site] = [row, site].map(|id| self.signed_index(fields, id));
+                quote!((#row) * (#sites) + (#site))
+            }
+            Some((component, _)) => self.signed_index(fields, component),
+        };
+        quote!(layout.near(#index, #component))
+    }
+
     /// The same where points are distributed over vectors cyclically.
     pub(crate) fn interleaved_index(
         &self,

@@ -314,8 +314,13 @@ impl Writer<'_> {
         // Names are those of values that are computed at every order.
         let named = std::mem::take(&mut self.printer.names);
         let printer = &self.printer;
-        let reads: Vec<_> = points.iter().map(|point| printer.in_row(fields, nest.reads[point[0]].1)).collect();
-        let targets: Vec<_> = nest.targets.iter().map(|element| printer.in_row(fields, *element)).collect();
+        // Iterations whose predicates do not hold are listed as well.
+        let mut place = |element| match nest.predicates.is_empty() {
+            true => printer.in_row(fields, element),
+            false => printer.near_in_row(fields, element),
+        };
+        let reads: Vec<_> = points.iter().map(|point| place(nest.reads[point[0]].1)).collect();
+        let targets: Vec<_> = nest.targets.iter().map(|element| place(*element)).collect();
         let mut constants: Vec<_> = nest.constants.iter().map(|id| printer.computation(fields, *id).tokens).collect();
         constants.extend(nest.predicates.iter().map(|id| {
             let holds = printer.computation(fields, *id).tokens;
