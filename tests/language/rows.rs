@@ -285,6 +285,7 @@ rows! {
     casts { self.count as f64 * q[0] + f64::from(self.charge) * q[1] + self.soft as f64 * q[2] } => [3.0, 2.0, 0.5, 0.0];
     integers_of_other_types { let k = 2 * self.charge - 1; let mut v = (1.0 + q[0]).powi(self.charge + 1) + k as f64 * q[1]; if self.charge % 2 == 0 { v += q[2]; } v += match self.charge % 3 { 2 => q[3], _ => 0.0 }; v } => [3.0 * (1.0 + a).powi(2), 3.0, 1.0, 1.0];
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
+    truth_of_conditions { (q[0] > 0.0) as i32 as f64 * q[0] * q[0] + f64::from(q[1] > 0.0) * q[2] + f64::from(q[3]) } => [2.0 * a, 0.0, 0.0, 1.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];
     struct_patterns { let Self { mass, cell: Cell { edge, .. }, bonds, .. } = self; let (i, j) = bonds[1]; mass * edge * q[i] * q[j] } => [0.0, 3.0 * d, 0.0, 3.0 * b];
     types_that_are_asked_for { let k: f64 = self.table.iter().sum(); let (n, m): (usize, f64) = (self.neighbours.iter().sum(), self.soft.into()); let list: Vec<f64> = self.table.iter().map(|x| x * x).collect(); let line = |k: f64, x: f64| 2.0 * k * x; 2.0 * k * q[0] + n as f64 * q[1] + m.sqrt() * q[2] + list[1] * q[3] + line(self.soft.into(), q[3]) } => [20.0, 6.0, 0.5_f64.sqrt(), 10.0];

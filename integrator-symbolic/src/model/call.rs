@@ -152,12 +152,19 @@ impl Reader<'_> {
             Expr::Path(path) if path.qself.is_none() => path.path.segments.iter().map(|part| &part.ident).collect(),
             _ => Vec::new(),
         };
-        if let ([kind, name], [value @ Value::Integer(index)]) = (&segments[..], &arguments[..])
-            && let Value::Integer(_) = self.of_own_type(value.clone())
+        if let ([kind, name], [value]) = (&segments[..], &arguments[..])
             && *kind == "f64"
             && *name == "from"
         {
-            return Some(Value::Real(self.graph.number_of(*index)));
+            let number = match self.of_own_type(value.clone()) {
+                Value::Integer(index) => Some(self.graph.number_of(index)),
+                Value::Condition(condition) => Some(self.truth_as_number(condition)),
+                Value::Real(number) => Some(number),
+                _ => None,
+            };
+            if let Some(number) = number {
+                return Some(Value::Real(number));
+            }
         }
         // A function of literals that is seen here is a number that is known here.
         let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));

@@ -191,6 +191,12 @@ impl Reader<'_> {
         }
     }
 
+    /// One where a condition holds, zero elsewhere.
+    pub(super) fn truth_as_number(&mut self, condition: NodeId) -> NodeId {
+        let (one, zero) = (self.graph.constant(1.0), self.graph.constant(0.0));
+        self.graph.select(condition, one, zero)
+    }
+
     fn integer_operation(&mut self, op: &BinOp, a: IndexId, b: IndexId) -> IndexId {
         self.graph.loops.intern(match op {
             BinOp::Add(_) => Index::Add(a, b),
@@ -228,6 +234,9 @@ impl Reader<'_> {
                 Some(Value::Integer(self.graph.loops.cast(index, kind)))
             }
             Value::Real(number) if to_float => Some(Value::Real(number)),
+            Value::Condition(condition) if to_float => Some(Value::Real(self.truth_as_number(condition))),
+            // One or zero, whatever the integer's type.
+            Value::Condition(condition) if integer_type(&cast.ty).is_some() => Some(Value::Condition(condition)),
             value => match self.opaque(&value) {
                 Some(Opaque { text, loops }) => {
                     let kind = &cast.ty;
