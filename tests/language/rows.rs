@@ -214,6 +214,7 @@ rows! {
     zipped_with_fewer { q.iter().zip(self.table.iter().skip(2)).map(|(x, k)| k * x).sum::<f64>() } => [2.0, 1.0, 0.0, 0.0];
     zipped_neighbours { q.iter().zip(q.iter().skip(1)).map(|(x, y)| x * y).sum::<f64>() } => [b, a + c, b + d, c];
     rings_by_cycle { q.iter().zip(q.iter().cycle().skip(1)).map(|(x, y)| x * y * y).sum::<f64>() } => [b * b + 2.0 * a * d, c * c + 2.0 * a * b, d * d + 2.0 * b * c, a * a + 2.0 * c * d];
+    numbered { (1..).zip(q).map(|(n, x)| n as f64 * x).sum::<f64>() + q.iter().zip(2..).map(|(x, n)| n as f64 * x * x).sum::<f64>() + std::iter::zip(&q, &self.table).map(|(x, k)| k * x).sum::<f64>() } => [1.0 + 4.0 * a + 4.0, 2.0 + 6.0 * b + 3.0, 3.0 + 8.0 * c + 2.0, 4.0 + 10.0 * d + 1.0];
     windows { q.windows(2).map(|w| w[0] * w[1]).sum::<f64>() } => [b, a + c, b + d, c];
     windows_taken_apart { let mut v = 0.0; for pair in q.windows(2) { let [x, y] = pair else { continue }; if let &[z, _] = pair { v += x * y * z; } } v } => [2.0 * a * b, a * a + 2.0 * b * c, b * b + 2.0 * c * d, c * c];
     array_windows { q.array_windows().map(|[x, y]| x * y).sum::<f64>() } => [b, a + c, b + d, c];
@@ -222,6 +223,7 @@ rows! {
     array_windows_in_a_fold { q.array_windows().fold(0.0, |sum, &[x, y]| sum + x * y) } => [b, a + c, b + d, c];
     ends { q.first().unwrap() * q.last().copied().unwrap() } => [d, 0.0, 0.0, a];
     items_that_may_be_there { let mut v = 0.0; for i in 0..q.len() { v += q[i] * q.get(i + 1).map_or(1.0, |x| x * x); if let Some(x) = q.get(i + 2) { v += x * q[i]; } } v } => [b * b + c, 2.0 * a * b + c * c + d, 2.0 * b * c + d * d + a, 2.0 * c * d + 1.0 + b];
+    copies { let copy = q.to_vec(); copy[0] * copy.as_slice()[1] + copy.first().copied().unwrap_or(0.0) } => [b + 1.0, a, 0.0, 0.0];
     split_lists { let (left, right) = q.split_at(2); let (first, rest) = q.split_first().unwrap(); left[0] * right[1] + first * rest.iter().sum::<f64>() } => [d + b + c + d, a, a, a + a];
     ends_of_a_part { q[1..].first().expect("a site") * q[..3].last().unwrap() } => [0.0, c, b, 0.0];
     chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];

@@ -9,7 +9,7 @@ use crate::graph::index::Index;
 use proc_macro2::Ident;
 use std::rc::Rc;
 use syn::{
-    Expr, ExprMethodCall, GenericArgument, Pat, PatParen, PatReference, PatType, Type, parse_quote,
+    Expr, ExprMethodCall, ExprRange, GenericArgument, Pat, PatParen, PatReference, PatType, Type, parse_quote,
     punctuated::Punctuated,
 };
 
@@ -31,6 +31,13 @@ impl Reader<'_> {
             Some(Expr::Closure(closure)) => closure.inputs.first(),
             _ => None,
         };
+        if call.method == "zip"
+            && let (Some(first), Some(second)) = (endless(&call.receiver), call.args.first())
+        {
+            let other = self.sequence(second)?;
+            let base = self.endless(first, &other)?;
+            return self.pairs(base, other, second);
+        }
         let base = self.sequence_of(&call.receiver, item)?;
         let Sequence { from, to, ref at, filtered, literal } = base;
         let at = Rc::clone(at);
@@ -86,7 +93,13 @@ impl Reader<'_> {
                 };
                 Some(Sequence { from, to, at: Rc::new(at), filtered, literal })
             }
-            ("zip", Some(other)) => self.zipped(base, other),
+            ("zip", Some(place)) => {
+                let other = match endless(place) {
+                    Some(endless) => self.endless(endless, &base)?,
+                    None => self.sequence(place)?,
+                };
+                self.pairs(base, other, place)
+            }
             ("skip", Some(count)) => {
                 let count = self.bound(count)?;
                 let from = self.graph.loops.intern(Index::Add(from, count));
@@ -127,11 +140,7 @@ impl Reader<'_> {
     }
 
     /// Pairs of items, as many as the shorter sequence has. The index is the first sequence's.
-    fn zipped(&mut self, base: Sequence, place: &Expr) -> Option<Sequence> {
-        let other = match endless(place) {
-            Some(endless) => self.repeating(endless, &base)?,
-            None => self.sequence(place)?,
-        };
+    fn pairs(&mut self, base: Sequence, other: Sequence, place: &Expr) -> Option<Sequence> {
         if other.filtered {
             let message = "how many items `filter` leaves is not known, so they have no partners in a `zip`: zip first \
                            and put `filter` last, or write a loop with an `if`";
@@ -151,20 +160,29 @@ impl Reader<'_> {
         Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
     }
 
-    /// As many items of a sequence that begins anew at its end as another one has.
-    fn repeating(&mut self, endless: Endless<'_>, like: &Sequence) -> Option<Sequence> {
-        let base = self.sequence(endless.items)?;
+    /// As many items of a sequence without an end as another one has.
+    fn endless(&mut self, endless: Endless<'_>, like: &Sequence) -> Option<Sequence> {
+        let count = self.count_of(like);
+        let (items, skipped) = match endless {
+            Endless::From(start) => {
+                let from = self.bound(start)?;
+                let to = self.graph.loops.intern(Index::Add(from, count));
+                return Some(self.integers(from, to));
+            }
+            Endless::Cycle { items, skipped } => (items, skipped),
+        };
+        let base = self.sequence(items)?;
         if base.filtered {
             let message = "how many items `filter` leaves is not known, so they begin anew nowhere: zip first and put \
                            `filter` last, or write a loop with an `if`";
-            self.errors.at(endless.items, message);
+            self.errors.at(items, message);
             return None;
         }
-        let from = match endless.skipped {
+        let from = match skipped {
             Some(count) => self.bound(count)?,
             None => self.literal_index(0),
         };
-        let (count, length) = (self.count_of(like), self.count_of(&base));
+        let length = self.count_of(&base);
         let to = self.graph.loops.intern(Index::Add(from, count));
         let literal = base.literal;
         let at = move |reader: &mut Reader<'_>, index| {
@@ -224,19 +242,26 @@ impl Reader<'_> {
 pub(super) const ADAPTED: &str =
     "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows, array_windows and chunks_exact";
 
-/// A sequence that begins anew at its end, `items.cycle()`, behind some of its items.
-struct Endless<'e> {
-    items: &'e Expr,
-    skipped: Option<&'e Expr>,
+/// A sequence without an end.
+enum Endless<'e> {
+    /// `items.cycle()`, behind some of its items.
+    Cycle { items: &'e Expr, skipped: Option<&'e Expr> },
+    /// `start..`
+    From(&'e Expr),
 }
 
 fn endless(sequence: &Expr) -> Option<Endless<'_>> {
-    let Expr::MethodCall(call) = sequence else { return None };
+    let call = match sequence {
+        Expr::Paren(inner) => return endless(&inner.expr),
+        Expr::Range(ExprRange { start: Some(start), end: None, .. }) => return Some(Endless::From(start)),
+        Expr::MethodCall(call) => call,
+        _ => return None,
+    };
     let cycle = |call: &'_ ExprMethodCall| call.method == "cycle" && call.args.is_empty();
     match &*call.receiver {
-        items if cycle(call) => Some(Endless { items, skipped: None }),
+        items if cycle(call) => Some(Endless::Cycle { items, skipped: None }),
         Expr::MethodCall(inner) if call.method == "skip" && cycle(inner) => {
-            Some(Endless { items: &inner.receiver, skipped: call.args.first() })
+            Some(Endless::Cycle { items: &inner.receiver, skipped: call.args.first() })
         }
         _ => None,
     }

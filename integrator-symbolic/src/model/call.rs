@@ -4,6 +4,7 @@ use super::{
     Reader,
     adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
+    early_return::where_there,
     elementary::is_elementary,
     fill::ending_in,
     integer::operand,
@@ -19,7 +20,7 @@ use crate::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{Expr, ExprCall, ExprMethodCall, FnArg, ImplItemFn, Pat, parse_quote, parse_quote_spanned};
+use syn::{Expr, ExprCall, ExprLet, ExprMethodCall, FnArg, ImplItemFn, Pat, parse_quote, parse_quote_spanned};
 
 /// What may be done with code that is never looked into.
 pub(super) const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
@@ -42,7 +43,7 @@ impl Reader<'_> {
             self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
             return None;
         }
-        if let Some(element) = end_of_list(call).or_else(|| where_some(call))
+        if let Some(element) = end_of_list(call).or_else(|| where_some(call).filter(|branch| self.may_be_none(branch)))
             && self.verbatim(&Expr::MethodCall(call.clone())).is_none()
         {
             return self.expression(&element);
@@ -66,11 +67,14 @@ impl Reader<'_> {
         if let Some(variable) = self.changeable(&call.receiver)
             && !is_harmless(&call.method)
         {
-            let message = format!(
-                "`{}` might change `{variable}`, and only assignments are followed: make values of the system in one \
-                 expression, or in a method of this impl that takes no coordinates",
-                call.method
-            );
+            let cure = match call.method.to_string().as_str() {
+                "push" => "make the list in one expression, `let list: Vec<f64> = q.iter().map(|x| ...).collect();`",
+                _ => {
+                    "make values of the system in one expression, or in a method of this impl that takes no coordinates"
+                }
+            };
+            let message =
+                format!("`{}` might change `{variable}`, and only assignments are followed: {cure}", call.method);
             self.errors.at(&call.method, message);
             return None;
         }
@@ -112,7 +116,20 @@ impl Reader<'_> {
         if is_self {
             return self.helper(name, arguments, &places);
         }
+        if places.is_empty()
+            && matches!(name.to_string().as_str(), "to_vec" | "to_owned" | "as_slice")
+            && matches!(receiver, Value::View(_) | Value::Array(_) | Value::List(_))
+        {
+            return Some(receiver);
+        }
         self.elementary(name, receiver, &call.receiver, arguments, &places)
+    }
+
+    /// Whether the value that a branch matches is known to be there or not: one of the system, or coordinates by an index.
+    fn may_be_none(&mut self, branch: &Expr) -> bool {
+        let Expr::If(branch) = branch else { return false };
+        let Expr::Let(ExprLet { pat, expr, .. }) = &*branch.cond else { return false };
+        self.verbatim(expr).is_some() || where_there(pat, expr, branch).is_some()
     }
 
     /// `function(arguments)`

@@ -335,21 +335,26 @@ impl Reader<'_> {
 }
 
 /// `if let Some(x) = q.get(i) { ... }` over coordinates as a branch by the index.
-fn where_there(pattern: &Pat, value: &Expr, branch: &ExprIf) -> Option<ExprIf> {
+pub(super) fn where_there(pattern: &Pat, value: &Expr, branch: &ExprIf) -> Option<ExprIf> {
     let Pat::TupleStruct(PatTupleStruct { path, elems, .. }) = pattern else { return None };
     let mut value = value;
     let got = loop {
         let Expr::MethodCall(call) = value else { return None };
         match (call.method.to_string().as_str(), call.args.len()) {
             ("copied" | "cloned", 0) => value = &call.receiver,
-            ("get", 1) => break call,
+            ("get", 1) | ("first" | "last", 0) => break call,
             _ => return None,
         }
     };
     let (true, 1) = (path.is_ident("Some"), elems.len()) else { return None };
-    let (item, list, at, body) = (&elems[0], &got.receiver, &got.args[0], &branch.then_branch);
+    let (item, list, body) = (&elems[0], &got.receiver, &branch.then_branch);
+    let at: Expr = match got.method.to_string().as_str() {
+        "first" => parse_quote!(0),
+        "last" => parse_quote!(#list.len() - 1),
+        _ => got.args[0].clone(),
+    };
     Some(ExprIf {
-        cond: parse_quote!(#at < #list.len()),
+        cond: if got.method == "get" { parse_quote!(#at < #list.len()) } else { parse_quote!(0 < #list.len()) },
         then_branch: parse_quote!({ let #item = &#list[#at]; #body }),
         ..branch.clone()
     })

@@ -17,7 +17,7 @@ use crate::graph::{
 };
 use quote::{ToTokens, quote};
 use std::rc::Rc;
-use syn::{Block, Expr, ExprIndex, ExprRange, RangeLimits, visit::Visit};
+use syn::{Block, Expr, ExprCall, ExprIndex, ExprRange, RangeLimits, parse_quote, visit::Visit};
 
 /// A sequence with one item for every index in `from..to`.
 #[derive(Clone)]
@@ -76,6 +76,15 @@ impl Item {
 const EXPECTED: &str = "a loop runs over a range of integers, over coordinates or over a list of parameters: write \
                         `for i in a..b`, `for x in q.iter()` or `for &(a, b) in &self.bonds`";
 
+/// `std::iter::zip(a, b)` as `a.into_iter().zip(b)`.
+fn zipped(call: &ExprCall) -> Option<Expr> {
+    let Expr::Path(function) = &*call.func else { return None };
+    let mut names = function.path.segments.iter().rev();
+    let is = names.next()?.ident == "zip" && names.next().is_none_or(|module| module.ident == "iter");
+    let (true, [a, b]) = (is, &call.args.iter().collect::<Vec<_>>()[..]) else { return None };
+    Some(parse_quote!((#a).into_iter().zip(#b)))
+}
+
 /// Whether an expression is an iterator and no list, so that its items have to be collected before they are counted.
 fn is_iterator(expression: &Expr) -> bool {
     match expression {
@@ -113,6 +122,7 @@ impl Reader<'_> {
             {
                 self.adapted(call)
             }
+            Expr::Call(call) if let Some(zipped) = zipped(call) => self.sequence(&zipped),
             Expr::Index(ExprIndex { expr, index, .. })
                 if let Expr::Range(range) = &**index
                     && let Some(part) = self.part_of_list(expr, range) =>
@@ -150,7 +160,7 @@ impl Reader<'_> {
     }
 
     /// The integers in `from..to`; those that may begin below zero are counted from the first one.
-    fn integers(&mut self, from: IndexId, to: IndexId) -> Sequence {
+    pub(super) fn integers(&mut self, from: IndexId, to: IndexId) -> Sequence {
         let loops = &mut self.graph.loops;
         let count = loops.span(from, to);
         if loops.is_signed(from) {
