@@ -75,6 +75,28 @@ fn a_larger_lattice_has_longer_numbers_alone() {
 
 /// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in
 /// the energy and its part of the derivatives' documentation, and twice that in the Hessian.
+/// A sum whose terms have a variable named like it is none that reads itself, and stays a loop of any length.
+#[test]
+fn a_name_like_that_of_a_sum_is_another_variable() {
+    let sum = |sites: u64| {
+        let item = format!(
+            "impl System {{
+                fn kinetic(&self, p: [f64; 16]) -> f64 {{ p.iter().map(|p| p * p).sum() }}
+                fn potential(&self, q: [f64; 16]) -> f64 {{
+                    let mut v = 0.0;
+                    for i in 0..{sites} {{
+                        v += q.iter().map(|v| (v * i as f64).sin()).sum::<f64>().powi(2);
+                        for v in q {{ debug_assert!(v.is_finite()); let _ = v * v; }}
+                    }}
+                    v
+                }}
+            }}"
+        );
+        tokens(expansion(&item).parse().expect("tokens"))
+    };
+    assert_eq!(sum(4), sum(16));
+}
+
 #[test]
 fn ten_bodies_written_out_stay_below_a_size() {
     let item = ten_bodies();

@@ -6,6 +6,7 @@ use super::{
     branch::{is_skip, is_skip_unless},
     early_return::{Body, Flow},
     fill::declared_array,
+    pattern::Names,
     repeat::FEW,
     value::Value,
 };
@@ -14,8 +15,8 @@ use proc_macro2::Ident;
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 use syn::{
-    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprIndex, ExprReference, ExprUnary, Item, Local, Macro, Pat, Stmt,
-    UnOp, parse_quote, visit::Visit,
+    BinOp, Block, Expr, ExprAssign, ExprBinary, ExprClosure, ExprForLoop, ExprIndex, ExprReference, ExprUnary, Item,
+    Local, Macro, Pat, Stmt, UnOp, parse_quote, visit::Visit,
 };
 
 /// How elements of arrays are assigned.
@@ -350,6 +351,15 @@ impl Visit<'_> for Assigned {
             }
         }
     }
+
+    fn visit_expr_closure(&mut self, closure: &ExprClosure) {
+        self.visit_under(closure.inputs.iter(), |visitor| visitor.visit_expr(&closure.body));
+    }
+
+    fn visit_expr_for_loop(&mut self, repeat: &ExprForLoop) {
+        self.visit_expr(&repeat.expr);
+        self.visit_under([&*repeat.pat], |visitor| visitor.visit_block(&repeat.body));
+    }
 }
 
 impl Assigned {
@@ -367,6 +377,16 @@ impl Assigned {
             }
             place => self.names.extend(simple_name(place).map(ToString::to_string)),
         }
+    }
+
+    /// Visits what sees names that patterns declare, which are others than those outside.
+    fn visit_under<'p>(&mut self, patterns: impl IntoIterator<Item = &'p Pat>, visit: impl FnOnce(&mut Self)) {
+        let mut declared = Names(Vec::new());
+        patterns.into_iter().for_each(|pattern| declared.visit_pat(pattern));
+        let before = std::mem::take(&mut self.read);
+        visit(self);
+        self.read.retain(|name| !declared.0.contains(name));
+        self.read.extend(before);
     }
 
     /// Notes that what was in a place is lost.
