@@ -101,7 +101,7 @@ impl<R: Real, const VALUES: usize, const ORDERS: usize, const VECTORS: usize> Fe
 
     /// Before any vector has computed.
     #[inline(always)]
-    pub fn new() -> Self {
+    pub fn zero() -> Self {
         Self { results: [[[Wide::<R>::of(0.0); ORDERS]; VALUES]; VECTORS] }
     }
 }
@@ -332,7 +332,7 @@ mod tests {
         let mut line = Line::<R, u8, u8, 2, 2>::default();
         assert!(line.is_empty());
         line.build(layout, ends);
-        let mut few = Few::<R, 2, 2, FEW>::new();
+        let mut few = Few::<R, 2, 2, FEW>::zero();
         for vectors in line.singles(layout, ends) {
             let vectors = line.single(vectors, layout, ends);
             let (own, next) = (vectors.own(&q, 3), vectors.next(&q, 3, ends));

@@ -176,7 +176,7 @@ impl Writer<'_> {
             #function
             #times
             if tape.#list.is_empty() { tape.#list.build(layout, ENDS); }
-            let mut few = #runtime::Few::<#scalar, #values, 2, #few>::new();
+            let mut few = #runtime::Few::<#scalar, #values, 2, #few>::zero();
             for number in tape.#list.singles(layout, ENDS) {
                 let vectors = tape.#list.single(number, layout, ENDS);
                 #call

@@ -124,7 +124,7 @@ const _: () = {
             if tape.iterations_1.is_empty() {
                 tape.iterations_1.build(layout, ENDS);
             }
-            let mut few = runtime::Few::<Scalar, 1, 2, 5>::new();
+            let mut few = runtime::Few::<Scalar, 1, 2, 5>::zero();
             for number in tape.iterations_1.singles(layout, ENDS) {
                 let vectors = tape.iterations_1.single(number, layout, ENDS);
                 let read_0 = vectors.next(q, order, ENDS);
