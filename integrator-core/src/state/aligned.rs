@@ -47,8 +47,8 @@ impl<T: Copy> Aligned<T> {
 impl<T: Copy> Clone for Aligned<T> {
     fn clone(&self) -> Self {
         let (mut elements, first) = Self::room(self.len());
-        if let Some(unused) = self.first() {
-            elements.resize(first, *unused);
+        for _ in 0..first {
+            elements.push(self[0]);
         }
         elements.extend_from_slice(self);
         Self { elements, first }
