@@ -93,6 +93,15 @@ fn a_motion_that_turns_within_a_thousandth_of_its_time() {
     }
 }
 
+/// Neighbours part by more than any number at such a step: it is refused for what it does, and not for a bound that is no number.
+#[test]
+fn a_step_of_a_million_swings() {
+    let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 };
+    let refused = certify(&pendulum, Yoshida4, Phase::new([1.0], [0.0]), 1e6);
+    let text = refused.expect_err("far too long a step").to_string();
+    assert!(text.contains("the step is too coarse") && !text.contains("NaN"), "{text}");
+}
+
 #[test]
 fn a_kinetic_energy_that_is_not_diagonal() {
     all_certified(&Skewed {}, Phase::new([0.4, 1.0], [0.2, -0.3]), 0.02);
