@@ -53,15 +53,7 @@ impl Printer<'_> {
             return self.in_row(fields, element);
         }
         let index = self.signed_index(fields, element.index);
-        let component = match element.component.map(|component| (component, self.graph.loops.index(component))) {
-            None => quote!(0),
-            Some((_, Index::InPlane(row, site))) => {
-                let sites = self.graph.loops.sites_of_row().map(|sites| self.signed_index(fields, sites));
-                let [row, site] = [row, site].map(|id| self.signed_index(fields, id));
-                quote!((#row) * (#sites) + (#site))
-            }
-            Some((component, _)) => self.signed_index(fields, component),
-        };
+        let component = element.component.map_or(quote!(0), |component| self.signed_index(fields, component));
         quote!(layout.near(#index, #component))
     }
 
@@ -176,6 +168,11 @@ impl Printer<'_> {
         let known = self.graph.loops.index(id);
         if let Index::Literal(value) = known {
             return Literal::u64_unsuffixed(value).to_token_stream();
+        }
+        if let Index::InPlane(row, site) = known {
+            let sites = self.graph.loops.sites_of_row().map(|sites| self.signed_index(fields, sites));
+            let [row, site] = [row, site].map(|id| self.signed_index(fields, id));
+            return quote!((#row) * (#sites) + (#site));
         }
         match known.operands() {
             Some(both) => {
