@@ -15,7 +15,7 @@ use crate::{
 use std::collections::HashMap;
 
 /// The lanes of a vector of sites.
-const LANES: i64 = 8;
+const LANES: u64 = 8;
 
 /// A line of sites that are all alike.
 #[derive(Debug)]
@@ -26,6 +26,8 @@ pub(crate) struct Line {
     /// next site behind them.
     pub(crate) addends: Vec<Addend>,
     pub(crate) ends: Ends,
+    /// How many vectors the sites fill.
+    pub(crate) vectors: u64,
 }
 
 /// An addend of the gradient that sites compute.
@@ -64,7 +66,8 @@ impl Stencil {
     /// The line that the stencil is, where its sites fill vectors and all are alike.
     pub(crate) fn line(&self, graph: &mut Graph) -> Option<Line> {
         let [direction] = &self.directions[..] else { return None };
-        let number = direction.number.filter(|number| *number >= LANES && number % LANES == 0)?;
+        let number = direction.number.and_then(|number| u64::try_from(number).ok());
+        let number = number.filter(|number| *number >= LANES && number.is_multiple_of(LANES))?;
         if direction.behind != 0 || direction.ahead != 1 {
             return None;
         }
@@ -72,7 +75,6 @@ impl Stencil {
         let here = graph.loops.intern(Index::Running(site));
         let one = graph.loops.intern(Index::Literal(1));
         let next = graph.loops.intern(Index::Add(here, one));
-        let number = u64::try_from(number).ok()?;
         let roles = self.contributions.iter().map(|contribution| role(graph, contribution, number, direction.periodic));
         let roles = roles.collect::<Option<Vec<_>>>()?;
         let of = |role| {
@@ -107,7 +109,7 @@ impl Stencil {
             let contribution = Contribution { context: vec![Scope::Loop(site)], element, value: contribution.value };
             Addend { contribution, without_last: is_open && *role == Role::Bond }
         });
-        Some(Line { site, addends: addends.collect(), ends })
+        Some(Line { site, addends: addends.collect(), ends, vectors: number / LANES })
     }
 }
 

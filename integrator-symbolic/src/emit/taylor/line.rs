@@ -56,9 +56,6 @@ pub(super) fn orders(
     Some(finished(&writer, fields, quote!(#first #sites), true))
 }
 
-/// The number of sites in a vector.
-const LANES: u64 = 8;
-
 /// The most vectors, with one before the first site, whose results are held in registers.
 const FEW: u64 = 7;
 
@@ -69,18 +66,18 @@ pub(super) struct Sites<'p> {
     without_last: Vec<bool>,
     ends: Ends,
     site: LoopId,
-    /// How many sites there are.
-    number: u64,
+    /// How many vectors they fill.
+    vectors: u64,
 }
 
 impl<'p> Sites<'p> {
     /// The loop over the sites of `line`, where that is all of a program.
     pub(super) fn of(model: &Model, program: &'p Program, recurrences: &Recurrences, line: &Line) -> Option<Self> {
-        let Line { site, ends, addends } = line;
+        let Line { site, ends, addends, vectors } = line;
         let [Item::Loop { by, body }] = &program.items[..] else { return None };
         let nests = nest_context(model, program, recurrences).nests(*by, body)?;
         let [nest] = <[Nest<'p>; 1]>::try_from(nests).ok()?;
-        let (graph, number) = (&model.graph, model.shape.length.literal()?);
+        let graph = &model.graph;
         let is_alike = nest.loops == [*site] && nest.constants.is_empty() && nest.predicates.is_empty();
         let is_common = nest.invariants.iter().all(|id| graph.is_prepared(*id));
         let reads_positions = nest.reads.iter().all(|(_, element)| element.part == Part::Position);
@@ -105,7 +102,7 @@ impl<'p> Sites<'p> {
             without_last,
             ends: *ends,
             site: *site,
-            number,
+            vectors: *vectors,
         })
     }
 }
@@ -122,11 +119,12 @@ fn ends(ends: Ends, names: &Names) -> TokenStream {
 impl Writer<'_> {
     /// The lines that compute two orders of the momenta of a line, and the positions that follow.
     pub(super) fn line(&mut self, fields: &mut Fields, sites: &Sites<'_>) -> TokenStream {
-        let Sites { nest, without_last, ends: beyond, site, number } = sites;
+        let Sites { nest, without_last, ends: beyond, site, vectors } = sites;
         self.orders_per_call = OrdersPerCall::Two;
         let names = self.source.names;
         let (runtime, scalar) = (&names.runtime, &names.scalar);
-        let vectors = number.div_ceil(LANES) + 1;
+        // With the one before the first site.
+        let vectors = vectors + 1;
         let few = Literal::u64_unsuffixed(if vectors <= FEW { vectors } else { 0 });
         let number = self.records.len();
         let (list, iteration) = (list(number), iteration(number));
