@@ -73,8 +73,6 @@ fn a_larger_lattice_has_longer_numbers_alone() {
     assert!(small == skeleton(1_000) && small == skeleton(1_000_000), "{small}");
 }
 
-/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in
-/// the energy and its part of the derivatives' documentation, and twice that in the Hessian.
 /// A sum whose terms have a variable named like it is none that reads itself, and stays a loop of any length.
 #[test]
 fn a_name_like_that_of_a_sum_is_another_variable() {
@@ -97,6 +95,8 @@ fn a_name_like_that_of_a_sum_is_another_variable() {
     assert_eq!(sum(4), sum(16));
 }
 
+/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in
+/// the energy and its part of the derivatives' documentation, and twice that in the Hessian.
 #[test]
 fn ten_bodies_written_out_stay_below_a_size() {
     let item = ten_bodies();

@@ -145,16 +145,14 @@ impl Reader<'_> {
                 return self.branch(&inside, flow);
             }
             self.scopes.push(HashMap::new());
-            let fits_length = self.fits_length(pattern, value);
-            let outcome = fits_length.map(|fitting| Some(self.body(if fitting? { fits } else { otherwise }, flow)));
+            let fitting = self.fits_length(pattern, value);
+            let taken = fitting.flatten().map(|is_fitting| if is_fitting { fits } else { otherwise });
+            let outcome = taken.and_then(|body| self.body(body, flow));
             self.scopes.pop();
-            return match outcome? {
-                Some(outcome) => outcome,
-                None => {
-                    self.errors.at(&branch.cond, IF_LET);
-                    None
-                }
-            };
+            if fitting == Some(None) {
+                self.errors.at(&branch.cond, IF_LET);
+            }
+            return outcome;
         };
         let arms = [
             ArmText { pattern: Some(pattern), guard: None, body: fits },

@@ -67,16 +67,14 @@ impl Flows {
         potential: &[Contribution],
         pattern: &Pattern,
     ) -> Self {
-        let flows = [(kinetic, Part::Momentum), (potential, Part::Position)];
         let (many_body, [mut drift, mut kick]) = match pattern {
             Pattern::AllPairs(pairs) => {
-                let flow = |(_, part)| Flow { body: ManyBody::flow(part), ..Flow::default() };
-                (Some(ManyBody::of(emitter, pairs)), flows.map(flow))
+                let flow = |part| Flow { body: ManyBody::flow(part), ..Flow::default() };
+                (Some(ManyBody::of(emitter, pairs)), [Part::Momentum, Part::Position].map(flow))
             }
             Pattern::Sites([velocity, force]) => {
-                let [(kinetic, of_kinetic), (potential, of_potential)] = flows;
-                let drift = Flow::of(emitter, kinetic, of_kinetic, velocity.as_ref());
-                (None, [drift, Flow::of(emitter, potential, of_potential, force.as_ref())])
+                let drift = Flow::of(emitter, kinetic, Part::Momentum, velocity.as_ref());
+                (None, [drift, Flow::of(emitter, potential, Part::Position, force.as_ref())])
             }
         };
         let in_jacobi = emitter.model.jacobi.is_some();
