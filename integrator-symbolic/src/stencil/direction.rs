@@ -230,6 +230,8 @@ impl Direction {
         let (from, to) = (iterations.from.further(begins), iterations.to.further(begins));
         let places = match (from, to) {
             _ if !(0..=self.farthest).contains(&onward) => return None,
+            // The first iteration would belong to a place before the first one, which open ends do not have.
+            _ if iterations.whole && begins != 0 && !self.periodic => return None,
             _ if iterations.whole => Extent::All,
             (Place::FromBegin(first), Place::FromEnd(last)) => {
                 self.first = self.first.max(u64::try_from(first).ok()?);

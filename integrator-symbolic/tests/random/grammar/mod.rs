@@ -2,6 +2,7 @@
 
 mod chain;
 mod expression;
+mod lattice;
 mod statement;
 
 use crate::{
@@ -9,6 +10,7 @@ use crate::{
     judge::{Case, System},
     value::{Integer, IntegerType, Value},
 };
+pub(crate) use lattice::lattice;
 use std::rc::Rc;
 
 /// Parts of the language that are written or left out.
