@@ -3,7 +3,8 @@
 //! Comes in: roots that the algebra has built. Goes out: roots of equal value without any power but the square root.
 //! Always true: a negative power used once divides what it multiplies, one used more often is a reciprocal that is
 //! shared, several negative powers of one base share the reciprocal of the base, and in a sum of two of them the lesser one is
-//! factored out.
+//! factored out. Values that conditions compare are lowered by their own formula alone, so that every function that contains a
+//! condition decides it alike.
 
 use crate::graph::{Graph, Node, NodeId};
 use std::collections::{HashMap, HashSet};
@@ -38,6 +39,8 @@ struct Lowering {
     leaves: HashSet<NodeId>,
     /// How many different negative powers of a base there are.
     reciprocals: HashMap<NodeId, u32>,
+    /// What conditions compare: no use elsewhere changes how it is computed.
+    compared: HashSet<NodeId>,
 }
 
 /// `factor base^(halves / 2)`
@@ -62,17 +65,18 @@ impl Lowering {
             }
         }
         let leaves = used.iter().copied().filter(|id| leaf(graph, *id)).collect();
-        Self { lowered: HashMap::new(), uses, leaves, reciprocals }
+        let compared = graph.compared(roots.iter().copied());
+        Self { lowered: HashMap::new(), uses, leaves, reciprocals, compared }
     }
 
     fn node(&self, graph: &mut Graph, id: NodeId) -> NodeId {
         let of = |id: NodeId| self.lowered[&id];
         match graph.node(id) {
             Node::Mul(a, b) => {
-                if let Some(divisor) = self.divisor(graph, b) {
+                if let Some(divisor) = self.divisor(graph, id, b) {
                     return graph.quotient(of(a), divisor);
                 }
-                if let Some(divisor) = self.divisor(graph, a) {
+                if let Some(divisor) = self.divisor(graph, id, a) {
                     return graph.quotient(of(b), divisor);
                 }
                 graph.times(of(a), of(b))
@@ -85,8 +89,17 @@ impl Lowering {
                 }
                 _ => graph.quotient(of(a), of(b)),
             },
+            Node::Power(base, halves @ ..=-1) if self.compared.contains(&id) => {
+                let (one, divisor) = (graph.constant(1.0), positive(graph, of(base), halves.unsigned_abs()));
+                graph.quotient(one, divisor)
+            }
             Node::Power(base, halves) => self.power(graph, base, halves),
-            Node::Add(a, b) if let Some(product) = self.factored(graph, a, b) => product,
+            Node::Add(a, b)
+                if !self.compared.contains(&id)
+                    && let Some(product) = self.factored(graph, a, b) =>
+            {
+                product
+            }
             node => graph.rebuilt(node.map(of)),
         }
     }
@@ -130,10 +143,13 @@ impl Lowering {
         }
     }
 
-    /// What a factor divides by, if it is a negative power that is used nowhere else.
-    fn divisor(&self, graph: &mut Graph, factor: NodeId) -> Option<NodeId> {
+    /// What a factor of a product divides by, if it is a negative power that is used nowhere else, or if a condition compares
+    /// the product.
+    fn divisor(&self, graph: &mut Graph, product: NodeId, factor: NodeId) -> Option<NodeId> {
+        let is_compared = self.compared.contains(&product) && !self.leaves.contains(&factor);
+        let is_used_once = |base| self.uses[&factor] == 1 && self.reciprocals.get(base) == Some(&1);
         match graph.node(factor) {
-            Node::Power(base, halves @ ..=-1) if self.uses[&factor] == 1 && self.reciprocals.get(&base) == Some(&1) => {
+            Node::Power(base, halves @ ..=-1) if is_used_once(&base) || is_compared => {
                 Some(positive(graph, self.lowered[&base], halves.unsigned_abs()))
             }
             _ => None,

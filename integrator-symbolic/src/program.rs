@@ -21,7 +21,7 @@ use crate::graph::{
     Element, Graph, Node, NodeId, Scope,
     index::{LoopId, LoopSet},
 };
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// The destination of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,6 +93,8 @@ pub(crate) struct Program {
     pub(crate) reads_time: bool,
     /// Whether a line divides by a root cubed at once.
     pub(crate) divides_by_root_cubed: bool,
+    /// What conditions compare: each of its operations is rounded by itself, and none is fused with another.
+    pub(crate) compared: HashSet<NodeId>,
 }
 
 impl Program {
@@ -207,13 +209,17 @@ fn attempt<L: Fn(&Graph, NodeId) -> bool>(
     }
     scheduler.place()?;
     let named = scheduler.names();
+    let conditions = stores.iter().flat_map(|store| store.context.iter().filter_map(Scope::condition));
+    let compared = graph.compared(conditions.chain(stores.iter().map(|store| store.value)));
     let divides = |id: &NodeId| match graph.node(*id) {
-        Node::Div(_, divisor) => root_cubed(graph, divisor, |id| named.contains(&id)).is_some(),
+        Node::Div(_, divisor) if !compared.contains(id) => {
+            root_cubed(graph, divisor, |id| named.contains(&id)).is_some()
+        }
         _ => false,
     };
     let divides_by_root_cubed = scheduler.blocks.iter().flat_map(|block| &block.nodes).any(divides);
     let (items, reads_time) = (scheduler.items(0, &named)?, scheduler.reads_time);
-    Some(Program { items, named, reads_time, divides_by_root_cubed })
+    Some(Program { items, named, reads_time, divides_by_root_cubed, compared })
 }
 
 /// How many operations may be nested in one expression before a part of it gets a name.

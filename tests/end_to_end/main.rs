@@ -30,6 +30,7 @@ mod pythagorean;
 mod refusals;
 mod reversible;
 mod semantics;
+mod sides;
 mod slope;
 mod squares;
 mod systems;

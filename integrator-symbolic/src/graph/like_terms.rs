@@ -3,7 +3,8 @@
 //! Comes in: values. Goes out: values that are the same but for roundings. Prepared factors move out of products, the others
 //! are multiplied as powers in one order, and sums have one addend for each product of powers: `a x x x` and `x (b x) x` are
 //! multiples of `x³`, and together one of them. Products are not expanded, and neither sums nor products are taken apart that are
-//! used several times, so that the time it takes and the values that come out are in proportion to what comes in.
+//! used several times, so that the time it takes and the values that come out are in proportion to what comes in. Values that
+//! conditions compare stay as they are.
 
 use super::{Graph, Node, NodeId};
 use std::collections::{BTreeMap, HashMap, HashSet, btree_map::Entry};
@@ -28,19 +29,21 @@ struct Factors {
 /// The values with their like terms collected that these and what they are made of become.
 pub(crate) fn with_like_terms_collected(graph: &mut Graph, roots: &[NodeId]) -> HashMap<NodeId, NodeId> {
     let nodes = graph.reachable(roots.iter().copied());
-    let mut values = Values { used_once: roots.iter().copied().collect(), ..Values::default() };
+    let compared = graph.compared(roots.iter().copied());
+    let mut values = Values { used_once: roots.iter().copied().collect(), compared, ..Values::default() };
     for id in &nodes {
         values.note(graph, *id);
     }
     // Sums within sums and products within products are not values of their own.
     let mut operands: HashSet<NodeId> = roots.iter().copied().collect();
     for id in nodes.iter().rev().filter(|id| !graph.is_prepared(**id)) {
-        if operands.contains(id) {
+        if operands.contains(id) && !values.compared.contains(id) {
             operands.extend(values.operands(graph, *id));
         }
     }
     for id in nodes.into_iter().filter(|id| operands.contains(id)) {
-        let new = if graph.is_prepared(id) { id } else { values.collected(graph, id) };
+        let stays = graph.is_prepared(id) || values.compared.contains(&id);
+        let new = if stays { id } else { values.collected(graph, id) };
         values.known.insert(id, new);
     }
     values.known
@@ -57,6 +60,8 @@ struct Values {
     used_once: HashSet<NodeId>,
     /// and those that are used again.
     used_again: HashSet<NodeId>,
+    /// Those that conditions compare.
+    compared: HashSet<NodeId>,
 }
 
 impl Values {
@@ -85,7 +90,7 @@ impl Values {
 
     /// Whether a value is a part of one other value alone.
     fn is_part(&self, id: NodeId) -> bool {
-        !self.used_again.contains(&id)
+        !self.used_again.contains(&id) && !self.compared.contains(&id)
     }
 
     /// The values that a value is computed from.

@@ -9,6 +9,7 @@ mod access;
 mod addend;
 mod algebra;
 mod by_parameter;
+mod compared;
 mod condition;
 mod cost;
 mod decision_tree;

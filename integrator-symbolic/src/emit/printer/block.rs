@@ -75,7 +75,7 @@ pub(super) struct Block<'m> {
 
 impl<'m> Printer<'m> {
     /// What prints the expressions of a program.
-    pub(crate) fn new(model: &'m Model, reserved: &'m Names, program: &Program, frame: &'m Frame) -> Self {
+    pub(crate) fn new(model: &'m Model, reserved: &'m Names, program: &'m Program, frame: &'m Frame) -> Self {
         Self {
             graph: &model.graph,
             parameters: &model.parameters,
@@ -83,6 +83,7 @@ impl<'m> Printer<'m> {
             running: &model.running,
             dialect: frame.dialect(),
             names: names(&model.graph, model, &program.named),
+            compared: &program.compared,
             scalar: frame.scalar(reserved),
             runtime: &reserved.runtime,
             externals: &model.externals,
@@ -134,8 +135,12 @@ impl<'m> Block<'m> {
             }
             Item::Branch { condition, holds, body } => self.branch(fields, *condition, *holds, body),
             Item::Add { sum, value } => {
-                let (name, depth) = (printer.names[sum].to_token_stream(), self.begun.get(sum).copied());
-                self.accumulate(fields, name, *value, depth.unwrap_or_default())
+                let name = printer.names[sum].to_token_stream();
+                let depth = self.begun.get(sum).copied().unwrap_or_default();
+                match printer.compared.contains(sum) {
+                    true => self.accumulate_rounded(fields, name, *value, depth),
+                    false => self.accumulate(fields, name, *value, depth),
+                }
             }
             Item::Choose { choice, value } => {
                 let (name, value) = (&printer.names[choice], printer.expression(fields, *value).tokens);

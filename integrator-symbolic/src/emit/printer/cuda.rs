@@ -173,7 +173,10 @@ impl Cuda<'_, '_> {
             }
             Item::Add { sum, value } => {
                 let name = self.name(*sum);
-                self.accumulate(&name, *value)
+                match self.printer.compared.contains(sum) {
+                    true => self.accumulate_rounded(&name, *value),
+                    false => self.accumulate(&name, *value),
+                }
             }
             Item::Choose { choice, value } => format!("{} = {};\n", self.name(*choice), self.expression(*value).1),
             Item::Sink(Sink::Update(element), value) => self.update(*element, *value),
@@ -276,11 +279,11 @@ impl Cuda<'_, '_> {
             Node::Step => Printed::atom("step"),
             Node::FromIndex(index) => Printed::atom(format!("R(double({}))", self.index(index))),
             Node::Neg(a) => Printed(Binding::Sign, format!("-{}", self.expression(a).at_least(Binding::Atom))),
-            Node::Add(a, b) => self.addition(a, b),
+            Node::Add(a, b) => self.addition(id, a, b),
             Node::Mul(a, b) => self.operation("*", a, b),
             Node::Div(a, b) => match root_cubed(graph, b, |id| self.printer.names.contains_key(&id)) {
-                Some(base) => self.call("div_pow_3_2", &[a, base]),
-                None => self.operation("/", a, b),
+                Some(base) if !self.printer.compared.contains(&id) => self.call("div_pow_3_2", &[a, base]),
+                _ => self.operation("/", a, b),
             },
             Node::Power(a, 1) => self.call("sqrt", &[a]),
             // Lowering leaves no other power; this prints one all the same.
@@ -333,10 +336,11 @@ impl Cuda<'_, '_> {
         self.call(name, arguments)
     }
 
-    /// `a + b`, where a product among the two is fused with the addition.
-    fn addition(&mut self, a: NodeId, b: NodeId) -> Printed {
+    /// `sum`, which is `a + b`, where a product among the two is fused with the addition.
+    fn addition(&mut self, sum: NodeId, a: NodeId, b: NodeId) -> Printed {
+        let is_compared = self.printer.compared.contains(&sum);
         for (product, other) in [(b, a), (a, b)] {
-            if let Some((negative, x, y)) = self.printer.product(product) {
+            if !is_compared && let Some((negative, x, y)) = self.printer.product(product) {
                 let factor = self.with_sign(negative, x).1;
                 let (y, other) = (self.expression(y).1, self.expression(other).1);
                 return Printed::atom(format!("fma({factor}, {y}, {other})"));

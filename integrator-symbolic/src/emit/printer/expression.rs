@@ -14,7 +14,7 @@ use crate::{
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The precedence of an expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,6 +69,8 @@ pub(crate) struct Printer<'m> {
     pub(crate) running: &'m HashMap<LoopId, Ident>,
     pub(crate) dialect: Dialect,
     pub(crate) names: HashMap<NodeId, Ident>,
+    /// The values whose operations are not fused with each other, since a condition compares them.
+    pub(crate) compared: &'m HashSet<NodeId>,
     /// What flows compute in.
     pub(crate) scalar: &'m Ident,
     /// The path of the runtime's private API.
@@ -133,7 +135,7 @@ impl Printer<'_> {
                 let a = self.expression(fields, a).at_least(Binding::Sign);
                 Printed::new(Binding::Sign, quote!(-#a))
             }
-            Node::Add(a, b) => self.addition(fields, a, b),
+            Node::Add(a, b) => self.addition(fields, id, a, b),
             Node::Mul(a, b) => {
                 if a == b && self.is_of_scalars() {
                     let a = self.receiver(fields, a);
@@ -150,6 +152,7 @@ impl Printer<'_> {
             }
             Node::Div(a, b)
                 if self.dialect == Dialect::Generic
+                    && !self.compared.contains(&id)
                     && let Some(base) = root_cubed(self.graph, b, |id| self.names.contains_key(&id)) =>
             {
                 let a = self.expression(fields, a).at_least(Binding::Atom);
@@ -246,9 +249,9 @@ impl Printer<'_> {
         Printed::new(Binding::Atom, quote!(#runtime::external([#(#numbers),*], #value, [#(#slopes),*])))
     }
 
-    /// `a + b`, where a product among the two is fused with the addition.
-    fn addition(&self, fields: &mut Fields, a: NodeId, b: NodeId) -> Printed {
-        if self.dialect == Dialect::Generic {
+    /// `sum`, which is `a + b`, where a product among the two is fused with the addition.
+    fn addition(&self, fields: &mut Fields, sum: NodeId, a: NodeId, b: NodeId) -> Printed {
+        if self.dialect == Dialect::Generic && !self.compared.contains(&sum) {
             for (product, other) in [(b, a), (a, b)] {
                 if let Some((negative, x, y)) = self.product(product) {
                     let other = self.expression(fields, other).tokens;
