@@ -315,6 +315,142 @@ fn changed_parameters_are_refused_unless_they_are_meant() {
     }
 }
 
+/// A rotation by hand and a stated derivative, which read some fields themselves and others by a helper. No formula of `H` reads any.
+#[derive(Clone)]
+struct Called {
+    frequency: f64,
+    table: Vec<(usize, f64)>,
+    bend: Option<[f32; 2]>,
+    depth: Depth,
+}
+
+/// Its `Hash` leaves nothing out.
+#[derive(Clone, Hash)]
+enum Depth {
+    Whole(i32),
+}
+
+#[hamiltonian(split = oscillator + rest)]
+impl Called {
+    fn oscillator(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        0.5 * (q[0] * q[0] + p[0] * p[0])
+    }
+    #[flow(oscillator)]
+    fn turn(&self, q: &mut [f64; 1], p: &mut [f64; 1], duration: f64) {
+        let (s, c) = (self.frequency * duration).sin_cos();
+        (q[0], p[0]) = (c * q[0] + s * p[0], c * p[0] - s * q[0]);
+    }
+    fn rest(&self, q: [f64; 1]) -> f64 {
+        self.curve(q[0])
+    }
+    #[derivative(slope)]
+    fn curve(&self, x: f64) -> f64 {
+        self.coefficient() * x.powi(4)
+    }
+    fn slope(&self, x: f64) -> f64 {
+        let Self { depth: Depth::Whole(depth), .. } = self;
+        4.0 * self.coefficient() * f64::from(*depth) * x.powi(3)
+    }
+    fn coefficient(&self) -> f64 {
+        self.table[0].1 * f64::from(self.bend.unwrap_or_default()[1])
+    }
+}
+
+#[test]
+fn fields_that_only_methods_read_are_compared() {
+    let own = Called { frequency: 1.0, table: vec![(0, 0.1)], bend: Some([0.0, 1.0]), depth: Depth::Whole(1) };
+    let mut run = own.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
+    run.advance(7).expect("finite");
+    let bytes = run.checkpoint();
+    let resumed = Run::<[f64; 1]>::resume(&own, &bytes).expect("the same fields");
+    assert_eq!(resumed.state(), run.state());
+    for other in [
+        Called { frequency: 2.0, ..own.clone() },
+        Called { table: vec![(0, 0.2)], ..own.clone() },
+        Called { bend: Some([0.0, 2.0]), ..own.clone() },
+        Called { bend: None, ..own.clone() },
+        Called { depth: Depth::Whole(2), ..own.clone() },
+    ] {
+        let refused = Run::<[f64; 1]>::resume(&other, &bytes);
+        assert!(matches!(refused, Err(CheckpointError::Parameters { .. })), "{refused:?}");
+        Run::<[f64; 1]>::resume_with_changed_parameters(&other, &bytes).expect("they are meant");
+    }
+    let member = |system: &Called| (system.clone(), Phase::new([1.0], [0.0]));
+    let swarm = Ensemble::new(Verlet, [member(&own), member(&own)], 0.1).expect("members");
+    let other = Called { frequency: 2.0, ..own.clone() };
+    Ensemble::<[f64; 1]>::resume(Verlet, [own.clone(), own.clone()], &swarm.checkpoint()).expect("the same fields");
+    let refused = Ensemble::<[f64; 1]>::resume(Verlet, [own, other], &swarm.checkpoint());
+    assert!(matches!(refused, Err(CheckpointError::Member { member: 1, .. })), "{refused:?}");
+}
+
+/// What is read of it cannot be compared.
+#[derive(Clone)]
+struct Curve(f64);
+
+#[derive(Clone)]
+struct Opaque {
+    curve: Curve,
+}
+
+#[hamiltonian]
+impl Opaque {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        self.curve(q[0])
+    }
+    #[derivative(slope)]
+    fn curve(&self, x: f64) -> f64 {
+        self.curve.0 * x * x
+    }
+    fn slope(&self, x: f64) -> f64 {
+        let curve = &self.curve;
+        2.0 * curve.0 * x
+    }
+}
+
+#[derive(Clone)]
+struct Told {
+    curve: Curve,
+}
+
+#[hamiltonian]
+impl Told {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        self.curve(q[0])
+    }
+    #[derivative(slope)]
+    fn curve(&self, x: f64) -> f64 {
+        self.curve.0 * x * x
+    }
+    fn slope(&self, x: f64) -> f64 {
+        let curve = &self.curve;
+        2.0 * curve.0 * x
+    }
+    fn fingerprint(&self) -> u64 {
+        self.curve.0.to_bits()
+    }
+}
+
+#[test]
+fn a_field_that_cannot_be_compared_needs_a_fingerprint() {
+    let (curve, start) = (Curve(1.0), Phase::new([1.0], [0.0]));
+    let opaque = Opaque { curve: curve.clone() };
+    let bytes = opaque.run(start, 0.1).expect("a run").checkpoint();
+    let refused = Run::<[f64; 1]>::resume(&opaque, &bytes);
+    assert!(matches!(refused, Err(CheckpointError::Incomparable { field: "self.curve", .. })), "{refused:?}");
+    Run::<[f64; 1]>::resume_with_changed_parameters(&opaque, &bytes).expect("nothing is compared");
+    let told = Told { curve };
+    let bytes = told.run(start, 0.1).expect("a run").checkpoint();
+    Run::<[f64; 1]>::resume(&told, &bytes).expect("the same fingerprint");
+    let refused = Run::<[f64; 1]>::resume(&Told { curve: Curve(2.0) }, &bytes);
+    assert!(matches!(refused, Err(CheckpointError::Parameters { .. })), "{refused:?}");
+}
+
 #[test]
 fn another_system_of_the_same_name_is_refused() {
     let bytes = {

@@ -238,6 +238,7 @@ pub mod __private {
             motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
+            read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
         },
         trajectory::sensitive::Sensitive,
     };

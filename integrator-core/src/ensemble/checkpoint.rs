@@ -159,6 +159,7 @@ impl<C: Coords> Ensemble<C> {
         }
         let starts = systems.into_iter().zip(states.iter().cloned());
         let mut resumed = Self::from_starts::<H, X>(method, starts, h)?;
+        resumed.origin.hold_comparable()?;
         for (member, (stored, asked)) in members.iter().zip(&resumed.parameters).enumerate() {
             if stored.parameters != *asked || formulas != H::FINGERPRINT {
                 return Err(CheckpointError::Member { member, system });

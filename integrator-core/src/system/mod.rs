@@ -10,5 +10,6 @@ pub(crate) mod motion;
 pub(crate) mod not_finite;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
+pub(crate) mod read_by_methods;
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod user_energies;

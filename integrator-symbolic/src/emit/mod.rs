@@ -8,6 +8,7 @@ mod fingerprint;
 mod flow;
 mod printer;
 mod prose;
+mod read_by_methods;
 mod taylor;
 
 use crate::{
@@ -33,6 +34,7 @@ use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, parts, ranges};
 use quote::{quote, quote_spanned};
+use read_by_methods::ReadByMethods;
 use syn::spanned::Spanned;
 use taylor::orders::{Orders, orders};
 
@@ -129,6 +131,8 @@ struct Stepper<'i> {
     /// Its type, and its declaration where it was written in place.
     composition: (TokenStream, Option<TokenStream>),
     constants: Constants,
+    /// The text of methods that are called as they are.
+    called: Option<TokenStream>,
     flows: Flows,
     /// The vector field of H, where flows of `T` and of `V` do not tell it.
     field: Option<TokenStream>,
@@ -194,8 +198,10 @@ impl<'i> Stepper<'i> {
         // Why there is none was told before.
         let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions).ok();
         let device = input.gpu.as_ref().and_then(text);
-        let constants = Constants::of(emitter);
+        let read = ReadByMethods::of(input, emitter.model, &names);
+        let constants = Constants::of(emitter).with_read(read.as_ref(), &names);
         Self {
+            called: read.map(|read| read.text),
             input,
             documentation,
             coordinates,
@@ -280,6 +286,7 @@ impl<'i> Stepper<'i> {
             coordinates,
             composition: (composition, _),
             constants,
+            called,
             flows,
             field,
             stated,
@@ -298,7 +305,7 @@ impl<'i> Stepper<'i> {
         let admissible = admissible.map(|coordinates| jacobi::admissible(coordinates, names));
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
-        let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others));
+        let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
         let visit_recurrences = self.taylor.as_ref().map(|_| {
             quote! {
                 fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {

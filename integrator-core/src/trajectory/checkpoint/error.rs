@@ -80,6 +80,18 @@ pub enum CheckpointError {
         /// The name of its type.
         system: String,
     },
+    /// A method that generated code calls as it is reads a field whose values cannot be compared.
+    #[error(
+        "a `#[flow]` or a method with a stated derivative of `{system}` reads `{field}`, which is neither made of numbers nor \
+         `Hash`, so that nothing tells whether it has changed: add `fn fingerprint(&self) -> u64` to the annotated impl, or \
+         resume with `Run::resume_with_changed_parameters`"
+    )]
+    Incomparable {
+        /// The name of its type.
+        system: String,
+        /// What the method reads, as it is written.
+        field: &'static str,
+    },
     /// There are more or fewer systems than members of the ensemble.
     #[error("this checkpoint has {stored} members, not {asked}: give the system of every member, lost ones included")]
     Members {

@@ -48,6 +48,8 @@ pub(crate) struct Origin {
     system: &'static str,
     formulas: u64,
     parameters: u64,
+    /// A field that methods read whose value is in no fingerprint.
+    unknown: Option<&'static str>,
     composition: &'static str,
     /// The composition that the method is over; empty where it is over none.
     over: &'static str,
@@ -58,7 +60,7 @@ pub(crate) struct Origin {
 impl Origin {
     /// That of runs that are never written.
     pub(crate) const UNKNOWN: Self =
-        Self { system: "", formulas: 0, parameters: 0, composition: "", over: "", table: None };
+        Self { system: "", formulas: 0, parameters: 0, unknown: None, composition: "", over: "", table: None };
 
     pub(crate) fn of<H: Hamiltonian>(Facts { name, over, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
         let mut digest = Digest::EMPTY;
@@ -67,6 +69,7 @@ impl Origin {
             system: core::any::type_name::<H>(),
             formulas: H::FINGERPRINT,
             parameters: digest.value(),
+            unknown: digest.unknown(),
             composition: name,
             over: over.unwrap_or_default(),
             table,
@@ -83,6 +86,14 @@ impl Origin {
     #[cfg(feature = "std")]
     pub(crate) fn parameters(&self) -> u64 {
         self.parameters
+    }
+
+    /// Refuses a system whose parameters cannot be compared with those of a checkpoint.
+    pub(crate) fn hold_comparable(&self) -> Result<(), CheckpointError> {
+        match self.unknown {
+            Some(field) => Err(CheckpointError::Incomparable { system: self.system.to_owned(), field }),
+            None => Ok(()),
+        }
     }
 
     /// The composition that the method is over; empty where it is over none.
@@ -200,7 +211,9 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// Bytes that are no checkpoint, damaged, or of another format; a checkpoint of another system (by the name of its type,
     /// the formulas of its energies and the values of its parameters), composition or precision; a state from which no run
-    /// can go on. What a method with a stated derivative computes is not looked at.
+    /// can go on. Parameters are compared by their bits, those included that only a `#[flow]`, a method with a stated derivative,
+    /// or a method of the impl that these call reads; where such a method reads a field that is neither made of numbers nor
+    /// `Hash`, the impl needs `fn fingerprint(&self) -> u64`, which is compared then.
     pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
@@ -284,6 +297,9 @@ impl<C: Coords> Run<C> {
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
             return Err(CheckpointError::Formulas { system: name() });
+        }
+        if !changed {
+            run.origin.hold_comparable()?;
         }
         if !changed && parameters != run.origin.parameters {
             return Err(CheckpointError::Parameters { system: name() });

@@ -12,6 +12,7 @@ use crate::{
             names::Names,
         },
         prose::{self, Formulas},
+        read_by_methods::ReadByMethods,
     },
     graph::{
         NodeId,
@@ -122,6 +123,22 @@ impl Constants {
             prepared.values.extend(quote!(#name: #value,));
         }
         prepared
+    }
+
+    /// The same with what methods of the user read that are called as they are.
+    pub(crate) fn with_read(mut self, read: Option<&ReadByMethods>, names: &Names) -> Self {
+        let Some(ReadByMethods { kind, value, .. }) = read else { return self };
+        let name = &names.read;
+        for values in self.slopes.iter_mut().chain([&mut self.values]) {
+            values.extend(quote!(#name: #value,));
+        }
+        self.digested.push(name.clone());
+        self.fields.extend(quote!(
+            /// A fingerprint of what methods read that are called as they are.
+            #name: #kind,
+        ));
+        self.gathered.extend(quote!(#name: ::core::clone::Clone::clone(&members[0].#name),));
+        self
     }
 
     /// Their type, where flows compute in `scalar`.

@@ -11,6 +11,8 @@ pub(crate) struct Names {
     pub(crate) runtime: Ident,
     /// The struct of prepared constants.
     pub(crate) parameters: Ident,
+    /// The field of it for what methods read that are called as they are.
+    pub(crate) read: Ident,
     /// The composition that was written in place.
     pub(crate) composition: Ident,
     /// What flows compute in.
@@ -44,6 +46,7 @@ impl Names {
         Self {
             runtime: free("runtime"),
             parameters: free("Parameters"),
+            read: free("read_by_methods"),
             composition: free("InPlace"),
             scalar: free("Scalar"),
             double: Ident::new("f64", Span::call_site()),
