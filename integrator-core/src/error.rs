@@ -385,6 +385,28 @@ pub enum Unsolved {
         /// The pace.
         value: f64,
     },
+    /// A step of a time transformation leapt over an edge of the domain, or is far too long.
+    #[error(
+        "the step is too long for a time transformation: T - H(start) is {followed}, -V is {value}, and they are equal but for \
+         the errors of the steps; take shorter steps, or subtract a constant in `potential` so that V stays far from zero"
+    )]
+    EnergiesApart {
+        /// `T - H(start)` after a kick.
+        followed: f64,
+        /// `-V` at the kick.
+        value: f64,
+    },
+    /// A step by a pace leapt over an edge of the domain, or is far too long.
+    #[error(
+        "the step is too long for the pace: what follows `rate` along the motion is {followed}, `rate` is {value}, and they \
+         are equal but for the errors of the steps; take shorter steps, or a `rate` that varies less"
+    )]
+    RatesApart {
+        /// What follows the pace, after a kick.
+        followed: f64,
+        /// The pace at the kick.
+        value: f64,
+    },
     /// An adaptive method found no steps within its tolerance.
     #[error("no steps within the tolerance were found: {0}")]
     Adaptive(String),

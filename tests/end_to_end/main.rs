@@ -20,6 +20,7 @@ mod kepler;
 mod orders;
 mod pace;
 mod pace_checkpoints;
+mod pace_domain;
 mod pace_driven;
 mod pairs;
 mod panics;

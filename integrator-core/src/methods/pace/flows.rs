@@ -7,7 +7,7 @@ use super::{Rated, TimeTransformed, motion::Timed};
 use crate::{
     composition::{Composition, Lead},
     hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
-    scalar::real::Real,
+    scalar::real::{Mask, Real},
     state::precision::Precision,
 };
 use core::marker::PhantomData;
@@ -16,6 +16,9 @@ use core::marker::PhantomData;
 pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
 
 /// A time transformation: two exact flows, of which one moves positions and time, the other one momenta.
+///
+/// Each flow checks at its own state that the number it divides by, or takes a power of, is positive. These are the only
+/// checks, so that no outcome depends on where a call of `advance` ends.
 pub trait Transformation<H: Hamiltonian>: 'static {
     /// What the motion has beside its state and time, at the start; with derivatives along starts where they are asked for.
     fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R;
@@ -23,8 +26,8 @@ pub trait Transformation<H: Hamiltonian>: 'static {
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
     /// Moves momenta.
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
-    /// What has to be above zero all along.
-    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
+    /// What a drift divides by, or takes a power of: equal to what a kick does but for the errors of the steps.
+    fn followed<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
 }
 
 /// `f = ln`.
@@ -37,19 +40,35 @@ impl<H: TimeTransformed> Transformation<H> for Ln {
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let energy = H::kinetic_plus::<R, K>(&motion.state, motion.beside);
+        let energy = <Self as Transformation<H>>::followed::<R, K>(motion);
         let duration = duration / energy;
         H::drift_for::<R, K>(&mut motion.state, duration);
         motion.pass(duration, energy);
     }
     #[inline(always)]
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        H::logarithmic_kick::<R, K>(&mut motion.state, duration);
+        let energy = -H::logarithmic_kick::<R, K>(&mut motion.state, duration);
+        if const { H::KEEPS_SIGN } {
+            let outside = energy.less_or_equal(R::of(0.0));
+            if outside.any() {
+                leave_domain::<H, R, K>(motion, outside);
+            }
+        } else {
+            motion.kick_by(energy);
+        }
     }
     #[inline(always)]
-    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
-        -H::potential_of::<R, K>(&motion.state)
+    fn followed<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        H::kinetic_plus::<R, K>(&motion.state, motion.beside)
     }
+}
+
+/// Stops the lanes where a kick found `V >= 0` by its sign alone. `V` is computed here, for the error.
+#[cold]
+#[inline(never)]
+fn leave_domain<H: TimeTransformed, R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, outside: R::Mask) {
+    let energy = -H::potential_of::<R, K>(&motion.state);
+    motion.leave_domain(outside, energy);
 }
 
 /// `f = x^g`.
@@ -62,7 +81,7 @@ impl<H: TimeTransformed> Transformation<H> for ToPower {
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let energy = H::kinetic_plus::<R, K>(&motion.state, motion.beside);
+        let energy = <Self as Transformation<H>>::followed::<R, K>(motion);
         let duration = duration * slope_of_power(energy, motion.exponent);
         H::drift_for::<R, K>(&mut motion.state, duration);
         motion.pass(duration, energy);
@@ -70,12 +89,12 @@ impl<H: TimeTransformed> Transformation<H> for ToPower {
     #[inline(always)]
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
         let energy = -H::potential_of::<R, K>(&motion.state);
-        motion.pass(R::of(0.0), energy);
+        motion.kick_by(energy);
         H::kick_for::<R, K>(&mut motion.state, duration * slope_of_power(energy, motion.exponent));
     }
     #[inline(always)]
-    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
-        -H::potential_of::<R, K>(&motion.state)
+    fn followed<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+        H::kinetic_plus::<R, K>(&motion.state, motion.beside)
     }
 }
 
@@ -103,7 +122,7 @@ impl<H: Rated> Transformation<H> for OfRate {
     }
     #[inline(always)]
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let rate = motion.beside;
+        let rate = <Self as Transformation<H>>::followed::<R, K>(motion);
         let duration = duration / rate;
         H::drift_for::<R, K>(&mut motion.state, duration);
         motion.pass(duration, rate);
@@ -111,11 +130,11 @@ impl<H: Rated> Transformation<H> for OfRate {
     #[inline(always)]
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
         let [rate, more] = H::rated_kick::<R, K>(&mut motion.state, duration);
-        motion.pass(R::of(0.0), rate);
+        motion.kick_by(rate);
         motion.beside += more;
     }
     #[inline(always)]
-    fn domain<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
+    fn followed<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R {
         motion.beside
     }
 }

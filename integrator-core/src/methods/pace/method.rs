@@ -25,8 +25,8 @@ use alloc::sync::Arc;
 ///
 /// Steps are equal in a fictitious time `s` with `dt = ds/(-V)`: short where the attraction is strong. They are symplectic
 /// in the space of `(q, t)` and `(p, B)`, and those of two bodies that attract each other by `1/r` stay on their orbit to the
-/// rounding, whatever the step; errors are in the time alone. It needs `V < 0` all along; a constant that is subtracted in
-/// `potential` changes no motion.
+/// rounding, whatever the step; errors are in the time alone. It needs `V < 0` all along, which every kick and drift checks; a
+/// constant that is subtracted in `potential` changes no motion.
 ///
 /// The composition must be of general class. Those that are made of symmetric steps, such as
 /// [`SofroniouSpaletta8`](crate::SofroniouSpaletta8), keep the orbit of two bodies; others keep their order alone.
@@ -227,7 +227,7 @@ where
     }
 }
 
-/// Completes the step under way, and notes which lanes have left the domain.
+/// Completes the step under way, with the check of the drift after it: so a step that is shown was checked as a whole.
 fn complete<F, X, H, R, K>(motion: &mut TimedOf<H, R, K>, clock: Clock)
 where
     F: Transformation<H>,
@@ -237,10 +237,9 @@ where
     K: Precision,
 {
     R::enter(End::<_, H, X, false>::new(Transformed::<F, X, H, R, K>::new(motion), clock));
-    if clock.steps > 0 {
-        let domain = F::domain::<R, K>(motion);
-        motion.pass(R::of(0.0), domain);
-        motion.note_unsolved();
+    if motion.begun {
+        let followed = F::followed::<R, K>(motion);
+        motion.check_drift(followed);
     }
 }
 

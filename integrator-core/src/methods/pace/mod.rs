@@ -40,6 +40,8 @@ pub const NODES: [[f64; 2]; 5] = [
             of the functions themselves"
 )]
 pub trait TimeTransformed: Hamiltonian {
+    /// Whether `V` has the same sign everywhere.
+    const KEEPS_SIGN: bool = false;
     /// `T` and a number.
     fn kinetic_plus<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>, more: R) -> R;
     /// `V`.
@@ -48,8 +50,8 @@ pub trait TimeTransformed: Hamiltonian {
     fn drift_for<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
     /// The exact flow of `V`.
     fn kick_for<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
-    /// The exact flow of `-ln(-V)`.
-    fn logarithmic_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
+    /// The exact flow of `-ln(-V)`; returns `V`, or a number with its sign if `V` keeps it.
+    fn logarithmic_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R) -> R;
 }
 
 /// A Hamiltonian `T(p) + V(q)` with a pace of the user's own. Written by `#[hamiltonian]`.

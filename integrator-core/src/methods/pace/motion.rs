@@ -10,6 +10,10 @@ use crate::{
 };
 use alloc::{sync::Arc, vec::Vec};
 
+/// By which factor the numbers that a drift and a kick divide by may differ. They are equal but for the errors of the steps; where
+/// these are so large, a step has leapt over the edge of the domain, or close to it.
+const APART: f64 = 10.0;
+
 /// The constants of a run.
 pub struct Constants<P> {
     /// Those of the system.
@@ -33,36 +37,86 @@ pub struct Timed<R: Real, C: Coords, P> {
     pub(super) exponent: f64,
     /// Whether energies are transformed, and not a pace of the user's.
     transforms_energy: bool,
-    /// In the lanes that left the domain, the energy that is not positive there; else one.
-    pub(super) left: R,
+    /// What the last drift divided by: `T + B`, or a pace `W`.
+    drifted_by: R,
+    /// What the kick since then divided by: `-V`, or the pace by the user's function; not a number where none was.
+    kicked_by: R,
     /// Why lanes stand still, where some do.
-    pub(super) unsolved: Vec<Option<Unsolved>>,
+    unsolved: Vec<Option<Unsolved>>,
 }
 
 impl<R: Real, C: Coords, P> Timed<R, C, P> {
-    /// Adds to the time, which is no number any more in the lanes whose energy is not positive. The state goes on there
-    /// to wherever it does: steps are taken back to the last time that is a number.
+    /// Adds the duration of a drift to the time, after the number that the drift divided by was checked.
     #[inline(always)]
-    pub(super) fn pass(&mut self, duration: R, energy: R) {
-        let left = energy.less_or_equal(R::of(0.0));
-        self.left = R::select(left, energy, self.left);
-        self.time.add(R::select(left, R::of(f64::NAN), duration));
+    pub(super) fn pass(&mut self, duration: R, divided_by: R) {
+        self.check_drift(divided_by);
+        (self.drifted_by, self.kicked_by) = (divided_by, R::of(f64::NAN));
+        self.time.add(duration);
     }
 
-    /// Notes why lanes stand still.
-    pub(super) fn note_unsolved(&mut self) {
-        let left = self.left;
-        if !left.less_or_equal(R::of(0.0)).any() {
-            return;
+    /// Checks the number that a drift divides by: it is positive, and it or the one before the kick is within [`APART`] of what
+    /// the kick divided by. All three are equal but for the errors of the steps.
+    #[inline(always)]
+    pub(super) fn check_drift(&mut self, divided_by: R) {
+        self.check_sign(divided_by);
+        let (factor, kick) = (R::of(APART), self.kicked_by);
+        let (low, high) = (self.drifted_by.min(divided_by), self.drifted_by.max(divided_by));
+        let apart = (factor * kick).less(low).or((factor * high).less(kick));
+        if apart.any() {
+            self.fall_apart(apart, divided_by);
         }
-        let reason = |lane| {
-            let value: f64 = left.lane(lane);
-            (value <= 0.0).then_some(match self.transforms_energy {
-                true => Unsolved::Domain { value },
-                false => Unsolved::Rate { value },
-            })
-        };
-        self.unsolved = (0..R::LANES).map(reason).collect();
+    }
+
+    /// Stops the lanes where the numbers that a drift and a kick divide by are far apart.
+    #[cold]
+    #[inline(never)]
+    fn fall_apart(&mut self, apart: R::Mask, divided_by: R) {
+        let (numbers, transforms_energy) = ([divided_by, self.kicked_by], self.transforms_energy);
+        self.stop(apart, |lane| {
+            let [followed, value] = numbers.map(|number| number.lane(lane));
+            match transforms_energy {
+                true => Unsolved::EnergiesApart { followed, value },
+                false => Unsolved::RatesApart { followed, value },
+            }
+        });
+    }
+
+    /// Checks the number that a kick divided by, and keeps it for the next drift.
+    #[inline(always)]
+    pub(super) fn kick_by(&mut self, divided_by: R) {
+        self.check_sign(divided_by);
+        self.kicked_by = divided_by;
+    }
+
+    #[inline(always)]
+    fn check_sign(&mut self, divided_by: R) {
+        let outside = divided_by.less_or_equal(R::of(0.0));
+        if outside.any() {
+            self.leave_domain(outside, divided_by);
+        }
+    }
+
+    /// Stops the lanes where a number that a flow divides by is not positive.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn leave_domain(&mut self, outside: R::Mask, divided_by: R) {
+        let transforms_energy = self.transforms_energy;
+        self.stop(outside, |lane| {
+            let value = divided_by.lane(lane);
+            if transforms_energy { Unsolved::Domain { value } } else { Unsolved::Rate { value } }
+        });
+    }
+
+    /// Stops lanes: their time is no number any more, so that their steps are taken back to the last one that ended before.
+    fn stop(&mut self, lanes: R::Mask, reason: impl Fn(usize) -> Unsolved) {
+        self.time[0] = R::select(lanes, R::of(f64::NAN), self.time[0]);
+        let stopped = R::select(lanes, R::of(1.0), R::of(0.0));
+        self.unsolved.resize(R::LANES, None);
+        for (lane, unsolved) in self.unsolved.iter_mut().enumerate() {
+            if stopped.lane(lane) == 1.0 && unsolved.is_none() {
+                *unsolved = Some(reason(lane));
+            }
+        }
     }
 }
 
@@ -78,7 +132,8 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
             begun: false,
             exponent: constants.first().map_or(1.0, |constants| constants.exponent),
             transforms_energy: constants.first().is_some_and(|constants| constants.transforms_energy),
-            left: R::of(1.0),
+            drifted_by: R::of(1.0),
+            kicked_by: R::of(f64::NAN),
             unsolved: Vec::new(),
         }
     }
@@ -105,7 +160,7 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
     fn copy_state(&mut self, from: &Self) {
         self.state.copy_state(&from.state);
         (self.time, self.beside, self.begun) = (from.time, from.beside, from.begun);
-        self.left = from.left;
+        (self.drifted_by, self.kicked_by) = (from.drifted_by, from.kicked_by);
         self.unsolved.clone_from(&from.unsolved);
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {

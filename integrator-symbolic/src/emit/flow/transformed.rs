@@ -2,7 +2,8 @@
 //!
 //! Comes in: the gradients of `T(p)` and `V(q)`, and the pace that the user gives. Goes out: the functions of the runtime's
 //! `TimeTransformed` and `Rated`, on the plain layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
-//! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root.
+//! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root. It returns
+//! `V`, which is part of that gradient, or the sign of `V` where that is the same everywhere.
 
 use super::{Flow, buffer};
 use crate::{
@@ -14,7 +15,7 @@ use crate::{
         names::Names,
     },
     graph::{Graph, Node, NodeId, Part},
-    pattern::stores::{lower_roots, stores},
+    pattern::stores::{Pass, lower_roots, passes, stores},
     program::{Sink, Store, is_direct},
 };
 use proc_macro2::{Ident, Span, TokenStream};
@@ -29,7 +30,7 @@ pub(crate) fn functions(
 ) -> TokenStream {
     let [t, v] = [emitter.model.kinetic, emitter.model.potential];
     let graph = &mut emitter.model.graph;
-    let logarithm = logarithm(graph, v);
+    let (logarithm, kept) = (logarithm(graph, v), kept_sign(graph, v));
     let logarithm = graph.neg(logarithm);
     let logarithmic = gradient(graph, logarithm, Part::Position);
     // No energy here reads the explicit time, whose leaf stands for what is added: one rounding less, and one addition.
@@ -42,20 +43,29 @@ pub(crate) fn functions(
         false => of_plain(emitter.names),
     };
     let drift = Flow::lines_along(emitter, kinetic, Part::Momentum, &Frame::OwnTime);
-    let logarithmic = match is_direct(&emitter.model.graph.loops, &logarithmic) {
-        true => Flow::lines_along(emitter, &logarithmic, Part::Position, &Frame::OwnTime),
+    let is_direct = is_direct(&emitter.model.graph.loops, &logarithmic);
+    let kept = kept.filter(|_| is_direct);
+    let logarithmic = match is_direct {
+        true => simplified(emitter, &logarithmic, kept.unwrap_or(v)),
         false => collected(emitter, potential, v),
     };
-    let drift = flow(emitter, "drift_for", quote!(duration), drift);
-    let logarithmic = flow(emitter, "logarithmic_kick", quote!(-duration), logarithmic);
-    quote!(#kinetic_plus #by_potential #drift #logarithmic)
+    let scalar = &emitter.names.scalar;
+    let returns = quote!(-> #scalar);
+    let drift = flow(emitter, "drift_for", quote!(duration), drift, None);
+    let logarithmic = flow(emitter, "logarithmic_kick", quote!(-duration), logarithmic, Some(returns));
+    let keeps_sign = kept.map(|_| {
+        quote!(
+            const KEEPS_SIGN: bool = true;
+        )
+    });
+    quote!(#keeps_sign #kinetic_plus #by_potential #drift #logarithmic)
 }
 
 /// The energy and the kick of `V` where bodies have a layout of their own.
 fn of_bodies(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> TokenStream {
     let energy = value(emitter, "potential_of", energy);
     let kick = Flow::lines_along(emitter, potential, Part::Position, &Frame::OwnTime);
-    let kick = flow(emitter, "kick_for", quote!(-duration), kick);
+    let kick = flow(emitter, "kick_for", quote!(-duration), kick, None);
     quote!(#energy #kick)
 }
 
@@ -89,7 +99,7 @@ pub(crate) fn rated(
     let slope = gradient(&mut emitter.model.graph, rate, Part::Position);
     let value = value(emitter, "rate_of", rate);
     let slope = Flow::lines_along(emitter, &slope, Part::Position, &Frame::OwnTime);
-    let kick = flow(emitter, "kick_by_rate", quote!(-duration), slope);
+    let kick = flow(emitter, "kick_by_rate", quote!(-duration), slope, None);
     let Names { runtime, scalar, leaf, .. } = emitter.names;
     let growth = if is_quadratic { growth_by_both_ends(emitter.names) } else { growth_by_nodes(emitter.names) };
     quote! {
@@ -172,15 +182,63 @@ fn logarithm(graph: &mut Graph, x: NodeId) -> NodeId {
     }
 }
 
+/// A number made of parameters alone with the sign of another one, where that has the same sign everywhere.
+fn kept_sign(graph: &mut Graph, x: NodeId) -> Option<NodeId> {
+    match graph.node(x) {
+        _ if graph.is_prepared(x) => Some(x),
+        Node::Neg(x) => {
+            let sign = kept_sign(graph, x)?;
+            Some(graph.neg(sign))
+        }
+        Node::Mul(a, b) | Node::Div(a, b) => {
+            let (a, b) = (kept_sign(graph, a)?, kept_sign(graph, b)?);
+            Some(graph.mul(a, b))
+        }
+        // Even powers, and roots where they are numbers.
+        Node::Power(_, halves) if halves % 4 != 2 && halves % 4 != -2 => Some(graph.constant(1.0)),
+        Node::Power(base, _) => kept_sign(graph, base),
+        Node::Unary(function, _) | Node::Binary(function, ..) if function.row().never_negative => {
+            Some(graph.constant(1.0))
+        }
+        _ => None,
+    }
+}
+
+/// The logarithmic kick by the gradient of `-ln(-V)`, whose components each move a coordinate on the spot.
+fn simplified(emitter: &mut Emitter<'_>, gradient: &[Contribution], returned: NodeId) -> Lines {
+    let value = lower_roots(emitter.model, &[returned])[0];
+    let returned = Store { context: Vec::new(), sink: Sink::Return, value };
+    let Some(Pass { mut stores, moved }) = passes(emitter.model, gradient, Part::Position).pop() else {
+        return emitter.evaluate(&Frame::OwnTime, &[], &[returned]);
+    };
+    stores.push(returned);
+    match moved {
+        None => emitter.evaluate(&Frame::OwnTime, &[], &stores),
+        Some(_) => buffered(emitter, &stores, |lines, close| quote!(let returned = { #lines }; #close returned)),
+    }
+}
+
 /// The logarithmic kick by a potential energy that is summed together with its gradient.
 fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> Lines {
     let mut stores = stores(emitter.model, potential, Sink::Collect);
     let energy = lower_roots(emitter.model, &[energy])[0];
     stores.push(Store { context: Vec::new(), sink: Sink::Return, value: energy });
+    buffered(emitter, &stores, |lines, close| quote!(let energy = { #lines }; let step = step / -energy; #close energy))
+}
+
+/// The lines that collect a gradient in a buffer, between the buffer and its application to the momenta.
+fn buffered(
+    emitter: &mut Emitter<'_>,
+    stores: &[Store],
+    around: impl FnOnce(TokenStream, TokenStream) -> TokenStream,
+) -> Lines {
     let apply = |place, value| quote!(#place.fma(step, #value););
     let (open, close) = buffer(&emitter.model.shape, &Frame::OwnTime, Part::Momentum, emitter.names, apply);
-    let lines = emitter.evaluate(&Frame::OwnTime, &[], &stores);
-    lines.map(|lines| quote!(#open let energy = { #lines }; let step = step / -energy; #close))
+    let lines = emitter.evaluate(&Frame::OwnTime, &[], stores);
+    lines.map(|lines| {
+        let lines = around(lines, close);
+        quote!(#open #lines)
+    })
 }
 
 /// The function that returns a value.
@@ -208,8 +266,14 @@ fn value_with(emitter: &mut Emitter<'_>, name: &str, node: NodeId, adds: bool) -
     }
 }
 
-/// The function that moves coordinates for a while.
-fn flow(emitter: &Emitter<'_>, name: &str, step: TokenStream, lines: Lines) -> TokenStream {
+/// The function that moves coordinates for a while, and returns what its lines end in, if anything.
+fn flow(
+    emitter: &Emitter<'_>,
+    name: &str,
+    step: TokenStream,
+    lines: Lines,
+    returns: Option<TokenStream>,
+) -> TokenStream {
     let body = if lines.tokens.is_empty() { lines } else { lines.map(|lines| quote!(let step = #step; #lines)) };
     let body = body.body(&emitter.names.scalar);
     let ([motion, duration], body) = (["motion", "duration"].map(|name| body.argument(name)), &body.0);
@@ -217,6 +281,6 @@ fn flow(emitter: &Emitter<'_>, name: &str, step: TokenStream, lines: Lines) -> T
     let Names { runtime, scalar, leaf, .. } = emitter.names;
     quote! {
         #[inline(always)]
-        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, #duration: #scalar) { #body }
+        fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, #duration: #scalar) #returns { #body }
     }
 }

@@ -84,7 +84,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6645435298455976530;
+        const FINGERPRINT: u64 = 661567832718261605;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -563,7 +563,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let mut gradient = runtime::repeated(motion.q.len(), [Scalar::of(0.0); 2]);
             let energy = {
@@ -626,6 +626,7 @@ const _: () = {
                     (*slot).fma(step, *gradient);
                 }
             }
+            energy
         }
     }
 };

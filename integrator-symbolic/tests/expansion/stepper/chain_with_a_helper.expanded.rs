@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16282669361776331085;
+        const FINGERPRINT: u64 = 9022370746164619348;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -303,7 +303,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let mut gradient = [Scalar::of(0.0); 32];
             let energy = {
@@ -379,6 +379,7 @@ const _: () = {
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot).fma(step, *gradient);
             }
+            energy
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.

@@ -71,7 +71,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17533975241674189665;
+        const FINGERPRINT: u64 = 8666395764304114427;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -238,7 +238,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
@@ -256,6 +256,9 @@ const _: () = {
                 );
             motion.p[0].fma(shared_0 * q0, shared_5);
             motion.p[1].fma(shared_0 * q1, shared_5);
+            shared_2
+                * (-motion.parameters.twist)
+                    .scale_add(shared_1, motion.parameters.prepared_4)
         }
     }
     #[automatically_derived]

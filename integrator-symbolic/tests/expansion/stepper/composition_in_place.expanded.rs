@@ -107,7 +107,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13045564644745229666;
+        const FINGERPRINT: u64 = 14274913035181801306;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 stiffness: self.stiffness,
@@ -237,9 +237,11 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
-            motion.p[0].add(-(Scalar::of(2.0).scale(step) / motion.q[0].value()));
+            let q0 = motion.q[0].value();
+            motion.p[0].add(-(Scalar::of(2.0).scale(step) / q0));
+            motion.parameters.prepared_1.scale(q0) * q0
         }
     }
 };

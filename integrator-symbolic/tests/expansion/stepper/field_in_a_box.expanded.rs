@@ -54,7 +54,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5900725489722130120;
+        const FINGERPRINT: u64 = 15838428835177874667;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -282,7 +282,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let mut gradient = runtime::repeated(
                 motion.q.len(),
@@ -333,6 +333,7 @@ const _: () = {
                     }
                 }
             }
+            energy
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.

@@ -32,7 +32,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5780887736123166896;
+        const FINGERPRINT: u64 = 8790757408185095731;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -174,28 +174,29 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = q0.square();
             let shared_1 = q1.square();
-            let shared_2 = Scalar::of(1.0)
-                / Scalar::of(-0.3333333333333333)
-                    .scale_add(
-                        shared_1 * q1,
-                        q1.fma(shared_0, Scalar::of(0.5).scale(shared_0 + shared_1)),
-                    );
-            let shared_3 = q1 * shared_2;
+            let shared_2 = Scalar::of(-0.3333333333333333)
+                .scale_add(
+                    shared_1 * q1,
+                    q1.fma(shared_0, Scalar::of(0.5).scale(shared_0 + shared_1)),
+                );
+            let shared_3 = Scalar::of(1.0) / shared_2;
+            let shared_4 = q1 * shared_3;
             motion
                 .p[0]
                 .fma(
                     -(Scalar::of(2.0).scale(step) * q0),
-                    Scalar::of(0.5).scale_add(shared_2, shared_3),
+                    Scalar::of(0.5).scale_add(shared_3, shared_4),
                 );
             motion
                 .p[1]
-                .fma(step, (-shared_0).fma(shared_2, shared_1 * shared_2) - shared_3);
+                .fma(step, (-shared_0).fma(shared_3, shared_1 * shared_3) - shared_4);
+            shared_2
         }
     }
 };

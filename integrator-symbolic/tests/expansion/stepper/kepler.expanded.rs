@@ -51,7 +51,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15055863523079017608;
+        const FINGERPRINT: u64 = 2940969183711138321;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -159,6 +159,7 @@ const _: () = {
     }
     #[automatically_derived]
     impl runtime::TimeTransformed for Kepler {
+        const KEEPS_SIGN: bool = true;
         #[inline(always)]
         fn kinetic_plus<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
@@ -197,13 +198,14 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = Scalar::of(1.0) / q1.square_add(q0.square());
             motion.p[0].fma(step * q0, shared_0);
             motion.p[1].fma(step * q1, shared_0);
+            motion.parameters.prepared_0
         }
     }
 };

@@ -73,7 +73,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10059754153582548802;
+        const FINGERPRINT: u64 = 15576068481535308867;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -385,7 +385,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let mut gradient = [[Scalar::of(0.0); 3]; 6];
             let energy = {
@@ -424,6 +424,7 @@ const _: () = {
                     (*slot).fma(step, *gradient);
                 }
             }
+            energy
         }
     }
 };

@@ -53,7 +53,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6295005413779186709;
+        const FINGERPRINT: u64 = 13049236511804088905;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * self.length.powi(2)),
@@ -188,11 +188,12 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let q0 = motion.q[0].value();
             let (shared_1, shared_0) = q0.sin_cos();
             motion.p[0].add(step * shared_1 / shared_0);
+            motion.parameters.prepared_1.scale(shared_0)
         }
     }
 };

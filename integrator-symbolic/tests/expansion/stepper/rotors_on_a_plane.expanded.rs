@@ -60,7 +60,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6822837170013156948;
+        const FINGERPRINT: u64 = 6185824756734133537;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -292,7 +292,7 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let mut gradient = runtime::repeated(motion.q.len(), [Scalar::of(0.0); 64]);
             let energy = {
@@ -332,6 +332,7 @@ const _: () = {
                     (*slot).fma(step, *gradient);
                 }
             }
+            energy
         }
     }
     /// What every site computes from its neighbourhood, for itself and for the sites further on.

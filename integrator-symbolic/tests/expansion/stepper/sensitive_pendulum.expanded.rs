@@ -89,7 +89,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11439910194256827961;
+        const FINGERPRINT: u64 = 7958875367256000435;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -268,32 +268,33 @@ const _: () = {
         fn logarithmic_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
             duration: Scalar,
-        ) {
+        ) -> Scalar {
             let step = -duration;
             let q0 = motion.q[0].value();
-            let (shared_2, shared_0) = q0.sin_cos();
+            let (shared_3, shared_0) = q0.sin_cos();
             let mut sum_0 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
                 let shared_1 = Scalar::of(k as f64).scale(q0);
                 sum_0 = motion.parameters.prepared_6[k].scale_add(shared_1.cos(), sum_0);
             }
-            let shared_3 = Scalar::of(1.0)
-                / (-motion.parameters.prepared_3).scale_add(shared_0, sum_0);
+            let shared_2 = (-motion.parameters.prepared_3).scale_add(shared_0, sum_0);
+            let shared_4 = Scalar::of(1.0) / shared_2;
             let mut sum_1 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
                 let shared_1 = Scalar::of(k as f64).scale(q0);
                 sum_1 = motion
                     .parameters
                     .prepared_1[k]
-                    .scale(shared_3)
+                    .scale(shared_4)
                     .fma(shared_1.sin(), sum_1);
             }
             motion
                 .p[0]
                 .fma(
                     step,
-                    (-motion.parameters.prepared_3.scale(shared_3)).fma(shared_2, sum_1),
+                    (-motion.parameters.prepared_3.scale(shared_4)).fma(shared_3, sum_1),
                 );
+            shared_2
         }
     }
     #[automatically_derived]
