@@ -3,7 +3,7 @@
 //! It is prepared once per run for every iteration of its loops, and there, too, is evaluated only where the function
 //! does it: `if i > 0 { self.long[i - 1] * q[i] }` asks for no element before the first.
 
-use super::{Reader, presence::looked_up, value::Opaque};
+use super::{Reader, presence::looked_up, running_index::running_index, value::Opaque};
 use crate::graph::{
     Access, Comparison, Node, NodeId,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
@@ -120,14 +120,14 @@ impl Reader<'_> {
         let [first, end] = [from, to].map(|bound| self.index_text(bound));
         match inner {
             Some(inner) if table.contains(by) => {
-                let name = &self.running[&by];
+                let name = running_index(by);
                 // The table has no more than the longest iterations.
                 let inside = Opaque { text: quote!(#first <= #name && #name < #end), loops: around };
                 both((!around.is_subset(table)).then_some(inside), Some(inner))
             }
             None if table.contains(by) => None,
             Some(Opaque { text, loops }) if loops.contains(by) => {
-                let name = &self.running[&by];
+                let name = running_index(by);
                 let text = quote!((#first..#end).any(|#name: usize| #text));
                 Some(Opaque { text, loops: loops.without(by).union(around) })
             }

@@ -5,6 +5,7 @@ mod tests;
 
 use super::{
     Reader,
+    running_index::running_index,
     text::{in_parentheses, place},
     value::{Opaque, Value, View},
 };
@@ -154,7 +155,7 @@ impl Reader<'_> {
                 quote!((#text))
             }
             (Index::Literal(value), None) => Literal::u64_unsuffixed(value).to_token_stream(),
-            (Index::Running(by), None) => leaf(self.running.get(&by).to_token_stream()),
+            (Index::Running(by), None) => leaf(running_index(by).to_token_stream()),
             (Index::Length, None) => leaf(quote!(length)),
             (Index::Parameter(parameter), None) => {
                 let text = &self.parameters[parameter.0 as usize].text;

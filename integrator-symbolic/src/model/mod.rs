@@ -31,6 +31,7 @@ mod prepared;
 mod presence;
 mod ragged;
 mod repeat;
+mod running_index;
 mod sensitive;
 mod sequence;
 mod shape;
@@ -63,6 +64,7 @@ use parts::part_shape;
 pub(crate) use prepared::{is_constant, is_field, is_leaf};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
+use running_index::with_indices;
 pub(crate) use shape::{Length, Shape};
 use shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
 use sign::is_never_negative;
@@ -75,9 +77,17 @@ use value::{Opaque, Value, View};
 /// An expression of parameters that is evaluated once per run.
 pub(crate) struct Parameter {
     /// The user's own expression.
+    /// The indices of loops are those of `running_index`, here and below.
     pub(crate) own: TokenStream,
     /// The same, evaluated where the functions evaluate it.
     pub(crate) text: TokenStream,
+}
+
+impl Parameter {
+    /// Its text, with the indices of loops as they are called.
+    pub(crate) fn named_text(&self, running: &HashMap<LoopId, Ident>) -> TokenStream {
+        with_indices(&self.text, &|by| running.get(&by).cloned())
+    }
 }
 
 /// A Hamiltonian that is known to make sense.
@@ -149,6 +159,16 @@ pub(crate) enum Called {
 }
 
 impl Model {
+    /// The text of a parameter, with the indices of loops as they are called.
+    pub(crate) fn text(&self, id: ParameterId) -> TokenStream {
+        self.parameters[id.0 as usize].named_text(&self.running)
+    }
+
+    /// The user's own text of a parameter, with the indices of loops as they are called.
+    pub(crate) fn own_text(&self, id: ParameterId) -> TokenStream {
+        with_indices(&self.parameters[id.0 as usize].own, &|by| self.running.get(&by).cloned())
+    }
+
     /// Replaces the energies of the first part and of all others together by equal ones.
     pub(crate) fn set_energies(&mut self, energies: [NodeId; 2]) {
         [self.kinetic, self.potential] = energies;

@@ -1,13 +1,17 @@
 //! The user's expressions of parameters, rewritten for other indices.
 
-use super::{Parameter, factors::factors};
+use super::{
+    Parameter,
+    factors::factors,
+    running_index::{mentions, running_index, with_indices},
+};
 use crate::graph::{
     Graph, ParameterId,
     index::{LoopId, LoopSet},
     rename::{Parameters, Renaming},
 };
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
-use quote::format_ident;
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use quote::{format_ident, quote};
 use std::collections::HashMap;
 
 /// The texts of a model, and what the indices in them are called.
@@ -24,8 +28,11 @@ impl Parameters for Texts<'_> {
         if loops.iter().all(|by| renaming.of(by) == by) {
             return Some(id);
         }
-        let names = loops.iter().map(|by| Some((self.running.get(&by)?, self.running.get(&renaming.of(by))?)));
-        let text = with_names(self.text(id), &names.collect::<Option<Vec<_>>>()?)?;
+        let text = self.text(id);
+        if !is_plain(&text) {
+            return None;
+        }
+        let text = with_indices(&text, &|by| Some(running_index(renaming.of(by))));
         let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(renaming.of(by))));
         Some(self.id(graph, text, loops))
     }
@@ -37,7 +44,7 @@ impl Parameters for Texts<'_> {
         }
         let loops = graph.loops.of_parameter(id);
         let mut of = |(text, exponent): (TokenStream, i32)| {
-            let own = loops.iter().filter(|by| self.running.get(by).is_some_and(|name| mentions(&text, name)));
+            let own = loops.iter().filter(|by| mentions(&text, *by));
             let own = own.fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(by)));
             (self.id(graph, text, own), exponent)
         };
@@ -46,12 +53,8 @@ impl Parameters for Texts<'_> {
 
     fn name(&mut self, new: LoopId, like: LoopId) {
         let base = self.running.get(&like).cloned().unwrap_or_else(|| format_ident!("k"));
-        let is_taken = |name: &Ident| {
-            let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
-            self.running.values().any(|known| known == name) || texts.any(|text| mentions(text, name))
-        };
-        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
-        self.running.insert(new, free.unwrap_or(base));
+        let free = self.free(&base);
+        self.running.insert(new, free);
     }
 }
 
@@ -60,12 +63,38 @@ impl<'m> Texts<'m> {
         Self { parameters, running, known: HashMap::new() }
     }
 
+    /// Names the index of a loop that takes the place of others, one of which it is `like`: apart from those of all loops that
+    /// stay, since any of these may be inside of it from now on.
+    pub(crate) fn name_in_place(&mut self, by: LoopId, like: LoopId, replaced: &[LoopId]) {
+        let base = self.running.get(&by).or_else(|| self.running.get(&like)).cloned();
+        let base = base.unwrap_or_else(|| format_ident!("k"));
+        let mut others = self.running.iter().filter(|(other, _)| **other != by && !replaced.contains(other));
+        let name = if others.any(|(_, name)| *name == base) { self.free(&base) } else { base };
+        self.running.insert(by, name);
+    }
+
+    /// A name like another one that no index of a loop has and no text mentions.
+    fn free(&self, base: &Ident) -> Ident {
+        let is_taken = |name: &Ident| {
+            let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
+            self.running.values().any(|known| known == name) || texts.any(|text| mentions_name(text, name))
+        };
+        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
+        free.unwrap_or_else(|| base.clone())
+    }
+
     fn text(&self, id: ParameterId) -> TokenStream {
         self.parameters[id.0 as usize].text.clone()
     }
 
+    /// The item of a list with the index of a loop.
+    pub(crate) fn item(&mut self, graph: &mut Graph, list: &TokenStream, by: LoopId) -> ParameterId {
+        let index = running_index(by);
+        self.id(graph, quote!(#list[#index]), LoopSet::of(by))
+    }
+
     /// The parameter with this text, new or known.
-    pub(crate) fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
+    fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
         if self.known.is_empty() {
             let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
             let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());
@@ -81,37 +110,19 @@ impl<'m> Texts<'m> {
 }
 
 /// Whether a text mentions a variable.
-fn mentions(text: &TokenStream, name: &Ident) -> bool {
+fn mentions_name(text: &TokenStream, name: &Ident) -> bool {
     text.clone().into_iter().any(|token| match token {
         TokenTree::Ident(ident) => ident == *name,
-        TokenTree::Group(group) => mentions(&group.stream(), name),
+        TokenTree::Group(group) => mentions_name(&group.stream(), name),
         TokenTree::Punct(_) | TokenTree::Literal(_) => false,
     })
 }
 
-/// A text with other names of variables. Closures and blocks may have variables of their own, so they are left alone.
-fn with_names(text: TokenStream, names: &[(&Ident, &Ident)]) -> Option<TokenStream> {
-    let mut after_dot = false;
-    let renamed = text.into_iter().map(|token| {
-        let is_field = after_dot;
-        after_dot = matches!(&token, TokenTree::Punct(mark) if mark.as_char() == '.');
-        Some(match token {
-            TokenTree::Ident(name) if !is_field => {
-                let other = names
-                    .iter()
-                    .find(|(from, _)| **from == name)
-                    .map(|(_, to)| Ident::new(&to.to_string(), name.span()));
-                other.unwrap_or(name).into()
-            }
-            TokenTree::Punct(mark) if mark.as_char() == '|' => return None,
-            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => return None,
-            TokenTree::Group(group) => {
-                let mut other = Group::new(group.delimiter(), with_names(group.stream(), names)?);
-                other.set_span(group.span());
-                other.into()
-            }
-            other => other,
-        })
-    });
-    renamed.collect()
+/// Whether a text is an expression without closures and blocks.
+fn is_plain(text: &TokenStream) -> bool {
+    text.clone().into_iter().all(|token| match token {
+        TokenTree::Punct(mark) => mark.as_char() != '|',
+        TokenTree::Group(group) => group.delimiter() != Delimiter::Brace && is_plain(&group.stream()),
+        TokenTree::Ident(_) | TokenTree::Literal(_) => true,
+    })
 }

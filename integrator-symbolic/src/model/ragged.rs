@@ -1,6 +1,6 @@
 //! Loops whose bounds come from lists: how far they get at most is found once per run, from the lists themselves.
 
-use super::Reader;
+use super::{Reader, running_index::running_index};
 use crate::graph::{
     ParameterId,
     index::{Index, IndexId, LoopSet},
@@ -40,7 +40,7 @@ impl Reader<'_> {
         let mut text = quote!(#value);
         for (inner, by) in loops.into_iter().rev().enumerate() {
             let range = self.graph.loops.get(by);
-            let (name, from, to) = (self.running.get(&by), self.index_text(range.from), self.index_text(range.to));
+            let (name, from, to) = (running_index(by), self.index_text(range.from), self.index_text(range.to));
             let adaptor = if inner == 0 { quote!(map) } else { quote!(flat_map) };
             text = quote!(::core::iter::Iterator::#adaptor(#from..#to, move |#name: usize| #text));
         }

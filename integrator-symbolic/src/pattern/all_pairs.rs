@@ -58,8 +58,7 @@ impl AllPairs {
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
             return None;
         }
-        let index = model.running.get(&pair[0])?.clone();
-        model.running.entry(bodies).or_insert(index);
+        Texts::new(&mut model.parameters, &mut model.running).name_in_place(bodies, pair[0], &pair);
 
         let few = model.shape.length.literal().is_some_and(|length| length < LISTED_FROM);
         let cutoff = match few || model.jacobi.is_some() {

@@ -60,11 +60,11 @@ impl Constants {
             let (kind, value) = match content {
                 Content::Number(id) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                 Content::Integer(id) => {
-                    let text = &emitter.model.parameters[id.0 as usize].text;
+                    let text = emitter.model.text(id);
                     (quote!(usize), quote!(#text))
                 }
                 Content::Flag(id) => {
-                    let text = &emitter.model.parameters[id.0 as usize].text;
+                    let text = emitter.model.text(id);
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
                 }
                 Content::Middle => (scalar.to_token_stream(), quote!(0.0)),

@@ -73,12 +73,12 @@ impl DeviceText {
         for (read, name, _) in reads.found {
             let lengths = match read {
                 Read::Path(parameter) => {
-                    let text = &emitter.model.parameters[parameter.0 as usize].text;
+                    let text = emitter.model.text(parameter);
                     pushes.extend(quote!(numbers.push(#text);));
                     Vec::new()
                 }
                 Read::IntegerPath(parameter) => {
-                    let text = &emitter.model.parameters[parameter.0 as usize].text;
+                    let text = emitter.model.text(parameter);
                     pushes.extend(quote!(numbers.push(#text as f64);));
                     Vec::new()
                 }

@@ -4,7 +4,7 @@ use crate::{
     emit::printer::{block::Emitter, function::Body, names::Names},
     graph::{
         Part,
-        index::{Index, Loop, LoopSet},
+        index::{Index, Loop},
         rename::{Renaming, rename},
     },
     model::{Jacobi, Model, Shape, Texts},
@@ -12,7 +12,7 @@ use crate::{
     pattern::all_pairs::AllPairs,
     syntax::Coordinates,
 };
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
 /// The names of the parts of a motion in Jacobi coordinates.
@@ -62,16 +62,9 @@ pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model) -> Result<Jac
         to: graph.loops.intern(Index::Running(bodies)),
     };
     let partners = graph.loops.range(partners);
-    let names = pair.map(|by| model.running.get(&by).cloned());
-    for (by, name) in [bodies, partners].into_iter().zip(names) {
-        if let Some(name) = name {
-            model.running.entry(by).or_insert(name);
-        }
-    }
-    let Model { graph, parameters, running, .. } = &mut *model;
-    let mass = mass(&coordinates.masses.to_token_stream(), running.get(&bodies));
-    let mut texts = Texts::new(parameters, running);
-    let mass = texts.id(graph, mass, LoopSet::of(bodies));
+    texts.name_in_place(bodies, pair[0], &pair);
+    texts.name_in_place(partners, pair[1], &pair.map(|by| if by == bodies { partners } else { by }));
+    let mass = texts.item(graph, &coordinates.masses.to_token_stream(), bodies);
     let strength = rename(graph, strength, Renaming::both(pair, [bodies, partners]), &mut texts);
     let jacobi = strength.map(|strength| Jacobi {
         bodies,
@@ -100,11 +93,6 @@ fn dimension(shape: &Shape) -> Result<u64, Obstacle> {
              least; these are `{text}`"
         ))
     })
-}
-
-/// The mass of a body.
-fn mass(masses: &TokenStream, body: Option<&Ident>) -> TokenStream {
-    quote!(#masses[#body])
 }
 
 /// The layout of the motion, around that of bodies in inertial coordinates.

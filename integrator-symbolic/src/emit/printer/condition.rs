@@ -41,7 +41,7 @@ impl Printer<'_> {
                 quote!(#zero.less(#flag))
             }
             (Node::Flag(parameter), Dialect::Single) => {
-                let text = &self.parameters[parameter.0 as usize].text;
+                let text = self.parameters[parameter.0 as usize].named_text(self.running);
                 quote!((#text))
             }
             (Node::And(a, b), dialect) => {

@@ -106,10 +106,10 @@ impl Printer<'_> {
                 Printed::new(Binding::Atom, self.field(fields, id))
             }
             Node::Parameter(parameter) => {
-                let text = &self.parameters[parameter.0 as usize].text;
+                let text = self.parameters[parameter.0 as usize].named_text(self.running);
                 match self.dialect {
                     Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#text))),
-                    Dialect::Single => Printed::new(binding(text), quote!(#text)),
+                    Dialect::Single => Printed::new(binding(&text), quote!(#text)),
                 }
             }
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),

@@ -145,7 +145,7 @@ impl Printer<'_> {
                 // Prepared constants know no path of the user's impl.
                 let is_near = is_constant(&known.text) && !matches!(self.frame, Frame::Constants);
                 if self.dialect == Dialect::Single || is_near {
-                    return operand(known.text.clone());
+                    return operand(known.named_text(self.running));
                 }
                 let name = fields.integer(self.parameters, parameter);
                 self.prepared(name, self.graph.loops.of_parameter(parameter))

@@ -6,7 +6,7 @@ mod naming;
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
-        Comparison, Element, Node, NodeId, Part, Scope,
+        Comparison, Element, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Called, Model},
@@ -203,7 +203,7 @@ impl Formulas<'_> {
             Index::Literal(value) => value.to_string(),
             Index::Length => "n".to_owned(),
             Index::Running(by) => self.model.running.get(&by).map_or_else(String::new, ToString::to_string),
-            Index::Parameter(parameter) => self.text(parameter.0),
+            Index::Parameter(parameter) => self.text(parameter),
             Index::Add(a, b) => binary(a, '+', b),
             Index::Sub(a, b) => binary(a, '-', b),
             Index::Mul(a, b) => binary(a, '*', b),
@@ -232,7 +232,7 @@ impl Formulas<'_> {
         let graph = &self.model.graph;
         match graph.node(id) {
             Node::Constant(bits) => Formula::number(f64::from_bits(bits)),
-            Node::Parameter(parameter) => written(&self.model.parameters[parameter.0 as usize].own),
+            Node::Parameter(parameter) => written(&self.model.own_text(parameter)),
             Node::Coordinate(element) => Formula::atom(Kind::Coordinate, self.coordinate(element)),
             Node::Time | Node::Middle => Formula::atom(Kind::Coordinate, "t".to_owned()),
             Node::Step => Formula::atom(Kind::Coordinate, "h".to_owned()),
@@ -316,8 +316,8 @@ impl Formulas<'_> {
             (Node::CompareIndex(comparison, a, b), _) => {
                 format!("{} {} {}", self.index(a), sign(comparison, false, holds), self.index(b))
             }
-            (Node::Flag(parameter), true) => self.text(parameter.0),
-            (Node::Flag(parameter), false) => format!("not {}", self.text(parameter.0)),
+            (Node::Flag(parameter), true) => self.text(parameter),
+            (Node::Flag(parameter), false) => format!("not {}", self.text(parameter)),
             (Node::Not(inner), _) => self.condition(inner, !holds),
             (Node::And(a, b), true) | (Node::Or(a, b), false) => joined(a, b, "and"),
             (Node::Or(a, b), true) | (Node::And(a, b), false) => joined(a, b, "or"),
@@ -326,8 +326,8 @@ impl Formulas<'_> {
     }
 
     /// A parameter as the user wrote it, without the spaces of tokens and without `self`.
-    fn text(&self, parameter: u32) -> String {
-        readable(&self.model.parameters[parameter as usize].own)
+    fn text(&self, parameter: ParameterId) -> String {
+        readable(&self.model.own_text(parameter))
     }
 
     /// Whether a condition is that an index is not behind the end of a list.
