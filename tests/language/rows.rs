@@ -179,6 +179,7 @@ rows! {
     inner_arrays_of_sums { let mut s = [0.0; 2]; for pair in q.chunks_exact(2) { for d in 0..2 { s[d] += pair[d]; } } s[0] * s[1] } => [b + d, a + c, b + d, a + c];
     inner_sums { let mut v = 0.0; for i in 0..2 { let mut r = 1.0; for d in 0..2 { r += q[2 * i + d] * q[2 * i + d]; } v += r.sqrt(); } v } => [a / (1.0 + a * a + b * b).sqrt(), b / (1.0 + a * a + b * b).sqrt(), c / (1.0 + c * c + d * d).sqrt(), d / (1.0 + c * c + d * d).sqrt()];
     skipping { let mut v = 0.0; for i in 0..4 { for j in 0..4 { if i == j { continue; } v += q[i] * q[j]; } } v } => [2.0 * (b + c + d), 2.0 * (a + c + d), 2.0 * (a + b + d), 2.0 * (a + b + c)];
+    skipping_after_a_sum { let mut v = 0.0; for i in 0..4 { for j in 0..i { if j + 1 == i { v += q[i] * q[j]; continue; } v += 2.0 * q[i] * q[j]; } } v } => [b + 2.0 * c + 2.0 * d, a + c + 2.0 * d, 2.0 * a + b + d, 2.0 * a + 2.0 * b + c];
     skipped_patterns { let mut v = 0.0; for i in 0..4 { let Some(k) = self.by_number.get(&i) else { continue }; if let Some(l) = self.by_pair.get(&(i, 0)) && *l > 3.0 { continue; } v += k * q[i]; } v } => [0.0, 5.0, 6.0, 0.0];
     over_coordinates { let mut v = 0.0; for x in q { v += x * x; } for x in &q { v += x; } v } => [2.0 * a + 1.0, 2.0 * b + 1.0, 2.0 * c + 1.0, 2.0 * d + 1.0];
     over_lists { let mut v = 0.0; for &(i, j) in &self.bonds { v += (q[i] - q[j]).powi(2); } v } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - d), 0.0, 2.0 * (d - b)];
@@ -224,9 +225,11 @@ rows! {
     ends { q.first().unwrap() * q.last().copied().unwrap() } => [d, 0.0, 0.0, a];
     items_that_may_be_there { let mut v = 0.0; for i in 0..q.len() { v += q[i] * q.get(i + 1).map_or(1.0, |x| x * x); if let Some(x) = q.get(i + 2) { v += x * q[i]; } } v } => [b * b + c, 2.0 * a * b + c * c + d, 2.0 * b * c + d * d + a, 2.0 * c * d + 1.0 + b];
     copies { let copy = q.to_vec(); copy[0] * copy.as_slice()[1] + copy.first().copied().unwrap_or(0.0) } => [b + 1.0, a, 0.0, 0.0];
+    changed_copies { let mut moved = q; moved[0] *= 2.0; moved[3] += moved[0]; moved[0] * moved[1] * moved[3] } => [2.0 * b * (d + 2.0 * a) + 4.0 * a * b, 2.0 * a * (d + 2.0 * a), 0.0, 2.0 * a * b];
     split_lists { let (left, right) = q.split_at(2); let (first, rest) = q.split_first().unwrap(); left[0] * right[1] + first * rest.iter().sum::<f64>() } => [d + b + c + d, a, a, a + a];
     ends_of_a_part { q[1..].first().expect("a site") * q[..3].last().unwrap() } => [0.0, c, b, 0.0];
     chunks { q.chunks_exact(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
+    even_chunks { q.chunks(2).map(|c| c[0] * c[1]).sum::<f64>() } => [b, a, d, c];
     iterators_in_variables { let pairs = q.iter().zip(&self.table); let squares = q.iter().map(|x| x * x); let chosen = self.table.iter().rev().take(3); pairs.map(|(x, k)| k * x).sum::<f64>() + squares.sum::<f64>() + chosen.zip(q).map(|(k, x)| k * x).sum::<f64>() } => [5.0 + 2.0 * a, 5.0 + 2.0 * b, 5.0 + 2.0 * c, 1.0 + 2.0 * d];
     folded { q.iter().fold(0.0, |sum, x| sum + x * x) } => [2.0 * a, 2.0 * b, 2.0 * c, 2.0 * d];
     folded_further { q.iter().fold(0.0, |sum, x| sum * sum + x) } => [8.0 * a * (a * a + b) * ((a * a + b).powi(2) + c), 4.0 * (a * a + b) * ((a * a + b).powi(2) + c), 2.0 * ((a * a + b).powi(2) + c), 1.0];
@@ -248,6 +251,7 @@ rows! {
     slices { q[1..].iter().zip(&q[..3]).map(|(y, x)| y * x).sum::<f64>() + q[1..=2].iter().sum::<f64>() } => [b, a + c + 1.0, b + d + 1.0, c];
     iterated_arrays { [q[0], q[3]].iter().map(|x| x * x).sum::<f64>() } => [2.0 * a, 0.0, 0.0, 2.0 * d];
     closures { q.windows(2).map(|w| { let d = w[1] - w[0]; d * d }).sum::<f64>() } => [2.0 * (a - b), 2.0 * (b - a) + 2.0 * (b - c), 2.0 * (c - b) + 2.0 * (c - d), 2.0 * (d - c)];
+    sums_of_array_elements { let mut bonds = [0.0; 3]; for k in 0..3 { bonds[k] = q[k] * q[k + 1]; } (0..3).map(|k| bonds[k] / (1.0 + self.stiffness[k])).sum::<f64>() } => [b / 2.0, a / 2.0 + c / 3.0, b / 3.0 + d / 4.0, c / 4.0];
 
     // Branches
     branch_values { if q[0] > 0.0 { q[0] * q[0] } else { q[1] } } => [2.0 * a, 0.0, 0.0, 0.0];

@@ -7,6 +7,7 @@ use super::{
 };
 use crate::graph::index::Index;
 use proc_macro2::Ident;
+use quote::ToTokens;
 use std::rc::Rc;
 use syn::{
     Expr, ExprMethodCall, ExprRange, GenericArgument, Pat, PatParen, PatReference, PatType, Type, parse_quote,
@@ -119,6 +120,7 @@ impl Reader<'_> {
                 self.errors.at(&call.method, message);
                 None
             }
+            ("chunks", Some(size)) if self.divides(size, &base) => self.grouped_items(base, size, false),
             ("chunks", Some(_)) => {
                 let message = "the last one of `chunks` may have fewer items than the others: write `chunks_exact`, which \
                                leaves out those that are too few";
@@ -210,6 +212,16 @@ impl Reader<'_> {
             reader.item_of(&base, position)
         };
         Some(Sequence { from: zero, to: count, at: Rc::new(at), filtered: false, literal })
+    }
+
+    /// Whether a number of items is known to divide that of a sequence.
+    fn divides(&mut self, size: &Expr, base: &Sequence) -> bool {
+        let size = match size {
+            Expr::Lit(literal) => literal.to_token_stream().to_string().parse().ok(),
+            _ => None,
+        };
+        let count = self.count_of_literal(base);
+        size.zip(count).is_some_and(|(size, count): (u64, u64)| size > 0 && count.is_multiple_of(size))
     }
 
     /// Neighbouring items as arrays: overlapping windows, or chunks one after the other.

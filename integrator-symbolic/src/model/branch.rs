@@ -13,7 +13,7 @@ use crate::graph::{
     index::{Index, IndexId},
 };
 use quote::ToTokens;
-use syn::{BinOp, Block, Expr, ExprIf, Local, Pat, Stmt, parse_quote, visit::Visit};
+use syn::{BinOp, Expr, ExprIf, Local, Pat, Stmt, parse_quote, visit::Visit};
 
 /// The variables that the sides of a branch assign to, and what they were before it.
 pub(super) struct Fork {
@@ -94,21 +94,20 @@ impl Reader<'_> {
         Some(Value::Condition(if negated { self.graph.not(condition) } else { condition }))
     }
 
-    /// `if condition { continue; }` and the statements behind it: they happen where the condition does not hold.
-    pub(super) fn skipped(&mut self, skip: &ExprIf, rest: &[Stmt]) -> Option<Value> {
-        if has_let(&skip.cond) {
-            let nothing = parse_quote!({});
+    /// `if condition { ...; continue; }` and the statements after it, which happen where the condition does not hold.
+    pub(super) fn skipped(&mut self, Skip { branch, before }: Skip<'_>, rest: &[Stmt]) -> Option<Value> {
+        if has_let(&branch.cond) {
+            let then_branch = parse_quote!({ #(#before)* });
             let otherwise: Expr = parse_quote!({ #(#rest)* });
             let otherwise = Some((Default::default(), Box::new(otherwise)));
-            let whole = ExprIf { then_branch: nothing, else_branch: otherwise, ..skip.clone() };
+            let whole = ExprIf { then_branch, else_branch: otherwise, ..branch.clone() };
             return self.branch(&whole, Flow::Value).map(|outcome| outcome.value);
         }
-        let condition = self.condition_of(&skip.cond).map(|condition| self.graph.not(condition));
+        let condition = self.condition_of(&branch.cond).map(|condition| self.graph.not(condition));
         let mut assigned = Assigned::default();
-        for statement in rest {
-            assigned.visit_stmt(statement);
-        }
-        self.choose(condition, assigned, &|reader| reader.statements(rest), &|_| Some(Value::Unit), skip)
+        before.iter().chain(rest).for_each(|statement| assigned.visit_stmt(statement));
+        let (first, second) = (|reader: &mut Self| reader.statements(rest), |reader: &mut Self| reader.inner(before));
+        self.choose(condition, assigned, &first, &second, branch)
     }
 
     /// Reads both sides of a branch from the same state and joins what they leave.
@@ -268,9 +267,12 @@ impl Reader<'_> {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
                 Some(Value::Array(parts.collect::<Option<_>>()?))
             }
-            (a @ (Value::List(_) | Value::Array(_)), b @ (Value::List(_) | Value::Array(_)))
-                if let (Some(a), Some(b)) = (self.as_list(&a), self.as_list(&b))
-                    && (a.from, a.to) == (b.from, b.to) =>
+            (Value::View(a), Value::View(b)) if a == b => Some(Value::View(a)),
+            (
+                a @ (Value::List(_) | Value::Array(_) | Value::View(_)),
+                b @ (Value::List(_) | Value::Array(_) | Value::View(_)),
+            ) if let (Some(a), Some(b)) = (self.as_list(&a), self.as_list(&b))
+                && (a.from, a.to) == (b.from, b.to) =>
             {
                 let place = place.to_token_stream();
                 Some(Value::List(Sequence::new(a.from, a.to, move |reader, index| {
@@ -332,13 +334,23 @@ impl Reader<'_> {
     }
 }
 
-/// `if condition { continue; }`
-pub(super) fn is_skip(statement: &Stmt) -> Option<&ExprIf> {
-    let Stmt::Expr(Expr::If(branch), _) = statement else { return None };
-    let Block { stmts, .. } = &branch.then_branch;
-    match (&stmts[..], &branch.else_branch) {
-        ([Stmt::Expr(Expr::Continue(skip), _)], None) if skip.label.is_none() => Some(branch),
-        _ => None,
+/// A branch that ends an iteration of a loop, `if condition { ...; continue; }`.
+pub(super) struct Skip<'t> {
+    branch: &'t ExprIf,
+    /// What it does before that.
+    pub(super) before: &'t [Stmt],
+}
+
+impl<'t> Skip<'t> {
+    /// The skip that a statement is.
+    pub(super) fn of(statement: &'t Stmt) -> Option<Self> {
+        let Stmt::Expr(Expr::If(branch), _) = statement else { return None };
+        match (&branch.then_branch.stmts[..], &branch.else_branch) {
+            ([before @ .., Stmt::Expr(Expr::Continue(skip), _)], None) if skip.label.is_none() => {
+                Some(Self { branch, before })
+            }
+            _ => None,
+        }
     }
 }
 

@@ -2,9 +2,10 @@
 //!
 //! The functions are read from top to bottom, so such an expression must not pass for a value, whatever it is made of.
 
+use super::branch::{Skip, is_skip_unless};
 use syn::{
-    Expr, ExprAsync, ExprBreak, ExprClosure, ExprContinue, ExprForLoop, ExprLoop, ExprReturn, ExprTry, ExprWhile, Item,
-    Stmt,
+    Block, Expr, ExprAsync, ExprBreak, ExprClosure, ExprContinue, ExprForLoop, ExprLoop, ExprReturn, ExprTry,
+    ExprWhile, Item, Stmt,
     visit::{Visit, visit_expr_for_loop, visit_expr_loop, visit_expr_while},
 };
 
@@ -13,6 +14,48 @@ pub(super) fn escape(expression: &Expr) -> Option<Expr> {
     let mut escape = Escape::default();
     escape.visit_expr(expression);
     escape.found
+}
+
+/// The first `continue` in the body of a loop that skips more than the rest of the block in which it stands.
+pub(super) fn continue_further_inside(body: &Block) -> Option<Expr> {
+    further_inside(&body.stmts, true)
+}
+
+/// The same in a list of statements; `ends` tells whether the iteration ends after them.
+fn further_inside(statements: &[Stmt], ends: bool) -> Option<Expr> {
+    let (last, _) = statements.split_last()?;
+    statements.iter().find_map(|statement| {
+        let ends_here = ends && std::ptr::eq(statement, last);
+        match statement {
+            _ if ends && is_skip_unless(statement).is_some() => None,
+            _ if ends && let Some(skip) = Skip::of(statement) => further_inside(skip.before, true),
+            Stmt::Expr(expression, _) => of_branches(expression, ends_here),
+            Stmt::Local(local) => local.init.as_ref().and_then(|init| {
+                let otherwise = init.diverge.as_ref().and_then(|(_, otherwise)| leaving_iteration(otherwise));
+                leaving_iteration(&init.expr).or(otherwise)
+            }),
+            Stmt::Item(_) | Stmt::Macro(_) => None,
+        }
+    })
+}
+
+/// The same in the branches of an expression.
+fn of_branches(expression: &Expr, ends: bool) -> Option<Expr> {
+    match expression {
+        Expr::If(branch) => {
+            let otherwise = branch.else_branch.as_ref();
+            let first = further_inside(&branch.then_branch.stmts, ends);
+            first.or_else(|| otherwise.and_then(|(_, otherwise)| of_branches(otherwise, ends)))
+        }
+        Expr::Block(inner) => further_inside(&inner.block.stmts, ends),
+        Expr::Match(whole) => whole.arms.iter().find_map(|arm| of_branches(&arm.body, ends)),
+        other => leaving_iteration(other),
+    }
+}
+
+/// A `continue` of the loop around an expression.
+fn leaving_iteration(expression: &Expr) -> Option<Expr> {
+    escape(expression).filter(|found| matches!(found, Expr::Continue(_)))
 }
 
 /// Whether a statement may return from the function that it stands in.

@@ -27,6 +27,10 @@ const MANY: usize = 1024;
 const BY_LITERALS: &str = "an array of values is indexed by literals, or in a loop of up to 16 iterations; one that a \
                            loop fills, `for k in 0..32 { h[k] = ...; }`, by any index";
 
+/// Where `continue` may stand.
+pub(super) const CONTINUE: &str = "`continue` is supported as the last statement of an `if` without `else`, in the body of a \
+                                   loop and not further inside: put the condition around what is skipped";
+
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.
     pub(super) fn expression(&mut self, expression: &Expr) -> Option<Value> {
@@ -375,7 +379,7 @@ impl Reader<'_> {
             }
             Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood: write it with plain indices",
             Expr::Break(_) => "`break` is not understood: give the loop its range, or put `if` around what it adds",
-            Expr::Continue(_) => "`continue` is understood as `if condition { continue; }` in the body of a loop alone",
+            Expr::Continue(_) => CONTINUE,
             Expr::Try(_) => "`?` leaves the function, and no force tells of that: give the energy unconditionally",
             Expr::Reference(_) => "`&mut` is not understood: assign to the variable itself",
             Expr::ForLoop(_) => "a loop has no value: sum into a `let mut` variable",

@@ -120,6 +120,7 @@ impl Reader<'_> {
     pub(super) fn as_list(&mut self, value: &Value) -> Option<Sequence> {
         match value {
             Value::List(list) => Some(list.clone()),
+            view @ Value::View(_) => self.listed(view.clone(), &TokenStream::new()),
             Value::Array(parts) if parts.windows(2).all(|pair| alike(&pair[0], &pair[1])) => {
                 let (first, count) = (parts.first()?.clone(), self.literal_index(parts.len() as u64));
                 Some(self.repeated(first, count))

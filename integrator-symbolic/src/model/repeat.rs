@@ -1,8 +1,8 @@
 //! Loops: what `for` runs over, and sums that stay sums.
 
 use super::{
-    Frame, Reader, Target, fill::indexed_loop, flatten::nested_loop, sequence::Sequence, statement::Assigned,
-    value::Value,
+    Frame, Reader, Target, escape::continue_further_inside, expression::CONTINUE, fill::indexed_loop,
+    flatten::nested_loop, sequence::Sequence, statement::Assigned, value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -11,7 +11,7 @@ use crate::graph::{
 use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
 use std::{collections::HashMap, ops::Range};
-use syn::{ExprForLoop, Pat, visit::Visit};
+use syn::{Expr, ExprForLoop, Pat, visit::Visit};
 
 /// Names that the generated functions use themselves.
 const RESERVED: [&str; 14] = [
@@ -46,6 +46,10 @@ const COMPONENTS: u64 = 4;
 impl Reader<'_> {
     /// `for pattern in sequence { ... }`
     pub(super) fn repeat(&mut self, repeat: &ExprForLoop) -> Option<Value> {
+        if let Some(found) = continue_further_inside(&repeat.body) {
+            self.errors.at(found, CONTINUE);
+            return None;
+        }
         if let Some(rewritten) = nested_loop(repeat).or_else(|| indexed_loop(repeat)) {
             return self.repeat(&rewritten);
         }
@@ -158,6 +162,18 @@ impl Reader<'_> {
         assigned.replaced.iter().any(is_outside)
             || assigned.indexed.iter().any(is_array)
             || assigned.names.iter().any(is_read)
+    }
+
+    /// Whether an iterator chain reads, by the index, an array of values that are not alike.
+    pub(super) fn indexes_values(&mut self, chain: &Expr) -> bool {
+        let mut assigned = Assigned::default();
+        assigned.visit_expr(chain);
+        assigned.indexed.iter().any(|name| match self.lookup(name).map(|id| self.bindings[id.0].value.clone()) {
+            Some(Value::Array(parts)) => {
+                self.list_text(&parts).is_none() && self.as_list(&Value::Array(parts)).is_none()
+            }
+            _ => false,
+        })
     }
 
     /// Whether a body assigns to a list, or to an array with more elements than a loop that is written out has

@@ -1,9 +1,9 @@
 //! Blocks and assignments.
 
 use super::{
-    BindingId, Reader, Target,
+    Binding, BindingId, Reader, Target,
     adaptor::is_adaptor,
-    branch::{is_skip, is_skip_unless},
+    branch::{Skip, is_skip_unless},
     early_return::{Body, Flow},
     fill::declared_array,
     pattern::Names,
@@ -26,8 +26,13 @@ const BY_INDEX: &str = "elements of an array are assigned at literal indices, in
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
     pub(super) fn block(&mut self, block: &Block) -> Option<Value> {
+        self.inner(&block.stmts)
+    }
+
+    /// The value of the last of some statements in a scope of their own.
+    pub(super) fn inner(&mut self, statements: &[Stmt]) -> Option<Value> {
         self.scopes.push(HashMap::new());
-        let value = self.statements(&block.stmts);
+        let value = self.statements(statements);
         self.scopes.pop();
         value
     }
@@ -38,7 +43,7 @@ impl Reader<'_> {
         let mut sound = true;
         for (position, statement) in statements.iter().enumerate() {
             let rest = &statements[position + 1..];
-            if let Some(skip) = is_skip(statement) {
+            if let Some(skip) = Skip::of(statement) {
                 return self.skipped(skip, rest).filter(|_| sound);
             }
             if let Some((pattern, value)) = is_skip_unless(statement) {
@@ -184,6 +189,7 @@ impl Reader<'_> {
             Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => self.target(expr),
             Expr::Index(ExprIndex { expr, index, .. }) => {
                 let mut target = self.target(expr)?;
+                self.spread(&target)?;
                 if let Value::Opaque(_) = self.element_of(&target)? {
                     let message = "elements of the system's own lists are not assigned here: make the list in one \
                                    expression, or in a method of this impl that takes no coordinates";
@@ -197,6 +203,14 @@ impl Reader<'_> {
                     Value::Accumulating => usize::MAX,
                     Value::List(_) => {
                         self.errors.at(place, BY_INDEX);
+                        return None;
+                    }
+                    Value::View(_) => {
+                        let message = format!(
+                            "elements of a copy of coordinates can be assigned where the copy has at most {FEW} of them: \
+                             write the new value as a variable"
+                        );
+                        self.errors.at(place, message);
                         return None;
                     }
                     _ => 0,
@@ -224,16 +238,29 @@ impl Reader<'_> {
                     self.errors.at(place, format!("`{name}` is not known here"));
                     return None;
                 };
-                match self.bindings[id.0].value {
-                    Value::View(_) => {
+                match self.bindings[id.0] {
+                    Binding { value: Value::View(_), mutable: false, .. } => {
                         self.errors.at(place, format!("`{name}` are coordinates: the functions only read them"));
                         None
                     }
-                    Value::Unknown => None,
+                    Binding { value: Value::Unknown, .. } => None,
                     _ => Some(Target { id, at: Vec::new() }),
                 }
             }
         }
+    }
+
+    /// Makes a variable that is a copy of a point an array of its components, which may be assigned one by one.
+    fn spread(&mut self, target: &Target) -> Option<()> {
+        let copy @ Value::View(_) = self.element_of(target)?.clone() else { return Some(()) };
+        let Some(list) = self.as_list(&copy) else { return Some(()) };
+        let Some(range) = self.known_iterations(&list) else { return Some(()) };
+        let parts = range.map(|position| {
+            let position = self.literal_index(position);
+            self.item_of(&list, position).map(|item| item.value)
+        });
+        *self.element_of_mut(target)? = Value::Array(parts.collect::<Option<_>>()?);
+        Some(())
     }
 
     fn element_of(&self, target: &Target) -> Option<&Value> {
@@ -296,7 +323,7 @@ impl Reader<'_> {
         for name in assigned.names {
             if let Some(id) = self.lookup(&name)
                 && !held.iter().any(|(known, _)| *known == id)
-                && !matches!(self.bindings[id.0].value, Value::View(_))
+                && !matches!(self.bindings[id.0], Binding { value: Value::View(_), mutable: false, .. })
             {
                 held.push((id, std::mem::replace(&mut self.bindings[id.0].value, Value::Accumulating)));
             }

@@ -38,9 +38,10 @@ impl Reader<'_> {
         };
         let sequence = self.sequence_of(&call.receiver, item)?;
         let (start, step) = self.step(call)?;
-        let in_term = self.few_in_term_of_list(&sequence).is_some();
+        let written_out = self.few_in_term_of_list(&sequence).is_some()
+            || self.known_iterations(&sequence).is_some() && self.indexes_values(&call.receiver);
         if !sequence.literal
-            && !in_term
+            && !written_out
             && let Some(sums) = self.as_sums(&sequence, &start, &step, call)?
         {
             let totals: Vec<NodeId> =

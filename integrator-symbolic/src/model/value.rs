@@ -43,7 +43,7 @@ pub(crate) enum Value {
 }
 
 /// Coordinates of one part, indexed part of the way.
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Eq)]
 pub(crate) struct View {
     pub(crate) part: Part,
     pub(crate) at: Vec<IndexId>,

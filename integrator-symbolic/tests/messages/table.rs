@@ -117,6 +117,12 @@ pub(crate) const ARGUMENTS: &[Row] = &[
 /// Annotated items.
 pub(crate) const ITEMS: &[Row] = &[
     (
+        "impl S { fn kinetic(&self, p: &[f64]) -> f64 { p[0] * p[0] } fn potential(&self, q: &[f64]) -> f64 {\nlet mut a = q.to_vec(); a[0] = 1.0; a[1] } }",
+        &[
+            "2:24 elements of a copy of coordinates can be assigned where the copy has at most 16 of them: write the new value as a variable",
+        ],
+    ),
+    (
         "impl S { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] }\n#[invariant] fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * q[0] + p[0] * p[0] } }",
         &[],
     ),
@@ -447,12 +453,16 @@ pub(crate) const BODIES: &[Row] = &[
         &["2:49 `break` is not understood: give the loop its range, or put `if` around what it adds"],
     ),
     (
-        "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { v += q[i]; continue; } v += 1.0; } v",
-        &["2:60 `continue` is understood as `if condition { continue; }` in the body of a loop alone"],
+        "let mut v = 0.0; for i in 0..2 { if q[i] > 1.0 { if q[0] > 2.0 { continue; } v += q[i]; } v += 1.0; } v",
+        &[
+            "2:65 `continue` is supported as the last statement of an `if` without `else`, in the body of a loop and not further inside: put the condition around what is skipped",
+        ],
     ),
     (
         "let mut v = 0.0; 'a: for i in 0..2 { for j in 0..2 { if i == j { continue 'a; } v += q[j]; } } v",
-        &["2:65 `continue` is understood as `if condition { continue; }` in the body of a loop alone"],
+        &[
+            "2:65 `continue` is supported as the last statement of an `if` without `else`, in the body of a loop and not further inside: put the condition around what is skipped",
+        ],
     ),
     (
         "Some(1.0)? * q[0]",

@@ -82,7 +82,9 @@ impl Grammar {
         let mut text = String::new();
         if !scope.indices.is_empty() && self.choices.percent(15) {
             let condition = self.condition(&Scope { numbers: Vec::new(), ..scope.clone() }, 0);
-            text += &format!("if {condition} {{ continue; }} ");
+            let before =
+                if self.choices.percent(30) { format!("{sum} += {}; ", self.number(&scope, 0)) } else { String::new() };
+            text += &format!("if {condition} {{ {before}continue; }} ");
         }
         if PARTS.guards && self.choices.percent(20) {
             let (guard, place) = self.guard(&scope);
@@ -99,7 +101,8 @@ impl Grammar {
             text += &format!("let {name} = {value}; ");
             scope.indices.push(name);
         }
-        for _ in 0..1 + self.choices.below(2) {
+        let count = 1 + self.choices.below(2);
+        for position in 1..=count {
             let operator = self.choices.of(&["+=", "+=", "-="]);
             match self.choices.below(10) {
                 0..=2 if scope.loops < 3 => {
@@ -117,7 +120,11 @@ impl Grammar {
                 }
                 5 => {
                     let (condition, value) = (self.condition(&scope, 1), self.number(&scope, depth));
-                    text += &format!("if {condition} {{ {sum} {operator} {value}; }} ");
+                    let mut skip = String::new();
+                    if position == count && self.choices.percent(30) {
+                        skip = format!("if {} {{ continue; }} ", self.condition(&scope, 0));
+                    }
+                    text += &format!("if {condition} {{ {skip}{sum} {operator} {value}; }} ");
                 }
                 _ => text += &format!("{sum} {operator} {}; ", self.number(&scope, depth)),
             }
