@@ -9,6 +9,7 @@ use crate::{
     ensemble::{in_lanes, lane_scalars::LaneScalars, member},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
+    scalar::exact::power_of_two,
     state::{
         clock::Clock,
         coords::Coords,
@@ -23,7 +24,7 @@ use crate::{
         engine::Engine,
         method::Memoryless,
         motions::{Motions, show},
-        tangent::{BETWEEN_SCALES, far_exponent, may_be_far, power_of_two, refused, scaled, square},
+        tangent::{BETWEEN_SCALES, far_exponent, may_be_far, refused, scaled, square},
     },
 };
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,4 +1,4 @@
-//! Error-free transformations: sums, products and quotients with the rounding errors that they lose.
+//! Error-free transformations: sums, products and quotients with the rounding errors that they lose, and powers of two.
 
 use crate::scalar::{functions::Bits, real::Real};
 
@@ -70,4 +70,41 @@ pub(crate) fn pattern_less<R: Bits>(pattern: u64, x: R) -> R {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn lost_by_quotient<R: Bits<Scalar: Parts>>(quotient: R, a: R, b: R) -> R {
     less_product(a, quotient, b) * pattern_less(R::Scalar::RECIPROCAL, b)
+}
+
+/// The number of bits of a number below those of its exponent.
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// The stored exponent of one.
+const BIAS: i32 = f64::MAX_EXP - 1;
+
+/// Returns the exponent of the power of two at or below a magnitude, clamped so that this power and its reciprocal are
+/// normal numbers.
+#[inline(always)]
+pub(crate) fn exponent(magnitude: f64) -> i32 {
+    ((magnitude.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1)
+}
+
+/// Returns the power of two with an exponent as [`exponent`] returns it.
+#[inline(always)]
+pub(crate) fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{exponent, power_of_two};
+
+    #[test]
+    fn powers_of_two_are_at_or_below_their_magnitude() {
+        for exact in [-1022, -300, -1, 0, 1, 52, 300, 1022] {
+            let power = 2.0_f64.powi(exact);
+            assert_eq!([power, 1.99 * power].map(exponent), [exact; 2]);
+            assert_eq!(power_of_two(exact), power);
+        }
+        for extreme in [0.0, 5e-324, f64::MAX, f64::INFINITY, f64::NAN] {
+            let power = power_of_two(exponent(extreme));
+            assert!(power.is_normal() && power.recip().is_normal(), "{extreme}: {power:e}");
+        }
+    }
 }

@@ -13,6 +13,7 @@ mod within_step;
 use crate::{
     error::{Error, VectorFault},
     hamiltonian::{Hamiltonian, Shaped},
+    scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         admissible::admissible_with,
@@ -24,7 +25,7 @@ use crate::{
 };
 use alloc::{boxed::Box, vec, vec::Vec};
 use core::{fmt, iter, mem::take, ops::Range};
-pub(crate) use vectors::{far_exponent, numbers, power_of_two, scaled};
+pub(crate) use vectors::{far_exponent, numbers, scaled};
 #[cfg(feature = "check")]
 pub(crate) use vectors::{may_be_far, square, unit_vectors};
 

@@ -1,6 +1,11 @@
 //! Deviation vectors as lists of numbers: how far from one they are, multiples of them, and those along coordinates.
 
-use crate::state::{coords::Coords, phase::Phase, precision::Precision};
+#[cfg(feature = "check")]
+use crate::scalar::exact::power_of_two;
+use crate::{
+    scalar::exact::exponent,
+    state::{coords::Coords, phase::Phase, precision::Precision},
+};
 #[cfg(feature = "check")]
 use alloc::vec::Vec;
 
@@ -37,20 +42,8 @@ pub(crate) fn may_be_far<C: Coords>(vector: &Phase<C>, square: f64) -> bool {
 /// The power of two just below the largest component, where that is far from one; nought elsewhere.
 pub(crate) fn far_exponent<C: Coords>(vector: &Phase<C>) -> i32 {
     let largest = numbers(vector).fold(0.0, |largest: f64, number| largest.max(number.abs()));
-    // The exponent as it is stored; where it has no room for one, the largest or the least.
-    let exponent = ((largest.to_bits() >> MANTISSA) as i32 - BIAS).clamp(1 - BIAS, BIAS - 1);
+    let exponent = exponent(largest);
     if largest == 0.0 || exponent.abs() < far_from_one::<C::Leaf>() { 0 } else { exponent }
-}
-
-/// How many bits of a number follow those of its exponent.
-const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
-
-/// What is stored of the exponent of one.
-const BIAS: i32 = f64::MAX_EXP - 1;
-
-/// A power of two, whose exponent is that of some vector.
-pub(crate) fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + BIAS) as u64) << MANTISSA)
 }
 
 /// The exponent of vectors that are far from one: so far from the ends of the numbers that the squares of components

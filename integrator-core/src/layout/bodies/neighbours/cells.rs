@@ -2,9 +2,13 @@
 //!
 //! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that whoever is within
 //! the radius of a body is in its cell or in one beside it. Computed in `f64`, whatever the bodies are computed in: this
-//! decides who is looked at and never what is added.
+//! decides who is looked at and never what is added. Lengths are in units of a power of two at or below the radius, so that
+//! neither single precision nor a square overflows or underflows, whatever the units of the system.
 
-use crate::scalar::real::Real;
+use crate::scalar::{
+    exact::{exponent, power_of_two},
+    real::Real,
+};
 use alloc::{vec, vec::Vec};
 use core::ops::Range;
 
@@ -32,14 +36,16 @@ pub(crate) struct Cells<const D: usize> {
     pub(crate) body_of: Vec<u32>,
     /// The cell of each body.
     cell_of: Vec<u32>,
-    /// The places of bodies in the box, by axis and slot.
+    /// The places of bodies in the box, by axis and slot, in units of the radius's power of two as the radius and sides are.
     pub(super) places: [Vec<f64>; D],
 }
 
 impl<const D: usize> Cells<D> {
     /// Sorts bodies that are at some points.
     pub(crate) fn new(mut points: Vec<[f64; D]>, sides: Sides<D>, radius: f64) -> Self {
-        points.iter_mut().for_each(|point| *point = wrapped(*point, sides));
+        let scale = power_of_two(-exponent(radius));
+        let (sides, radius) = (sides.map(|side| side * scale), radius * scale);
+        points.iter_mut().for_each(|point| *point = wrapped(point.map(|x| x * scale), sides));
         let (counts, origin, width) = division(&points, sides, radius);
         let cell = |point: &[f64; D]| {
             let mut cell = 0;

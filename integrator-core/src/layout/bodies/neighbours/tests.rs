@@ -125,11 +125,16 @@ fn compare_bits<R: Real>(motion: &Rows<R>, lane: usize) {
     }
 }
 
+/// Units of length up to those that `docs/reliability.md` names, whose squares are doubles, among them some whose squares
+/// are beyond singles.
+const DECADES: [i32; 8] = [-100, -60, -22, -19, 19, 22, 60, 100];
+
 /// All pairs within a distance, by brute force and as lists have them: every pair, hardly any that is farther away, none
-/// twice, in order.
-fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads: usize) {
+/// twice, in order. Lengths are in this unit.
+fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads: usize, unit: f64) {
     let mut next = somewhere(bodies as u64 + D as u64);
-    let extent = sides.map(|side| if side > 0.0 { side } else { 7.0 });
+    let (sides, radius) = (sides.map(|side| side * unit), radius * unit);
+    let extent = sides.map(|side| if side > 0.0 { side } else { 7.0 * unit });
     let points: Vec<[f64; D]> = (0..bodies).map(|_| extent.map(|extent| extent * (3.0 * next() - 1.0))).collect();
     let lists = Lists::new(bodies, &[Cells::new(points.clone(), sides, radius)], threads, None);
     let square = |a: [f64; D], b: [f64; D]| -> f64 {
@@ -177,15 +182,25 @@ fn compare<const D: usize>(bodies: usize, sides: [f64; D], radius: f64, threads:
 #[test]
 fn lists_have_every_pair_within_the_radius() {
     for threads in [1, 3] {
-        compare(400, [0.0], 0.05, threads);
-        compare(400, [9.0], 0.05, threads);
-        compare(600, [0.0, 8.0], 0.7, threads);
-        compare(600, [0.0; 3], 2.0, threads);
-        compare(700, [6.0, 7.5, 9.0], 1.4, threads);
+        compare(400, [0.0], 0.05, threads, 1.0);
+        compare(400, [9.0], 0.05, threads, 1.0);
+        compare(600, [0.0, 8.0], 0.7, threads, 1.0);
+        compare(600, [0.0; 3], 2.0, threads, 1.0);
+        compare(700, [6.0, 7.5, 9.0], 1.4, threads, 1.0);
         // Three cells along an axis, two of which are on both sides; fewer, so that it is not divided.
-        compare(600, [6.1, 5.9, 40.0], 2.0, threads);
-        compare(600, [3.0, 0.0, 3.1], 1.5, threads);
-        compare(500, [5.0, 0.0, 6.0, 4.0], 1.6, threads);
+        compare(600, [6.1, 5.9, 40.0], 2.0, threads, 1.0);
+        compare(600, [3.0, 0.0, 3.1], 1.5, threads, 1.0);
+        compare(500, [5.0, 0.0, 6.0, 4.0], 1.6, threads, 1.0);
+    }
+}
+
+#[test]
+fn lists_have_every_pair_in_any_unit_of_length() {
+    for decade in DECADES {
+        let unit = 10.0_f64.powi(decade);
+        compare(400, [0.0; 3], 2.0, 1, unit);
+        compare(400, [6.0, 0.0, 9.0], 1.4, 1, unit);
+        compare(400, [3.0, 0.0, 3.1], 1.5, 1, unit);
     }
 }
 
@@ -217,6 +232,23 @@ fn sums_have_the_bits_of_the_order_of_numbers() {
     compare_bits(&motion, 0);
     let cutoffs = Cutoffs::of::<Soft, f64, 3>(&motion.parameters, 0.0);
     assert!(Listed::new::<f64, _>(&motion.q, BODIES, &cutoffs, 0.1, 1, None).lists.portions.is_none());
+}
+
+#[test]
+fn sums_have_these_bits_in_any_unit_of_length() {
+    for decade in DECADES {
+        let unit = 10.0_f64.powi(decade);
+        let soft = Soft { sides: [9.0, 11.0].map(|side| side * unit), ..Soft::new(2.1 * unit) };
+        let scaled = |seed| {
+            let mut start = Soft::new(2.1).start(seed);
+            start.q.as_flattened_mut().iter_mut().for_each(|x| *x *= unit);
+            start
+        };
+        let [one, other] = [1, 2].map(scaled);
+        compare_bits(&motion::<f64>(&[(&soft, &one)]), 0);
+        // Members share lists, which are made without single precision.
+        compare_bits(&motion::<Lanes<f64, 2>>(&[(&soft, &one), (&soft, &other)]), 1);
+    }
 }
 
 #[test]
