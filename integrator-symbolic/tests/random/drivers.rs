@@ -127,6 +127,7 @@ impl Machine<'_> {
         }
         match name {
             "plain" => Some(self.expression(&call.receiver)),
+            "listed_energy" => Some(self.listed_energy(call)),
             "drift" | "kick" | "drift_layers" | "kick_layers" => {
                 Some(self.driven_flow(call, name.starts_with("drift")))
             }
@@ -170,6 +171,45 @@ impl Machine<'_> {
         }
         self.store(&call.receiver, Value::Struct(Rc::new(fields)))?;
         Ok(Value::Unit)
+    }
+
+    /// The energy by pairs, as of bodies that are listed; of an odd number nothing, as of bodies that are too few to be listed.
+    fn listed_energy(&mut self, call: &syn::ExprMethodCall) -> Outcome<Value> {
+        let (time, motion) = (self.all(call.args.iter())?, self.expression(&call.receiver)?);
+        let read = motion.field("q")?.items()?.iter().map(components).collect::<Outcome<Vec<_>>>()?;
+        let driven = std::mem::take(&mut self.driven);
+        let energy = match &driven.bodies {
+            Some(bodies) if read.len().is_multiple_of(2) => self.energy_of_pairs(bodies, &read, &motion, &time[0]),
+            _ => Ok(None),
+        };
+        self.driven = driven;
+        Ok(Value::Option(energy?.map(|energy| Rc::new(energy.of_kind(Kind::Scalar).into()))))
+    }
+
+    fn energy_of_pairs(
+        &mut self,
+        bodies: &Bodies<'_>,
+        read: &[Vec<Number>],
+        motion: &Value,
+        time: &Value,
+    ) -> Outcome<Option<Number>> {
+        let Some(energy) = bodies.functions.get("energy").copied() else { return Ok(None) };
+        let (parameters, prepared) = (motion.field("parameters")?.clone(), self.prepared(bodies, read.len(), motion)?);
+        let mut sum = Number::plain(0.0).of_kind(Kind::Wide);
+        for i in 0..read.len() {
+            if let Some(alone) = bodies.functions.get("energy_alone").copied() {
+                let arguments = vec![parameters.clone(), row(&read[i]), prepared[i].clone(), time.clone()];
+                if let Value::Option(Some(alone)) = self.call(alone, arguments)? {
+                    sum = sum.add(alone.number()?);
+                }
+            }
+            for j in 0..i {
+                let of_both = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
+                let arguments = std::iter::once(parameters.clone()).chain(of_both).chain([time.clone()]).collect();
+                sum = sum.add(self.call(energy, arguments)?.number()?);
+            }
+        }
+        Ok(Some(sum))
     }
 
     /// What every site of a lattice gets from all shares.

@@ -133,6 +133,16 @@ fn lattices_are_what_the_functions_say() {
 }
 
 #[test]
+fn bodies_in_pairs_are_what_the_functions_say() {
+    let mut tally = Tally { judges_panics: true, ..Tally::default() };
+    for seed in seeds(100) {
+        tally.judge(&format!("bodies {seed}"), &grammar::pairs(seed));
+    }
+    tally.assert_without_faults();
+    assert_eq!([tally.refused, tally.foreign], [0; 2], "all of them are understood: {:#?}", tally.messages);
+}
+
+#[test]
 fn steppers_of_changed_texts_are_what_the_functions_say() {
     let mut tally = Tally::default();
     for seed in seeds(150) {

@@ -3,6 +3,7 @@
 mod chain;
 mod expression;
 mod lattice;
+mod pairs;
 mod statement;
 
 use crate::{
@@ -11,6 +12,7 @@ use crate::{
     value::{Integer, IntegerType, Value},
 };
 pub(crate) use lattice::lattice;
+pub(crate) use pairs::pairs;
 use std::rc::Rc;
 
 /// Parts of the language that are written or left out.
