@@ -243,3 +243,159 @@ fn crossings_before_a_loss_are_seen() {
     let mut nowhere = straight(9.0).at_time(f64::NAN).crossings(8, Direction::Rising, |state, _| state.q[0]);
     assert!(matches!(nowhere.next(), Some(Err(Error::Time { .. }))));
 }
+
+/// Turns of a pendulum that rotates, each found by a new run from the one before: none is found twice.
+#[test]
+fn a_run_from_a_crossing_has_left_it() {
+    fn turns<X: Method<Pendulum>>(method: X, h: f64, direction: Direction) {
+        let (mut state, mut time) = (Phase::new([0.3], [2.5]), 0.0);
+        for turn in 0..50 {
+            let run = Pendulum.run_with(method, state, h).expect("a start").at_time(time);
+            let mut crossings = run.crossings(1_000, direction, |state, _| f64::sin(state.q[0]));
+            let next = crossings.next().expect("it rotates").expect("finite states");
+            // It turns by at most 2.5 in a unit of time, and half a turn is 3.1; the first one begins at 0.3.
+            assert!((next.time - time) * h.signum() > if turn == 0 { 0.1 } else { 1.2 }, "{time}, {}", next.time);
+            (state, time) = (next.state, next.time);
+        }
+    }
+    for h in [0.05, 0.125, -0.05] {
+        for direction in [Direction::Rising, Direction::Falling, Direction::Either] {
+            turns(Verlet, h, direction);
+            turns(Yoshida4, h, direction);
+            turns(ImplicitMidpoint, h, direction);
+        }
+    }
+}
+
+/// A ball above a floor, whose flights every composition integrates without an error but rounding.
+struct Ball;
+
+#[hamiltonian]
+impl Ball {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0]
+    }
+}
+
+#[test]
+fn a_ball_bounces_a_hundred_thousand_times() {
+    const BOUNCES: u64 = 100_000;
+    // A flight takes twice the velocity, 2 units of time and 3.2 steps.
+    let h = 0.625;
+    let mut run = Ball.run(Phase::new([0.0], [1.0]), h).expect("a start");
+    let mut bounces = 0_u32;
+    let steps = ((2 * BOUNCES + 1) as f64 / h) as u64;
+    let reflect = |state: &mut Phase<[f64; 1]>, time: f64| {
+        state.p[0] = -state.p[0];
+        bounces += 1;
+        let exact = 2.0 * f64::from(bounces);
+        // Each of its steps rounds the velocity, hence the length of all later flights: n times the sum of n roundings of either
+        // sign, n^(3/2) in the mean, of which ten are allowed; and the clock rounds.
+        let allowed = 10.0 * f64::EPSILON * f64::from(bounces).powf(1.5) + 4.0 * f64::EPSILON * exact;
+        assert!((time - exact).abs() <= allowed, "{bounces}: {time}, {:e} of {allowed:e}", time - exact);
+    };
+    let found = run.on_crossing(steps, Direction::Falling, |state, _| state.q[0], reflect).expect("finite states");
+    assert_eq!((found, run.steps(), run.time()), (BOUNCES, steps, steps as f64 * h));
+    assert!(run.state().q[0] > 0.0);
+}
+
+/// A change that leaves the function on the side where it came from, or rounds it back there, is no further crossing.
+#[test]
+fn an_action_may_leave_the_state_on_either_side() {
+    let rotor = || Pendulum.run_with(KahanLi8, Phase::new([0.3], [2.5]), 0.25).expect("a start");
+    let sine = |state: &Phase<[f64; 1]>, _: f64| state.q[0].sin();
+    let undisturbed = all(rotor().crossings(2_000, Direction::Either, sine));
+    let actions: [(&str, fn(&mut Phase<[f64; 1]>)); 4] = [
+        ("nothing", |_| {}),
+        ("wrapped", |state| state.q[0] = state.q[0].rem_euclid(std::f64::consts::TAU)),
+        ("back", |state| state.q[0] -= 4e-16 * state.q[0].abs().max(1.0)),
+        ("exact", |state| state.q[0] = (state.q[0] / PI).round() * PI),
+    ];
+    for (name, action) in actions {
+        let mut times = Vec::new();
+        let act = |state: &mut Phase<[f64; 1]>, time: f64| {
+            action(state);
+            times.push(time);
+        };
+        let found = rotor().on_crossing(2_000, Direction::Either, sine, act).expect("finite states");
+        assert_eq!(found, undisturbed.len() as u64, "{name}");
+        for (time, other) in times.iter().zip(&undisturbed) {
+            // Steps of order 8 that are cut otherwise: the error of a step of a quarter, added up over 500 units of time.
+            assert!((time - other.time).abs() < 1e-6, "{name}: {time} and {}", other.time);
+        }
+    }
+    // Turned around in both directions: back through the lowest point, each time from the other side.
+    let mut swing = Pendulum.run_with(KahanLi8, Phase::new([0.3], [0.5]), 0.25).expect("a start");
+    let mut times = Vec::new();
+    let turn = |state: &mut Phase<[f64; 1]>, time: f64| {
+        state.p[0] = -state.p[0];
+        times.push(time);
+    };
+    let found = swing.on_crossing(2_000, Direction::Either, sine, turn).expect("finite states");
+    // It swings on one side alone, half a period of 6.4 for an amplitude of 0.6 between two turns.
+    assert!((150..=160).contains(&found), "{found}");
+    assert!(times.is_sorted_by(|a, b| b - a > 3.0));
+}
+
+/// A particle on a circle of length one, which passes its end several times within a step.
+#[test]
+fn crossings_that_an_action_leads_to_are_found_in_the_same_step() {
+    for h in [0.3, 1.0, 2.5, 7.0] {
+        let mut run = Straight { wall: 9.0 }.run(Phase::new(vec![0.0], vec![1.0]), h).expect("a start");
+        let mut times = Vec::new();
+        let back = |state: &mut Phase<Vec<f64>>, time: f64| {
+            state.q[0] -= 1.0;
+            times.push(time);
+        };
+        let steps = (20.5 / h) as u64;
+        let found =
+            run.on_crossing(steps, Direction::Rising, |state, _| state.q[0] - 1.0, back).expect("finite states");
+        assert_eq!(found as f64, (h * steps as f64 - 1e-9).floor(), "{h}");
+        for (time, number) in times.iter().zip(1..) {
+            // A rounding of the position and one of the clock for each turn and each step.
+            assert!((time - f64::from(number)).abs() <= 40.0 * 20.0 * f64::EPSILON, "{h}: {time}");
+        }
+        assert_eq!((run.steps(), run.time()), (steps, steps as f64 * h));
+    }
+}
+
+/// Without crossings it is `advance`, and with one the steps behind it have the bits of a run from the end of that step.
+#[test]
+fn steps_without_a_crossing_are_those_of_the_run() {
+    let run = Pendulum.run_with(Yoshida4, Phase::new([2.5], [0.0]), 0.05).expect("a start");
+    let (mut plain, mut looked) = (run.clone(), run);
+    plain.advance(100).expect("finite states");
+    let none =
+        looked.on_crossing(100, Direction::Either, |state, _| state.q[0] - 9.0, |_, _| ()).expect("finite states");
+    assert_eq!((none, looked.state()), (0, plain.state()));
+    let lowest = |state: &Phase<[f64; 1]>, _: f64| state.q[0];
+    let one = looked.on_crossing(60, Direction::Either, lowest, |state, _| state.p[0] *= 1.5).expect("finite states");
+    assert_eq!((one, looked.steps(), looked.time()), (1, 160, 160.0 * 0.05));
+    let mut begun = Pendulum.run_with(Yoshida4, looked.state(), 0.05).expect("a start").at_time(looked.time());
+    looked.advance(50).expect("finite states");
+    begun.advance(50).expect("finite states");
+    assert_eq!(looked.state(), begun.state());
+}
+
+#[test]
+fn an_action_that_is_refused_leaves_the_run_at_the_step_before() {
+    let mut run = straight(9.0);
+    let section = |state: &Phase<Vec<f64>>, _: f64| state.q[0] - 0.1;
+    let refused = run.on_crossing(100, Direction::Rising, section, |state, _| state.p[0] = f64::NAN);
+    assert!(matches!(refused, Err(Error::Start { .. })), "{refused:?}");
+    assert_eq!((run.steps(), run.time(), run.state().q[0]), (4, 1.0, 0.0));
+    let refused = run.on_crossing(100, Direction::Rising, |_, _| f64::NAN, |_, _| ());
+    assert!(matches!(refused, Err(Error::Crossing { .. })), "{refused:?}");
+    // Beyond the wall, forces have no value.
+    let mut lost = straight(0.6);
+    let lost_at = lost.on_crossing(100, Direction::Rising, section, |state, _| state.q[0] += 1.0);
+    assert!(matches!(lost_at, Err(Error::Diverged(_) | Error::Energy { .. })), "{lost_at:?}");
+    assert_eq!(lost.steps(), 4);
+    // Twice the velocity from there on, in the middle of a step.
+    let found = run.on_crossing(4, Direction::Rising, section, |state, _| state.p[0] = 2.0).expect("finite states");
+    assert_eq!((found, run.steps()), (1, 8));
+    assert!((run.state().q[0] - (0.1 + 2.0 * 0.9)).abs() <= 8.0 * f64::EPSILON);
+}

@@ -214,6 +214,28 @@ fn samples_and_crossings_are_at_times_of_the_motion() {
     }
 }
 
+/// At each pericentre the momenta turn around: the motion goes back on its ellipse, and the time goes on.
+#[test]
+fn a_state_that_is_changed_at_crossings_goes_on_in_time() {
+    let mut run =
+        TwoBodies.run_with::<f64, _>(Logarithmic(SofroniouSpaletta8), at_pericentre(0.9), 0.3).expect("a start");
+    run = run.at_time(5.0);
+    let mut times = Vec::new();
+    let radial = |state: &Phase<[f64; 2]>, _: f64| state.q[0] * state.p[0] + state.q[1] * state.p[1];
+    let turn = |state: &mut Phase<[f64; 2]>, time: f64| {
+        state.p = state.p.map(|p| -p);
+        times.push(time);
+    };
+    let found = run.on_crossing(200, Direction::Falling, radial, turn).expect("finite states");
+    assert!(found > 4, "{found}");
+    // The first crossing is an apocentre after half a period. Turned around there, the way in rises and the way out falls.
+    for (time, number) in times.iter().zip(0..5) {
+        let exact = 5.0 + PI + f64::from(number) * 2.0 * PI;
+        assert!((time - exact).abs() < 1e-7, "{number}: {time} instead of {exact}");
+    }
+    assert!(run.time() > times[4]);
+}
+
 #[test]
 fn a_changed_state_goes_on_in_time() {
     let mut run = TwoBodies.run_with::<f64, _>(Logarithmic(Yoshida4), at_pericentre(0.3), 0.1).expect("a start");

@@ -112,3 +112,32 @@ fn a_section_leaves_the_bits_of_the_run() {
         assert_eq!(looked.state(), plain.state());
     }
 }
+
+/// A ball's turns of an oscillator: reflected at zero, it stays on one side, and each half of a turn ends there.
+#[test]
+fn polynomials_begin_anew_where_a_crossing_changes_the_state() {
+    for h in STEPS {
+        let mut run = Oscillator.run_with(Taylor::tolerance(FINE), Phase::new([1.0], [0.0]), h).expect("a start");
+        let mut times = Vec::new();
+        let reflect = |state: &mut Phase<[f64; 1]>, time: f64| {
+            state.p[0] = -state.p[0];
+            times.push(time);
+        };
+        let steps = (TIME / h.abs()) as u64;
+        let found = run.on_crossing(steps, Direction::Either, |state, _| state.q[0], reflect).expect("finite states");
+        assert_eq!((found, run.time()), (32, steps as f64 * h));
+        for (number, time) in times.iter().enumerate() {
+            let exact = ((2 * number + 1) as f64 * FRAC_PI_2).copysign(h);
+            let error = (time - exact).abs();
+            assert!(error < PER_TIME * (1.0 + exact.abs()), "{error:e} at {exact} in steps of {h}");
+        }
+        let mut state = run.state();
+        for _ in 0..40 {
+            let fresh = Oscillator.run_with(Taylor::tolerance(FINE), state, h).expect("a start");
+            let next = fresh.crossings(100, Direction::Either, |state, _| state.q[0]).next();
+            let next = next.expect("a turn").expect("finite states");
+            assert!(next.time.abs() > 0.1, "{}", next.time);
+            state = next.state;
+        }
+    }
+}

@@ -58,10 +58,10 @@ pub struct Crossings<C: Coords, G, R = Run<C>> {
 
 /// A state, and the function there.
 #[derive(Clone)]
-struct Point<C> {
-    time: f64,
-    state: Phase<C>,
-    value: f64,
+pub(crate) struct Point<C> {
+    pub(crate) time: f64,
+    pub(crate) state: Phase<C>,
+    pub(crate) value: f64,
 }
 
 impl<C: Coords> Run<C> {
@@ -79,6 +79,9 @@ impl<C: Coords> Run<C> {
     /// nor is one from which the function returns to its side; a function that is zero everywhere has none. A jump from
     /// one side to the other counts: an angle that is wrapped around jumps one way and passes the other way, so that
     /// a [`Direction`] tells these apart.
+    ///
+    /// The state of a crossing is a zero of the function, or the nearest state on the other side of it: a new run from there
+    /// does not find this crossing again. [`Run::on_crossing`] changes the state at every crossing and goes on.
     ///
     /// Coordinates in `f32` or on a grid move in jumps, and a crossing is one of the states beside the zero.
     ///
@@ -121,25 +124,13 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64, R: BorrowMut<Run<C>>> Crossings
         self.run
     }
 
-    /// The present time and state of the run, and the function there.
-    fn present(&mut self) -> Result<Point<C>, Error> {
-        let run: &Run<C> = self.run.borrow();
-        let (time, state) = (run.time(), run.state());
-        self.point(time, state)
-    }
-
-    fn point(&mut self, time: f64, state: Phase<C>) -> Result<Point<C>, Error> {
-        let value = (self.function)(&state, time);
-        if value.is_finite() { Ok(Point { time, state, value }) } else { Err(Error::Crossing { time, value }) }
-    }
-
     /// The next crossing within the steps that are left.
     fn next_crossing(&mut self) -> Result<Option<Sample<C>>, Error> {
         let mut before = match self.present.take() {
             Some(point) => point,
             None => {
                 self.run.borrow().check_clock()?;
-                let start = self.present()?;
+                let start = present(self.run.borrow(), &mut self.function)?;
                 self.side = start.value;
                 start
             }
@@ -149,11 +140,9 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64, R: BorrowMut<Run<C>>> Crossings
             let whole_steps = run.steps();
             run.advance(1)?;
             self.steps = left;
-            let after = self.present()?;
-            let side = if after.value == 0.0 { self.side } else { mem::replace(&mut self.side, after.value) };
-            let crosses = (side < 0.0 && after.value > 0.0) || (side > 0.0 && after.value < 0.0);
-            if crosses && self.direction.admits(after.value > 0.0) {
-                let Point { time, state, .. } = self.between(&before, &after)?;
+            let after = present(run, &mut self.function)?;
+            if crosses(&mut self.side, after.value, self.direction) {
+                let (_, Point { time, state, .. }) = between(run, &mut self.function, &before, &after)?;
                 self.present = Some(after);
                 return Ok(Some(Sample::new(self.run.borrow(), time, whole_steps, state)));
             }
@@ -162,37 +151,72 @@ impl<C: Coords, G: FnMut(&Phase<C>, f64) -> f64, R: BorrowMut<Run<C>>> Crossings
         self.present = Some(before);
         Ok(None)
     }
+}
 
-    /// Where the function is zero in a step, by the method of Chandrupatla (1997): the inverse of a parabola through
-    /// three values where these lie on one without doubt, and the middle otherwise.
-    fn between(&mut self, before: &Point<C>, after: &Point<C>) -> Result<Point<C>, Error> {
-        let h = self.run.borrow().step();
-        // Fractions of the step: the newest, the one on the other side of the zero, and the one that was given up.
-        let (mut near, mut far) = ((1.0, after.clone()), (0.0, before.clone()));
-        let mut fraction = 0.5_f64;
-        for evaluation in 1_u32.. {
-            let width: f64 = far.0 - near.0;
-            // A rounding of the step, in units of the interval.
-            let least = f64::EPSILON / width.abs();
-            let exact = near.1.value == 0.0 || far.1.value == 0.0;
-            if exact || least > 0.5 {
-                break;
-            }
-            let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
-            let (time, state) = self.run.borrow_mut().within(&before.state, at * h)?;
-            let newest = (at, self.point(time, state)?);
-            let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
-            let given_up = if same_side { near } else { mem::replace(&mut far, near) };
-            near = newest;
-            let along = |point: &(f64, Point<C>)| (point.0 - far.0) / (given_up.0 - far.0);
-            let up = |point: &(f64, Point<C>)| (point.1.value - far.1.value) / (given_up.1.value - far.1.value);
-            let (xi, phi) = (along(&near), up(&near));
-            let on_parabola = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
-            fraction = if on_parabola && evaluation < IMPATIENT { parabola(&near, &far, &given_up) } else { 0.5 };
+/// The present time and state of a run, and the function there.
+pub(crate) fn present<C: Coords>(
+    run: &Run<C>,
+    function: &mut impl FnMut(&Phase<C>, f64) -> f64,
+) -> Result<Point<C>, Error> {
+    point(run.time(), run.state(), function)
+}
+
+pub(crate) fn point<C: Coords>(
+    time: f64,
+    state: Phase<C>,
+    function: &mut impl FnMut(&Phase<C>, f64) -> f64,
+) -> Result<Point<C>, Error> {
+    let value = function(&state, time);
+    if value.is_finite() { Ok(Point { time, state, value }) } else { Err(Error::Crossing { time, value }) }
+}
+
+/// Whether a function that was last on a side of zero has passed to the other one in a direction; it is on that side then.
+pub(crate) fn crosses(side: &mut f64, value: f64, direction: Direction) -> bool {
+    let before = if value == 0.0 { *side } else { mem::replace(side, value) };
+    let crosses = (before < 0.0 && value > 0.0) || (before > 0.0 && value < 0.0);
+    crosses && direction.admits(value > 0.0)
+}
+
+/// Where the function is zero in the last step of a run, as a fraction of this step and the point there, by the method of
+/// Chandrupatla (1997): the inverse of a parabola through three values where these lie on one without doubt, and the middle
+/// otherwise. Where no state has a value of zero, the point is the nearest one on the side of `after`, so that what begins there
+/// does not pass the zero again.
+pub(crate) fn between<C: Coords>(
+    run: &mut Run<C>,
+    function: &mut impl FnMut(&Phase<C>, f64) -> f64,
+    before: &Point<C>,
+    after: &Point<C>,
+) -> Result<(f64, Point<C>), Error> {
+    let h = run.step();
+    // Fractions of the step: the newest, the one on the other side of the zero, and the one that was given up.
+    let (mut near, mut far) = ((1.0, after.clone()), (0.0, before.clone()));
+    let mut fraction = 0.5_f64;
+    for evaluation in 1_u32.. {
+        let width: f64 = far.0 - near.0;
+        // A rounding of the step, in units of the interval.
+        let least = f64::EPSILON / width.abs();
+        let exact = near.1.value == 0.0 || far.1.value == 0.0;
+        if exact || least > 0.5 {
+            break;
         }
-        let nearest = if near.1.value.abs() < far.1.value.abs() { near } else { far };
-        Ok(nearest.1)
+        let at = near.0 + fraction.clamp(least, 1.0 - least) * width;
+        let (time, state) = run.within(&before.state, at * h)?;
+        let newest = (at, point(time, state, function)?);
+        let same_side = (newest.1.value > 0.0) == (near.1.value > 0.0);
+        let given_up = if same_side { near } else { mem::replace(&mut far, near) };
+        near = newest;
+        let along = |point: &(f64, Point<C>)| (point.0 - far.0) / (given_up.0 - far.0);
+        let up = |point: &(f64, Point<C>)| (point.1.value - far.1.value) / (given_up.1.value - far.1.value);
+        let (xi, phi) = (along(&near), up(&near));
+        let on_parabola = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+        fraction = if on_parabola && evaluation < IMPATIENT { parabola(&near, &far, &given_up) } else { 0.5 };
     }
+    let is_behind = |point: &Point<C>| point.value == 0.0 || (point.value > 0.0) == (after.value > 0.0);
+    let nearest_is_near = match (is_behind(&near.1), is_behind(&far.1)) {
+        (true, true) => near.1.value.abs() < far.1.value.abs(),
+        (near, _) => near,
+    };
+    Ok(if nearest_is_near { near } else { far })
 }
 
 /// Where the inverse of a parabola through three points is zero, from the first of them on as a fraction of the way to

@@ -17,6 +17,7 @@ pub(crate) mod interleaved;
 pub(crate) mod method;
 #[cfg_attr(not(feature = "std"), allow(dead_code, reason = "there are no ensembles, whose members change lanes"))]
 pub(crate) mod motions;
+pub(crate) mod on_crossing;
 pub(crate) mod panics;
 pub(crate) mod physical_time;
 #[cfg(feature = "std")]
