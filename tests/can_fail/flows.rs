@@ -65,6 +65,20 @@ fn each_law_can_be_broken() {
     }
 }
 
+/// Until rounding hides it: `course.rs` allows for eight times some roundings of 64 ε each, which is 1e-12 for numbers near one.
+#[test]
+fn a_flow_that_is_wrong_by_little_is_refused() {
+    for part in [1e-7, 1e-8, 1e-9, 1e-10, 1e-11] {
+        for (fault, name) in [
+            (Fault::FasterBy(part), "oscillator"),
+            (Fault::FasterBy(-part), "oscillator"),
+            (Fault::StrongerBy(part), "rest"),
+        ] {
+            assert_eq!(broken(fault), [(name.to_owned(), FlowLaw::Generator)], "{fault:?}");
+        }
+    }
+}
+
 /// Methods that take the whole field of H are held against its energy, too.
 #[test]
 fn a_field_of_another_hamiltonian_or_of_none_is_refused() {

@@ -4,6 +4,7 @@ mod parts;
 mod schemes;
 mod systems;
 
+mod edges;
 mod flows;
 mod modified;
 mod orbit;

@@ -10,6 +10,8 @@ pub(crate) enum Fault {
     Damped,
     /// The oscillator turns too fast, on the right ellipses.
     Faster,
+    /// The oscillator turns too fast by this much of itself.
+    FasterBy(f64),
     /// The oscillator turns by twice the angle whose tangent is half of the right one, as the Boris rotation does.
     HalfAngle,
     /// The oscillator turns a little farther, forwards and backwards.
@@ -18,6 +20,8 @@ pub(crate) enum Fault {
     Unscaled,
     /// The kick is a millionth too strong.
     Stronger,
+    /// The kick is too strong by this much of itself.
+    StrongerBy(f64),
     /// The oscillator leads nowhere.
     Undefined,
     /// The force in the field of H is a thousandth too strong, so that it is that of another H.
@@ -40,6 +44,7 @@ impl Anharmonic {
         let angle = self.frequency * duration;
         match self.fault {
             Fault::Faster => 1.000_001 * angle,
+            Fault::FasterBy(part) => angle + part * angle,
             Fault::HalfAngle => 2.0 * (angle / 2.0).atan(),
             Fault::Late => angle + 1e-6 * angle * angle,
             Fault::Undefined => f64::NAN,
@@ -100,7 +105,11 @@ parts_by_hand! {
         m.p[0].fma(R::of(1.0), R::of(loss) * to_p - p);
     }
     fn kick<R: Real, K: Precision>(m: &mut Self::Motion<R, K>, d: f64, _t: f64) {
-        let strength = if m.parameters.fault == Fault::Stronger { 1.000_001 } else { 1.0 };
+        let strength = match m.parameters.fault {
+            Fault::Stronger => 1.000_001,
+            Fault::StrongerBy(part) => 1.0 + part,
+            _ => 1.0,
+        };
         let q = m.q[0].value();
         m.p[0].fma(R::of(-strength * d), q * q * q);
     }

@@ -12,6 +12,7 @@ use crate::{
             flow_laws::{Broken, FlowErrors, flow_errors},
             gradient::{Energies, error_at, gradient_tolerance},
             invariants::{InvariantDrift, Strayed, bracket, scale},
+            jumps::Jump,
             local_order::{OrderAlong, UNITS, order_along},
             order::{Order, needed_along, order_of, path},
             reversibility::RoundTrip,
@@ -27,6 +28,7 @@ use crate::{
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::{largest, ratio, within},
     state::precision::Precision,
+    system::user_energies::Values,
     trajectory::method::Method,
 };
 
@@ -44,6 +46,10 @@ const FOLLOWING: f64 = 3.0;
 /// fortieth only.
 const MOST_PIECES: u64 = 4096;
 
+/// The names of the checks of the flows, as `T(p)` and `V(q)` have them and as other parts do.
+const GRADIENT: &str = "the gradient";
+const FLOWS: &str = "the flows of the parts";
+
 /// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
@@ -51,8 +57,8 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// to be.
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
-/// that a composition that claims symmetry runs back to where it began, that the energy stays (unless `H` reads the
-/// time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
+/// that a composition that claims symmetry runs back to where it began, that the energy stays (or has no jumps, if `H` reads
+/// the time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
 /// of what `#[invariant]` says is conserved vanishes, and that both are what the user's own functions say. Each is judged by
 /// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
 /// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
@@ -138,6 +144,12 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         })
     });
     let energy = energy.flatten();
+    if !autonomous {
+        // An energy that is conserved shows its jumps itself.
+        findings.judge("jumps of the energies", subject.measured.jump(subject.h, ENERGY_STEPS), |jump| {
+            jump.as_ref().map(|jump| subject.energy_jumps(jump))
+        });
+    }
     let finer = energy.filter(|drift| !within(drift.deviation, drift.rounding)).and_then(|drift| {
         findings.judge("the energy in finer steps", subject.finer_energy(&drift), |finer| {
             (held && drift.may_stay() && !drift.shrinks_to(finer, needed_of_energy(facts.order))).then(|| {
@@ -148,15 +160,17 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     let states = subject.states(order);
     let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
     let is_separable = subject.measured.stated().energies().is_separable();
-    let visited = states.as_ref().map_err(Clone::clone);
+    let start = [(subject.start.phase.clone(), subject.start.time)];
+    // Where no step leads on, the start tells why.
+    let visited = states.as_deref().unwrap_or(&start);
     let (gradient, flows) = if is_separable || subject.measured.stated().energies().in_one_piece() {
-        let gradient = findings.judge("the gradient", visited.and_then(|states| subject.gradient(states)), |error| {
+        let gradient = findings.judge(GRADIENT, subject.gradient(visited), |error| {
             let (error, tolerance) = (*error, gradient_tolerance);
             (!within(error, tolerance)).then_some(Shortfall::Gradient { error, tolerance })
         });
         (gradient, None)
     } else {
-        (None, findings.judge_flows(visited.and_then(|states| subject.flows(states))))
+        (None, findings.judge_flows(subject.flows(visited)))
     };
     let agreement = match states.as_ref().map(|states| agreement(subject.measured.stated(), states)) {
         Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
@@ -242,12 +256,25 @@ impl Findings {
 
     /// Keeps the errors of the flows of parts, and records the first offence against each law.
     fn judge_flows(&mut self, outcome: Result<(FlowErrors, Vec<Shortfall>), CheckError>) -> Option<FlowErrors> {
-        let (errors, broken) = self.judge("the flows of the parts", outcome, |_| None)?;
+        let (errors, broken) = self.judge(FLOWS, outcome, |_| None)?;
         self.0.extend(broken);
         Some(errors)
     }
 
     fn conclude(mut self, certificate: Certificate) -> Result<Certificate, CertifyError> {
+        // Without a derivative there is no motion, and nothing else that was measured of it means anything.
+        let is_cause = |shortfall: &Shortfall| {
+            matches!(
+                shortfall,
+                Shortfall::Unmeasured {
+                    check: GRADIENT | FLOWS,
+                    reason: CheckError::NotFinite { .. } | CheckError::NotDifferentiable { .. },
+                }
+            )
+        };
+        if self.0.iter().any(is_cause) {
+            self.0.retain(|shortfall| is_cause(shortfall) || matches!(shortfall, Shortfall::Misread(_)));
+        }
         // A run that cannot go on is why other things fall short.
         self.0.sort_by_key(|shortfall| !matches!(shortfall, Shortfall::Unmeasured { reason: CheckError::Run(_), .. }));
         if self.0.is_empty() {
@@ -327,6 +354,13 @@ impl Subject<'_> {
         self.measured.energy_drift(h, steps)
     }
 
+    /// The shortfall that a jump is.
+    fn energy_jumps(&self, Jump { part, by, time, state }: &Jump) -> Shortfall {
+        let (by, time) = (*by, *time);
+        let Values { name: function, .. } = self.measured.stated().values(*part, state, time);
+        Shortfall::EnergyJumps { function, by, time, state: numbers(state).collect() }
+    }
+
     /// The start and states along the path, each with its time: at the start alone, momenta are often zero, and where
     /// they are zero a wrong factor in their gradient does not show.
     fn states(&self, order: Option<Order>) -> Result<Vec<Visited>, CheckError> {
@@ -375,7 +409,6 @@ impl Subject<'_> {
             self.measured.begin(state, *time)?;
             error_at(self.measured.stated().energies(), state, *time)
         });
-        let error = largest(errors.collect::<Result<Vec<_>, _>>()?);
-        if error.is_nan() { Err(CheckError::NotFinite { what: "a force or a velocity" }) } else { Ok(error) }
+        Ok(largest(errors.collect::<Result<Vec<_>, _>>()?))
     }
 }

@@ -57,7 +57,7 @@ pub enum CheckError {
         steps: u64,
     },
     /// A measured quantity is NaN where the motion is finite.
-    #[error("{what} is NaN along the orbit, where the energies are finite: they have no finite derivatives there")]
+    #[error("{what} is NaN where the energies are finite: they have no finite derivatives there")]
     NotFinite {
         /// The name of the quantity.
         what: &'static str,

@@ -10,21 +10,25 @@ use crate::{
             energy::{EnergyDrift, energy_drift},
             gradient::Energies,
             invariants::{Strayed, strayed},
+            jumps::{Jump, jump_between},
             reversibility::{RoundTrip, round_trip},
             stability::{Stability, nearness},
             symplecticity::{Defect, defect},
         },
         start::Start,
-        statistics::points::{self, run},
+        statistics::points::{self, plain, run},
     },
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     state::{
-        flat::{Flat, shaped},
+        flat::{Flat, flat, shaped},
         precision::Precision,
     },
-    trajectory::method::Method,
+    trajectory::{method::Method, run::Run},
 };
+
+/// The number of steps between two states that jumps are looked for between.
+const BETWEEN: u64 = 4;
 
 /// The measurements of all checks.
 pub(crate) trait Measurable {
@@ -48,6 +52,9 @@ pub(crate) trait Measurable {
 
     /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
+
+    /// The first jump of an energy in so many steps of `h`.
+    fn jump(&self, h: f64, steps: u64) -> Result<Option<Jump>, CheckError>;
 
     /// How far invariants stray in so many steps of `h`.
     fn strayed(&self, h: f64, steps: u64) -> Result<Strayed, CheckError>;
@@ -101,6 +108,22 @@ impl<H: Hamiltonian, X: Method<H>, K: Precision> Measurable for Measured<'_, H, 
 
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError> {
         energy_drift::<H, X, K>(self.system, self.method, self.start, h, steps)
+    }
+
+    fn jump(&self, h: f64, steps: u64) -> Result<Option<Jump>, CheckError> {
+        let mut run = run::<H, X, K>(self.system, self.method, self.start, h)?;
+        let here = |run: &Run<Shaped<H, K>>| flat(&plain::<H, K>(&run.state()));
+        let mut before = here(&run);
+        for _ in 0..steps / BETWEEN {
+            let time = run.time();
+            run.advance(BETWEEN)?;
+            let state = here(&run);
+            if let Some(jump) = jump_between(&self.energies, [&before, &state], time) {
+                return Ok(Some(jump));
+            }
+            before = state;
+        }
+        Ok(None)
     }
 
     fn strayed(&self, h: f64, steps: u64) -> Result<Strayed, CheckError> {

@@ -112,6 +112,21 @@ pub enum Shortfall {
         /// The order that the composition claims.
         order: u32,
     },
+    /// An energy jumps along the orbit.
+    #[error(
+        "`{function}` jumps by {by:.1e} near t = {time}, at {state:?} (positions first): there is no force of a jump, and no step \
+         that crosses it belongs to this energy. Replace it by a smooth transition, or choose an orbit that does not cross it"
+    )]
+    EnergyJumps {
+        /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
+        function: &'static str,
+        /// By how much.
+        by: f64,
+        /// The time, up to a few steps.
+        time: f64,
+        /// The state behind the jump, positions first.
+        state: Vec<f64>,
+    },
     /// A flow is not that of its energy.
     #[error(
         "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"

@@ -258,6 +258,9 @@ impl Point<'_> {
     fn hold(&self, order: u32, terms: Vec<f64>, known: Option<Slope>) -> Result<bool, Shortfall> {
         let Some(Slope { value: stated, uncertainty, scale }) = known else { return Ok(false) };
         let generated: f64 = terms.iter().sum();
+        if scale == 0.0 && generated == 0.0 {
+            return Ok(true);
+        }
         let size = f64::max(scale, terms.iter().map(|term| term.abs()).sum());
         if !within(uncertainty, KNOWN * size) {
             return Ok(false);
@@ -290,7 +293,8 @@ pub(crate) fn slope_of(value: &dyn Fn(f64) -> [f64; 2]) -> Option<Slope> {
         let Some(slope) = extrapolated(value, width) else { continue };
         if let Some(before) = best {
             let both = before.uncertainty + slope.uncertainty;
-            if within(both, KNOWN * before.scale) && within(before.value - slope.value, both) {
+            let still = before.scale == 0.0 && slope.scale == 0.0;
+            if (still || within(both, KNOWN * before.scale)) && within(before.value - slope.value, both) {
                 return Some(if slope.uncertainty < before.uncertainty { slope } else { before });
             }
         }
@@ -315,10 +319,12 @@ fn extrapolated(value: &dyn Fn(f64) -> [f64; 2], width: f64) -> Option<Slope> {
         left[level] = (middle - below) / narrowest;
     }
     let scale = largest([right[0], left[0]]);
-    // Where nothing changes, no rounding does.
-    let still = scale == 0.0 && right == left;
+    if right.iter().chain(&left).all(|difference| *difference == 0.0) {
+        // Nothing changes over the whole width by more than a rounding.
+        return Some(Slope { value: 0.0, uncertainty: 2.0 * rounding / width, scale });
+    }
     // The weights of an extrapolation add up to less than 2 in size where errors fall by four, and to 9 where by two.
-    let noise = if still { 0.0 } else { rounding / narrowest };
+    let noise = rounding / narrowest;
     let [(value, error), (right, of_right), (left, of_left)] =
         [(central, 4.0), (right, 2.0), (left, 2.0)].map(|(differences, fall)| limit(differences, fall));
     let uncertainty = error + 2.0 * noise;

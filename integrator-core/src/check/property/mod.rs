@@ -2,11 +2,13 @@
 
 pub(crate) mod agreement;
 pub(crate) mod branches;
+mod course;
 pub(crate) mod energy;
 pub(crate) mod flow_laws;
 pub(crate) mod global_error;
 pub(crate) mod gradient;
 pub(crate) mod invariants;
+pub(crate) mod jumps;
 pub(crate) mod local_order;
 pub(crate) mod monodromy;
 pub(crate) mod order;

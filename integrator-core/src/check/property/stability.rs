@@ -41,7 +41,7 @@ const NEAR: f64 = 0.5;
 #[non_exhaustive]
 pub struct Stability {
     /// The phase advance: the largest `h·ω` of all samples, in radians. Zero where
-    /// nothing oscillates, NaN where the motion has no finite second derivatives.
+    /// nothing oscillates, NaN where no sample has finite second derivatives.
     pub turn: f64,
     /// The time of that sample.
     pub time: f64,
@@ -58,13 +58,16 @@ impl Stability {
     /// Whether the phase advance is half of the limit or more. The motion is then poorly resolved at best; a smaller
     /// step is called for.
     pub fn is_near(&self) -> bool {
-        !within(self.share(), NEAR.next_down())
+        !self.share().is_nan() && !within(self.share(), NEAR.next_down())
     }
 }
 
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { turn, time, limit } = self;
+        if turn.is_nan() {
+            return write!(f, "h·ω is unknown: no sample has finite second derivatives");
+        }
         write!(f, "h·ω = {turn:.2e} at most (t = {time:.3e}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
         if self.is_near() {
             write!(f, "; WARNING: from half of it on, take a smaller step")?;
@@ -141,15 +144,13 @@ fn fastest(
     mut sample: (Flat, f64),
     advance: &mut dyn FnMut() -> Option<(Flat, f64)>,
 ) -> Stability {
-    let mut fastest = Stability { turn: 0.0, time: sample.1, limit };
+    let mut fastest = Stability { turn: f64::NAN, time: sample.1, limit };
     for _ in 0..SAMPLES {
         let (state, time) = &sample;
         let turn = (h * frequency(system, state, *time)).abs();
-        if !within(turn, fastest.turn) {
+        // A sample without finite second derivatives says nothing of the others.
+        if !turn.is_nan() && !within(turn, fastest.turn) {
             fastest = Stability { turn, time: *time, ..fastest };
-        }
-        if turn.is_nan() {
-            break;
         }
         // The samples before a divergence show what led to it.
         match advance() {

@@ -3,5 +3,6 @@
 pub(crate) mod least_squares;
 pub(crate) mod path;
 pub(crate) mod points;
+pub(crate) mod quadrature;
 pub(crate) mod spectrum;
 pub(crate) mod trend;

@@ -1,0 +1,160 @@
+//! Motions at the edge of what can be measured: what is right is certified there, and what is wrong has one reason.
+
+use integrator_core::{
+    check::{CertifyError, CheckError, Shortfall, gradient_error},
+    prelude::*,
+};
+
+/// Potentials in one dimension, by number.
+struct Well {
+    kind: i32,
+    offset: f64,
+}
+
+#[hamiltonian]
+impl Well {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, [x]: [f64; 1]) -> f64 {
+        let (a, b) = (-0.5 * ((x - 2.0) / 0.6).powi(2), -0.5 * ((x + 2.0) / 0.6).powi(2));
+        match self.kind {
+            0 => x.tanh().powi(2),
+            1 => x.tanh(),
+            2 => -(-x * x).exp(),
+            3 => 1.0 / (1.0 + x * x),
+            4 => 1.0 / (1.0 + x.exp()),
+            5 => -x.cos(),
+            6 => self.offset + x * x / 2.0,
+            _ => 3.0 * (x - 2.0).powi(2) - (a.max(b) + ((a - a.max(b)).exp() + (b - a.max(b)).exp()).ln()),
+        }
+    }
+}
+
+/// Where a force is far smaller than the terms that it is made of, rounding explains what it lacks.
+#[test]
+fn forces_that_fall_off_are_certified() {
+    let starts = [[0.1, 3.0], [-3.0, 2.5], [0.1, 2.7], [0.1, 3.0], [-3.0, 2.5]];
+    for (kind, [q, p]) in (0..).zip(starts) {
+        let well = Well { kind, offset: 0.0 };
+        let start = Phase::new([q], [p]);
+        // Slow enough that 8192 steps stay below 709, where `exp` overflows.
+        for outcome in [certify(&well, Verlet, start, 0.02), certify(&well, Yoshida4, start, 0.02)] {
+            let certificate = outcome.unwrap_or_else(|error| panic!("{kind}: {error}"));
+            assert!(!certificate.stability.expect("T and V").turn.is_nan(), "{certificate}");
+        }
+    }
+}
+
+/// Differences of an energy say nothing where it changes by less than it is rounded.
+#[test]
+fn amplitudes_below_the_rounding_of_the_energy_are_certified() {
+    for angle in [1.0, 1e-4, 1e-6, 1e-7, 1e-8] {
+        let start = Phase::new([angle], [0.0]);
+        for (kind, offset) in [(5, 0.0), (6, 1.0)] {
+            let outcome = certify(&Well { kind, offset }, Verlet, start, 0.05);
+            assert!(outcome.is_ok(), "{kind} at {angle}: {}", outcome.expect_err("a refusal"));
+        }
+    }
+    for (offset, q) in [(1e9, 1.0), (1e12, 1.0), (1e15, 1.0), (1e6, 1e-4)] {
+        let outcome = certify(&Well { kind: 6, offset }, Verlet, Phase::new([q], [0.0]), 0.05);
+        assert!(outcome.is_ok(), "{offset} at {q}: {}", outcome.expect_err("a refusal"));
+    }
+}
+
+/// The energy is the sum of terms that cancel there, and its slope is 2.5e-9.
+#[test]
+fn the_dual_moon_has_no_kink_in_its_valley() {
+    let moon = Well { kind: 7, offset: 0.0 };
+    let start = Phase::new([2.0], [0.3]);
+    let error = gradient_error(&moon, start, 0.0);
+    assert!(matches!(error, Ok(error) if error < 1e-14), "{error:?}");
+    let outcome = certify(&moon, Verlet, start, 0.02);
+    assert!(outcome.is_ok(), "{}", outcome.expect_err("a refusal"));
+}
+
+/// Three bodies that a bond holds at an angle.
+struct Bent {
+    angle: f64,
+}
+
+#[hamiltonian]
+impl Bent {
+    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
+        (0..3).map(|i| 0.5 * (p[i][0] * p[i][0] + p[i][1] * p[i][1])).sum()
+    }
+    fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
+        let (ax, ay) = (q[0][0] - q[1][0], q[0][1] - q[1][1]);
+        let (bx, by) = (q[2][0] - q[1][0], q[2][1] - q[1][1]);
+        let (aa, bb) = (ax * ax + ay * ay, bx * bx + by * by);
+        let angle = ((ax * bx + ay * by) / (aa * bb).sqrt()).acos();
+        0.5 * (angle - self.angle).powi(2) + 3.0 * (aa.sqrt() - 1.0).powi(2) + 3.0 * (bb.sqrt() - 1.0).powi(2)
+    }
+}
+
+/// At a straight angle `acos` has no slope: no check accuses a flow, a sequence or the macro of that.
+#[test]
+fn a_start_without_a_force_is_the_only_reason() {
+    let straight = Phase::new([[-1.0, 0.0], [0.0, 0.0], [1.1, 0.0]], [[0.0, 0.1], [0.0, -0.2], [0.0, 0.1]]);
+    for angle in [1.9, core::f64::consts::PI] {
+        let system = Bent { angle };
+        let outcomes = [
+            certify(&system, Verlet, straight, 0.01),
+            certify(&system, VelocityVerlet, straight, 0.01),
+            certify(&system, Yoshida4, straight, 0.01),
+        ];
+        for outcome in outcomes {
+            let Err(CertifyError::Refused { shortfalls, .. }) = outcome else { panic!("certified: {outcome:?}") };
+            let is_one = matches!(
+                shortfalls[..],
+                [Shortfall::Unmeasured { check: "the gradient", reason: CheckError::NotFinite { .. } }]
+            );
+            assert!(is_one, "{shortfalls:?}");
+        }
+        let error = gradient_error(&system, straight, 0.0);
+        assert!(matches!(error, Err(CheckError::NotFinite { .. })), "{error:?}");
+    }
+}
+
+/// A well with a step of some height around its middle, of which a drive reads the time.
+struct Stepped {
+    step: f64,
+    width: f64,
+}
+
+#[hamiltonian]
+impl Stepped {
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+    fn potential(&self, q: [f64; 2], t: f64) -> f64 {
+        let square = q[0] * q[0] + q[1] * q[1];
+        let smooth = 0.5 * (q[0] * q[0] + 1.7 * q[1] * q[1]) + 1e-3 * q[0] * t.cos();
+        let inside = if self.width > 0.0 {
+            0.5 * (1.0 + ((0.49 - square) / self.width).tanh())
+        } else if square < 0.49 {
+            1.0
+        } else {
+            0.0
+        };
+        smooth + self.step * inside
+    }
+}
+
+#[test]
+fn a_jump_is_found_where_no_energy_is_conserved() {
+    let start = Phase::new([1.0, 0.2], [0.1, 0.6]);
+    for step in [0.1, -1e-3, 1e-6] {
+        let outcome = certify(&Stepped { step, width: 0.0 }, Yoshida4, start, 0.05);
+        let Err(CertifyError::Refused { shortfalls, .. }) = outcome else { panic!("certified: {outcome:?}") };
+        let [Shortfall::EnergyJumps { function: "potential", by, .. }] = shortfalls[..] else {
+            panic!("{shortfalls:?}")
+        };
+        // Up to the roundings of energies below four.
+        assert!((by.abs() - step.abs()).abs() < 64.0 * f64::EPSILON, "{by} at {step}");
+    }
+    for (step, width) in [(0.0, 0.0), (0.1, 0.3)] {
+        let outcome = certify(&Stepped { step, width }, Yoshida4, start, 0.02);
+        assert!(outcome.is_ok(), "{}", outcome.expect_err("a refusal"));
+    }
+}
