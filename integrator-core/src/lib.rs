@@ -191,7 +191,9 @@ pub mod __private {
         layout::{
             bodies::{
                 jacobi::Jacobi,
-                jacobi_map::{JacobiConstants, are_masses, are_masses_of_kinetic},
+                jacobi_map::{
+                    JacobiConstants, are_masses, are_masses_of_kinetic, body_at, end_of_leader, leading_body,
+                },
                 many_rows::ManyRows,
                 one_row::OneRow,
                 pair_sums::{BodyConstants, ManyBody},

@@ -44,7 +44,7 @@ use proc_macro::TokenStream;
 /// |---|---|
 /// | `compose = Yoshida4` | the composition that `run` uses; a path to any that may integrate this Hamiltonian |
 /// | `compose = V(1/2) T(1) V(1/2)` | a sequence in place, as in `composition!`, proved for this Hamiltonian |
-/// | `coordinates = jacobi(self.masses)` | with `split = kepler + interaction`: bodies `[[f64; D]; N]` that attract each other move in Jacobi coordinates, made with their masses, the star first; `potential` has to be a sum over pairs with terms `-G m[i] m[j] / r` of the distance `r` of two bodies. States stay in the coordinates of the functions |
+/// | `coordinates = jacobi(self.masses)` | with `split = kepler + interaction`: bodies `[[f64; D]; N]` that attract each other move in Jacobi coordinates, made with their masses, from the inside out; the heaviest body leads if it outweighs all before it together; `potential` has to be a sum over pairs with terms `-G m[i] m[j] / r` of the distance `r` of two bodies. States stay in the coordinates of the functions |
 /// | `split = kepler + interaction` | the parts of `H`, each a function of this name with a flow that is known exactly, in the order of the letters A, B, C; see [Parts](#parts) |
 /// | `split = kepler + (jump + interaction)` | the same, where the parts in parentheses are one part, which a composition takes as a symmetric pair |
 /// | `split = none` | `H` stays in one piece, `hamiltonian(&self, q, p)`, whatever it mixes: for methods that take the whole of its field, `compose = GaussLegendre4`; without `compose` it is `ImplicitMidpoint` |

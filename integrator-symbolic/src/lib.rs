@@ -206,7 +206,7 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
         return;
     }
     let function = |name: &str| input.function(name).or_else(|| input.function("hamiltonian"));
-    match emit::judged(coordinates, model) {
+    match emit::judged(coordinates, model, &emit::Names::new(input)) {
         Ok(jacobi) => model.jacobi = Some(jacobi),
         Err(emit::Obstacle::Shape(message)) => {
             if let Some(function) = function("potential") {

@@ -29,7 +29,8 @@ pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
 };
-use printer::{block::Emitter, fields::Fields, function::Body, names::Names};
+pub(crate) use printer::names::Names;
+use printer::{block::Emitter, fields::Fields, function::Body};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, parts, ranges};

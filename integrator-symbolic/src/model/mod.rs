@@ -140,11 +140,13 @@ pub(crate) struct Model {
 pub(crate) struct Jacobi {
     /// The loop over all bodies.
     pub(crate) bodies: LoopId,
+    /// The number of the body that leads.
+    pub(crate) leading: ParameterId,
     /// The mass by the list of masses.
     pub(crate) mass: NodeId,
     /// What `kinetic` multiplies the momentum by, for the velocity.
     pub(crate) inverse_mass: NodeId,
-    /// The strength of the attraction to all bodies before it.
+    /// The strength of the attraction to all bodies before it, and to the one that leads.
     pub(crate) attraction: NodeId,
 }
 

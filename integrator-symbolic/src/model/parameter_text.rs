@@ -89,8 +89,28 @@ impl<'m> Texts<'m> {
 
     /// The item of a list with the index of a loop.
     pub(crate) fn item(&mut self, graph: &mut Graph, list: &TokenStream, by: LoopId) -> ParameterId {
-        let index = running_index(by);
-        self.id(graph, quote!(#list[#index]), LoopSet::of(by))
+        self.of_index(graph, by, |index| quote!(#list[#index]))
+    }
+
+    /// A parameter that follows from the index of a loop.
+    pub(crate) fn of_index(
+        &mut self,
+        graph: &mut Graph,
+        by: LoopId,
+        text: impl FnOnce(Ident) -> TokenStream,
+    ) -> ParameterId {
+        self.id(graph, text(running_index(by)), LoopSet::of(by))
+    }
+
+    /// A parameter that is the same for all indices.
+    pub(crate) fn fixed(&mut self, graph: &mut Graph, text: TokenStream) -> ParameterId {
+        self.id(graph, text, LoopSet::EMPTY)
+    }
+
+    /// Shows a parameter of the macro's own to people as if the system had a field of this name.
+    pub(crate) fn call(&mut self, id: ParameterId, name: &str) {
+        let name = format_ident!("{name}");
+        self.parameters[id.0 as usize].own = quote!(self.#name);
     }
 
     /// The parameter with this text, new or known.

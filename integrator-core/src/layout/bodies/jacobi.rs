@@ -9,7 +9,7 @@ use crate::{
     error::Unsolved,
     flow::kepler::{moved, universal::Body},
     layout::bodies::{
-        jacobi_map::{JacobiConstants, Part, parts, to_inertial, to_jacobi},
+        jacobi_map::{JacobiConstants, Part, body_at, parts, to_inertial, to_jacobi},
         load_store::{body_and_lane, values},
         rows::{Coordinates, Rows, bodies_of_row, body, points, set_points},
     },
@@ -26,7 +26,6 @@ use crate::{
     system::motion::Motion,
 };
 use alloc::{sync::Arc, vec::Vec};
-use core::ops::Range;
 
 /// Bodies in rows, in Jacobi coordinates.
 #[derive(Clone)]
@@ -36,6 +35,8 @@ pub struct Jacobi<L: Rows<D>, const D: usize> {
     /// The same bodies in inertial coordinates, from when they were last needed.
     pub inertial: L::AtRest,
     weights: Arc<[Weights<L::Row>]>,
+    /// The number of the body that leads, which is the first one of rows.
+    leading: usize,
     /// Why the Kepler flow could not be solved, by lanes; empty as long as it was.
     unsolved: Vec<Option<Unsolved>>,
 }
@@ -110,6 +111,29 @@ fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<
     mapped
 }
 
+/// Puts what there is so many of for each body in the order of rows, where the leading one is first.
+fn in_order_of_rows<T>(of_bodies: &mut [T], leading: usize, many: usize) {
+    if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
+        moved.rotate_right(many);
+    }
+}
+
+/// Undoes [`in_order_of_rows`].
+fn in_users_order<T>(of_bodies: &mut [T], leading: usize, many: usize) {
+    if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
+        moved.rotate_left(many);
+    }
+}
+
+/// A state with its bodies in the order of rows.
+fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> {
+    let mut state = state.clone();
+    for leaves in [&mut state.q, &mut state.p] {
+        in_order_of_rows(leaves.flat_mut(), leading, D);
+    }
+    state
+}
+
 impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     /// Whether the map is applied to lanes one by one, and with more digits.
     const PLAIN: bool = L::Scalar::LANEWISE;
@@ -119,7 +143,9 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         let count = bodies.bodies();
         let members: Vec<_> = constants.iter().map(|constants| parts(*constants, count)).collect();
         let weights = (0..bodies.rows()[0].len()).map(|row| Weights::of::<L, D>(row, &members)).collect();
-        Self { inertial: bodies.at_rest(), bodies, weights, unsolved: Vec::new() }
+        // Members in lanes are alike in all integers.
+        let leading = constants[0].leading_body();
+        Self { inertial: bodies.at_rest(), bodies, weights, leading, unsolved: Vec::new() }
     }
 
     /// The shares of all bodies in the member that a lane belongs to. Its other lanes hold derivatives, and those of
@@ -128,6 +154,15 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         let lane = lane - lane % (L::Scalar::LANES / L::Scalar::MEMBERS.max(1));
         let share = |body: usize| self.weights[body / L::WIDTH].share.lane(body % L::WIDTH * L::Scalar::LANES + lane);
         (0..self.bodies.bodies()).map(share).collect()
+    }
+
+    /// The points of all bodies in inertial coordinates and in the user's order, mapped in the scalar of flows.
+    fn inertial_points(&self) -> [Vec<[L::Scalar; D]>; 2] {
+        let mut mapped = self.mapped(to_inertial);
+        for points in &mut mapped {
+            in_users_order(points, self.leading, 1);
+        }
+        mapped
     }
 
     /// The points of all bodies, mapped in the scalar of flows.
@@ -152,11 +187,14 @@ where
             let (mut own, bodies) = (Vec::with_capacity(states.len()), states[0].q.length());
             for (constants, state) in constants.iter().zip(states) {
                 let shares: Vec<_> = parts(*constants, bodies).iter().map(|part| part.share).collect();
-                own.push(mapped(&shares, state, to_jacobi::<DoubleDouble, D>));
+                let state = led::<C, D>(state, constants.leading_body());
+                own.push(mapped(&shares, &state, to_jacobi::<DoubleDouble, D>));
             }
             return Self::load_own(constants, &own.iter().collect::<Vec<_>>());
         }
-        let mut motion = Self::load_own(constants, states);
+        let leading = |(constants, state): (&&Q, &&Phase<C>)| led::<C, D>(state, constants.leading_body());
+        let states: Vec<_> = constants.iter().zip(states).map(leading).collect();
+        let mut motion = Self::load_own(constants, &states.iter().collect::<Vec<_>>());
         let points = motion.mapped(to_jacobi);
         for (rows, points) in motion.bodies.rows_mut().into_iter().zip(&points) {
             set_points::<L, D>(rows, points);
@@ -185,9 +223,12 @@ where
         if Self::PLAIN {
             self.store_own(lane, to);
             *to = mapped(&self.shares(lane), to, to_inertial::<DoubleDouble, D>);
+            for leaves in [&mut to.q, &mut to.p] {
+                in_users_order(leaves.flat_mut(), self.leading, D);
+            }
             return;
         }
-        let [q, p] = self.mapped(to_inertial);
+        let [q, p] = self.inertial_points();
         for (leaves, points) in [(&mut to.q, &q), (&mut to.p, &p)] {
             for (leaf, number) in leaves.flat_mut().iter_mut().zip(points.as_flattened()) {
                 let mut slot = <L::Leaf as Precision>::Slot::<L::Scalar>::zero();
@@ -310,7 +351,7 @@ fn map_momenta<L: Rows<D>, const D: usize>(
 #[inline(never)]
 fn note<L: Rows<D>, const D: usize>(
     unsolved: &mut Vec<Option<Unsolved>>,
-    bodies: Range<usize>,
+    bodies: impl Iterator<Item = usize>,
     failed: L::Row,
     q: [L::Row; D],
     duration: f64,
@@ -349,6 +390,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
             if moved.failed.any() {
                 let failed = <L::Row as Real>::select(moved.failed, L::Row::of(1.0), L::Row::of(0.0));
                 let bodies = bodies_of_row(row, L::WIDTH, count);
+                let bodies = bodies.map(|place| body_at(self.leading, place));
                 note::<L, D>(&mut self.unsolved, bodies, failed, body.q, duration);
             }
             for d in 0..D {
@@ -385,10 +427,10 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         }
     }
 
-    /// The bodies in inertial coordinates.
+    /// The bodies in inertial coordinates, in the user's order.
     pub fn to_inertial(&self) -> L::AtRest {
         let mut bodies = self.bodies.at_rest();
-        for (rows, points) in bodies.rows_mut().into_iter().zip(&self.mapped(to_inertial)) {
+        for (rows, points) in bodies.rows_mut().into_iter().zip(&self.inertial_points()) {
             set_points::<L::AtRest, D>(rows, points);
         }
         bodies
@@ -410,7 +452,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     #[inline(always)]
     pub fn at_rest(&self) -> Jacobi<L::AtRest, D> {
         let (bodies, weights) = (self.bodies.at_rest(), self.weights.clone());
-        Jacobi { inertial: bodies.at_rest(), bodies, weights, unsolved: Vec::new() }
+        Jacobi { inertial: bodies.at_rest(), bodies, weights, leading: self.leading, unsolved: Vec::new() }
     }
 
     /// Adds a multiple of another motion's momenta.
@@ -444,12 +486,25 @@ impl<L: Rows<D, Leaf = f64, AtRest = L>, const D: usize> Jacobi<L, D> {
         let ([q, p], [positions, directions]) = (self.bodies.rows(), self.inertial.rows_mut());
         map_positions::<L, D>(&self.weights, q, positions);
         map_positions::<L, D>(&self.weights, p, directions);
+        self.reorder_inertial(in_users_order);
+    }
+
+    /// Puts the bodies of [`Jacobi::inertial`] in another order, which the product with the Hessian reads.
+    fn reorder_inertial(&mut self, order: fn(&mut [[L::Scalar; D]], usize, usize)) {
+        if self.leading > 0 {
+            let mut moved = self.inertial.rows().map(|rows| points(&self.inertial, rows));
+            for (rows, points) in self.inertial.rows_mut().into_iter().zip(&mut moved) {
+                order(points, self.leading, 1);
+                set_points::<L, D>(rows, points);
+            }
+        }
     }
 
     /// Replaces the momenta by the product of the interaction's Hessian with them, after that of `V` was put where
     /// [`Jacobi::inertial`] has its momenta.
     #[inline(always)]
     pub fn close_hessian(&mut self) {
+        self.reorder_inertial(in_order_of_rows);
         let (count, [q, p]) = (self.bodies.bodies(), self.bodies.rows_mut());
         for row in 0..q.len() {
             let (q, weights) = (q[row], &self.weights[row]);

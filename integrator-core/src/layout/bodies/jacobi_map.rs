@@ -4,16 +4,53 @@
 //! With the masses `m`, their sums `eta` and the shares `mu[i] = m[i] / eta[i]`: `Q[i] = q[i] - X[i - 1]`, where `X[i]` is
 //! the centre of mass up to body `i`, and `P[i] = p[i] - mu[i] (p[0] + ... + p[i])`. Always true: the map is linear and
 //! canonical whatever the shares are, hence for rounded ones too.
+//!
+//! The first of these bodies is the one that leads, wherever the user's order has it: a light body with the momentum `p[0]` in
+//! front of a heavy one would have `P[1] = p[1] - mu[1] (p[0] + p[1])`, of which nothing but rounding errors are left.
 
 use crate::{error::Error, scalar::real::Real};
 use alloc::vec::Vec;
 
 /// What Jacobi coordinates need to know of bodies. Written by `#[hamiltonian]` for its prepared constants.
 pub trait JacobiConstants {
-    /// The mass of a body, and the strength `k` of the attraction `-k / |Q|` to those before it.
+    /// The number of the body that leads.
+    fn leading_body(&self) -> usize;
+    /// The mass of a body, and the strength `k` of the attraction `-k / |Q|` to those before it and to the one that leads.
     fn mass_and_attraction(&self, body: usize) -> [f64; 2];
     /// What `kinetic` multiplies the momentum of a body by, for its velocity.
     fn inverse_mass(&self, body: usize) -> f64;
+}
+
+/// The number of the body that leads: the heaviest one, if it outweighs all bodies before it together, else the first.
+#[must_use]
+pub fn leading_body(masses: &[f64], bodies: usize) -> usize {
+    let masses = &masses[..bodies.min(masses.len())];
+    let mut heaviest = 0;
+    for (body, mass) in masses.iter().enumerate() {
+        if *mass > masses[heaviest] {
+            heaviest = body;
+        }
+    }
+    if heaviest > 0 && masses[heaviest] > masses[..heaviest].iter().sum() { heaviest } else { 0 }
+}
+
+/// One more than the number of the leading body, for a body that comes before it in the user's order; for others, that number:
+/// where a loop ends that begins with it.
+#[must_use]
+pub fn end_of_leader(masses: &[f64], bodies: usize, body: usize) -> usize {
+    let leading = leading_body(masses, bodies);
+    if body < leading { leading + 1 } else { leading }
+}
+
+/// The body at a place, where the one that leads is first and all others are in the user's order.
+#[inline]
+#[must_use]
+pub fn body_at(leading: usize, place: usize) -> usize {
+    match place {
+        0 => leading,
+        _ if place <= leading => place - 1,
+        _ => place,
+    }
 }
 
 /// Whether bodies with these masses have Jacobi coordinates.
@@ -24,14 +61,14 @@ pub fn are_masses(masses: &[f64], bodies: usize) -> Result<(), Error> {
     if masses.len() < bodies {
         return Err(Error::FewMasses { masses: masses.len(), bodies });
     }
-    let mut sum = 0.0;
     for (body, &mass) in masses[..bodies].iter().enumerate() {
-        sum += mass;
-        let reason = match body {
+        let reason = match mass {
             _ if !mass.is_finite() => "it has to be finite",
-            0 if mass == 0.0 => "the first body is the star that the others move around, which has to have a mass",
-            _ if mass == 0.0 => "momenta say nothing of the velocity of a body without mass: give it a small one",
-            _ if sum == 0.0 => "the masses up to this one add up to zero, so that they have no centre",
+            0.0 => {
+                "the velocity of a test particle is p / m: give it a tiny mass that moves no other body, such as \
+                 `2f64.powi(-100)`, and the momentum that belongs to it"
+            }
+            _ if mass < 0.0 => "a centre of mass needs masses above zero",
             _ => continue,
         };
         return Err(Error::Mass { body, mass, reason });
@@ -70,10 +107,11 @@ pub(crate) struct Part {
     pub(crate) attraction: f64,
 }
 
-/// The parts of so many bodies.
+/// The parts of so many bodies, the leading one first.
 pub(crate) fn parts(constants: &impl JacobiConstants, bodies: usize) -> Vec<Part> {
     let (mut parts, mut sum) = (Vec::with_capacity(bodies), 0.0);
     for body in 0..bodies {
+        let body = body_at(constants.leading_body(), body);
         let ([mass, attraction], before) = (constants.mass_and_attraction(body), sum);
         sum += mass;
         parts.push(Part { share: mass / sum, inverse_mass: sum / (mass * before), attraction });
@@ -126,6 +164,9 @@ mod tests {
     struct Masses;
 
     impl JacobiConstants for Masses {
+        fn leading_body(&self) -> usize {
+            0
+        }
         fn mass_and_attraction(&self, body: usize) -> [f64; 2] {
             [MASSES[body], 3.0]
         }
@@ -186,6 +227,26 @@ mod tests {
     }
 
     #[test]
+    fn the_body_that_outweighs_those_before_it_leads() {
+        let leading = |masses: &[f64]| leading_body(masses, masses.len());
+        assert_eq!(leading(&[]), 0);
+        assert_eq!(leading(&[1.0, 1e-3, 1.0]), 0);
+        assert_eq!(leading(&[1e-3, 1.0, 0.5]), 1);
+        assert_eq!(leading(&[1e-3, 0.5, 1.0]), 2);
+        // Two stars about each other and a third one that is heavier than either, but not than both.
+        assert_eq!(leading(&[1.0, 1.0, 1.5]), 0);
+        assert_eq!(leading(&[1e-3, f64::NAN]), 0);
+        // Masses of bodies that are not there.
+        assert_eq!(leading_body(&[1e-3, 1.0], 1), 0);
+        for leading in 0..4 {
+            let mut places: Vec<_> = (0..4).collect();
+            places[..=leading].rotate_right(1);
+            assert_eq!((0..4).map(|place| body_at(leading, place)).collect::<Vec<_>>(), places);
+        }
+        assert_eq!([0, 1, 2].map(|body| end_of_leader(&[1e-3, 1.0, 1e-3], 3, body)), [2, 1, 1]);
+    }
+
+    #[test]
     fn masses_are_held_against_bodies_and_kinetic_energy() {
         assert_eq!(are_masses(&MASSES, 4), Ok(()));
         assert_eq!(are_masses(&MASSES, 3), Ok(()));
@@ -195,8 +256,8 @@ mod tests {
             _ => None,
         };
         assert_eq!(
-            [[0.0, 1.0], [1.0, 0.0], [1.0, -1.0], [1.0, f64::NAN]].map(|masses| body(&masses)),
-            [0, 1, 1, 1].map(Some)
+            [[0.0, 1.0], [1.0, 0.0], [2.0, -1.0], [-1.0, 2.0], [1.0, f64::NAN]].map(|masses| body(&masses)),
+            [0, 1, 1, 0, 1].map(Some)
         );
         assert_eq!(are_masses_of_kinetic(&Masses, 4), Ok(()));
     }

@@ -3,9 +3,9 @@
 use crate::{
     emit::printer::{block::Emitter, function::Body, names::Names},
     graph::{
-        Part,
-        index::{Index, Loop},
-        rename::{Renaming, rename},
+        Graph, ParameterId, Part,
+        index::{Index, Loop, LoopId},
+        rename::{Parameters, Renaming, rename},
     },
     model::{Jacobi, Model, Shape, Texts},
     pairs::{Pairs, attraction, inverse_mass, pairs, per_body},
@@ -29,7 +29,7 @@ pub(crate) enum Obstacle {
 }
 
 /// What Jacobi coordinates are made with, or what stands in their way.
-pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model) -> Result<Jacobi, Obstacle> {
+pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
     let dimension = dimension(&model.shape)?;
     let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
     let length = lengths[0];
@@ -64,13 +64,21 @@ pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model) -> Result<Jac
     let partners = graph.loops.range(partners);
     texts.name_in_place(bodies, pair[0], &pair);
     texts.name_in_place(partners, pair[1], &pair.map(|by| if by == bodies { partners } else { by }));
-    let mass = texts.item(graph, &coordinates.masses.to_token_stream(), bodies);
-    let strength = rename(graph, strength, Renaming::both(pair, [bodies, partners]), &mut texts);
-    let jacobi = strength.map(|strength| Jacobi {
+    let masses = coordinates.masses.to_token_stream();
+    let mass = texts.item(graph, &masses, bodies);
+    let (leading, leader) = leader(&masses, bodies, graph, &mut texts, names);
+    texts.name(leader, partners);
+    let mut strengths = [partners, leader].into_iter().map(|other| {
+        let strength = rename(graph, strength, Renaming::both(pair, [bodies, other]), &mut texts)?;
+        Some(graph.sum(other, strength))
+    });
+    let strengths = strengths.next().flatten().zip(strengths.next().flatten());
+    let jacobi = strengths.map(|(before, leading_after)| Jacobi {
         bodies,
+        leading,
         mass: graph.parameter(mass),
         inverse_mass: inverse,
-        attraction: graph.sum(partners, strength),
+        attraction: graph.add(before, leading_after),
     });
     let in_rows = AllPairs::of(model).is_some();
     jacobi.filter(|_| in_rows).ok_or_else(|| {
@@ -80,6 +88,24 @@ pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model) -> Result<Jac
                 .to_owned(),
         )
     })
+}
+
+/// The number of the body that leads, as a parameter, and the loop over it for those bodies that come before it in the
+/// user's order and are attracted by it all the same.
+fn leader(
+    masses: &TokenStream,
+    bodies: LoopId,
+    graph: &mut Graph,
+    texts: &mut Texts<'_>,
+    names: &Names,
+) -> (ParameterId, LoopId) {
+    let runtime = &names.runtime;
+    let leading = texts.fixed(graph, quote!(#runtime::leading_body(&(#masses)[..], length)));
+    let end = texts.of_index(graph, bodies, |index| quote!(#runtime::end_of_leader(&(#masses)[..], length, #index)));
+    texts.call(leading, "leading_body");
+    texts.call(end, "end_of_leader");
+    let [from, to] = [leading, end].map(|bound| graph.loops.intern(Index::Parameter(bound)));
+    (leading, graph.loops.range(Loop { parent: Some(bodies), from, to }))
 }
 
 /// The number of components of the points that coordinates are.
@@ -164,7 +190,10 @@ pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStrea
         // What is the same for all bodies is no table.
         if model.graph.loops_of(id).is_empty() { quote!(self.#field) } else { quote!(self.#field[#index]) }
     });
+    let leading = fields.integer(&model.parameters, jacobi.leading);
     quote! {
+        #[inline]
+        fn leading_body(&self) -> usize { self.#leading }
         #[inline]
         fn mass_and_attraction(&self, #index: usize) -> [f64; 2] { [#mass, #attraction] }
         #[inline]

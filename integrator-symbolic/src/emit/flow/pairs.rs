@@ -247,9 +247,15 @@ impl Writer<'_, '_> {
         let index = self.emitter.model.running.get(&self.constants.bodies);
         let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
         let s = &self.sizes[1];
+        // The rows of bodies in Jacobi coordinates begin with the one that leads.
+        let leading = self.emitter.model.jacobi.filter(|_| !fields.is_empty()).map(|jacobi| {
+            let (runtime, parameters) = (&self.emitter.names.runtime, &self.emitter.model.parameters);
+            let leading = self.emitter.fields.integer(parameters, jacobi.leading);
+            quote!(let #argument = #runtime::body_at(self.#leading, #argument);)
+        });
         quote! {
             #[inline]
-            fn body_constants(&self, #argument: usize) -> [f64; #s] { [#(self.#fields[#index]),*] }
+            fn body_constants(&self, #argument: usize) -> [f64; #s] { #leading [#(self.#fields[#index]),*] }
         }
     }
 }

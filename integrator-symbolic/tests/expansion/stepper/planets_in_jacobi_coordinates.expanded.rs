@@ -10,14 +10,15 @@ const _: () = {
         prepared_1: [Scalar; 6],
         /// `mass[i]`
         mass: [Scalar; 6],
+        leading_body: usize,
         /// `mass[j]`
         mass_2: [Scalar; 5],
         /// `3 gravity mass[i]`
-        prepared_4: [Scalar; 6],
-        /// `1 / (2 mass[i])`
         prepared_5: [Scalar; 6],
-        /// `Σ_{j in 0..i} gravity mass[i] mass[j]`
+        /// `1 / (2 mass[i])`
         prepared_6: [Scalar; 6],
+        /// `Σ_{j in 0..i} gravity mass[i] mass[j] + Σ_{j_2 in leading_body..end_of_leader} gravity mass[i] mass[j_2]`
+        prepared_7: [Scalar; 6],
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
@@ -27,11 +28,16 @@ const _: () = {
                 prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
                 prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
                 mass: runtime::in_lanes(members, |member| &member.mass),
+                leading_body: ::core::clone::Clone::clone(&members[0].leading_body),
                 mass_2: runtime::in_lanes(members, |member| &member.mass_2),
-                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
                 prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
                 prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+                prepared_7: runtime::in_lanes(members, |member| &member.prepared_7),
             }
+        }
+        #[inline]
+        fn alike(a: &Self::Single, b: &Self::Single) -> bool {
+            a.leading_body == b.leading_body
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found([
@@ -39,12 +45,12 @@ const _: () = {
                 runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_1),
                 runtime::not_finite("mass[i]", &["i"], &single.mass),
                 runtime::not_finite("mass[j]", &["j"], &single.mass_2),
-                runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_4),
-                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_5),
+                runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_5),
+                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_6),
                 runtime::not_finite(
-                    "Σ_{j in 0..i} gravity mass[i] mass[j]",
+                    "Σ_{j in 0..i} gravity mass[i] mass[j] + Σ_{j_2 in leading_body..end_of_leader} gravity mass[i] mass[j_2]",
                     &["i"],
-                    &single.prepared_6,
+                    &single.prepared_7,
                 ),
             ])
         }
@@ -52,10 +58,11 @@ const _: () = {
             digest.add(&single.prepared_0);
             digest.add(&single.prepared_1);
             digest.add(&single.mass);
+            digest.add(&single.leading_body);
             digest.add(&single.mass_2);
-            digest.add(&single.prepared_4);
             digest.add(&single.prepared_5);
             digest.add(&single.prepared_6);
+            digest.add(&single.prepared_7);
         }
     }
     /// The equations of motion, derived from `kinetic` and `potential`:
@@ -80,7 +87,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7739831527775625175;
+        const FINGERPRINT: u64 = 15563840015909197170;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -89,7 +96,7 @@ const _: () = {
             runtime::are_masses(&(self.mass)[..], length)?;
             runtime::are_masses_of_kinetic(&self.parameters(length), length)
         }
-        fn parameters(&self, _length: usize) -> Parameters<f64> {
+        fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: ::core::array::from_fn(|i: usize| {
                     2.0 / (2.0 * self.mass[i])
@@ -98,19 +105,27 @@ const _: () = {
                     self.gravity * self.mass[i]
                 }),
                 mass: ::core::array::from_fn(|i: usize| self.mass[i]),
+                leading_body: runtime::leading_body(&(self.mass)[..], length),
                 mass_2: ::core::array::from_fn(|j: usize| self.mass[j]),
-                prepared_4: ::core::array::from_fn(|i: usize| {
+                prepared_5: ::core::array::from_fn(|i: usize| {
                     3.0 * (self.gravity * self.mass[i])
                 }),
-                prepared_5: ::core::array::from_fn(|i: usize| {
+                prepared_6: ::core::array::from_fn(|i: usize| {
                     1.0 / (2.0 * self.mass[i])
                 }),
-                prepared_6: ::core::array::from_fn(|i: usize| {
+                prepared_7: ::core::array::from_fn(|i: usize| {
+                    let mut sum_1 = 0.0_f64;
+                    for j_2 in (runtime::leading_body(
+                        &(self.mass)[..],
+                        length,
+                    ))..(runtime::end_of_leader(&(self.mass)[..], length, i)) {
+                        sum_1 += (self.gravity * self.mass[i]) * self.mass[j_2];
+                    }
                     let mut sum_0 = 0.0_f64;
                     for j in 0..i {
                         sum_0 += (self.gravity * self.mass[i]) * self.mass[j];
                     }
-                    sum_0
+                    sum_0 + sum_1
                 }),
             }
         }
@@ -210,7 +225,7 @@ const _: () = {
                         let p_i_d = motion.p[i][d].value();
                         sum_0 = motion
                             .parameters
-                            .prepared_5[i]
+                            .prepared_6[i]
                             .scale_add(p_i_d.square(), sum_0);
                     }
                     sum_1 += sum_0;
@@ -313,13 +328,18 @@ const _: () = {
     impl runtime::BodyConstants<3> for Parameters<f64> {
         #[inline]
         fn body_constants(&self, i: usize) -> [f64; 3] {
+            let i = runtime::body_at(self.leading_body, i);
             [self.prepared_0[i], self.prepared_1[i], self.mass[i]]
         }
     }
     impl runtime::JacobiConstants for Parameters<f64> {
         #[inline]
+        fn leading_body(&self) -> usize {
+            self.leading_body
+        }
+        #[inline]
         fn mass_and_attraction(&self, i: usize) -> [f64; 2] {
-            [self.mass[i], self.prepared_6[i]]
+            [self.mass[i], self.prepared_7[i]]
         }
         #[inline]
         fn inverse_mass(&self, i: usize) -> f64 {
@@ -358,7 +378,7 @@ const _: () = {
                     let shared_4 = (motion.parameters.prepared_1[i]
                         * motion.parameters.mass_2[j])
                         .scale(shared_2 * shared_3);
-                    let shared_5 = (motion.parameters.prepared_4[i]
+                    let shared_5 = (motion.parameters.prepared_5[i]
                         * motion.parameters.mass_2[j])
                         .scale(sum_1) * (shared_2.square() * shared_3);
                     for d in 0..3 {

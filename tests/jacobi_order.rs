@@ -1,0 +1,133 @@
+//! Jacobi coordinates of bodies in any order: the heaviest one leads wherever it is.
+
+use integrator_core::{check::symplectic_defect, prelude::*};
+
+#[derive(Clone)]
+struct Bodies<const N: usize> {
+    mass: Vec<f64>,
+}
+
+#[hamiltonian(coordinates = jacobi(self.mass), split = kepler + interaction, compose = Aba1064)]
+impl<const N: usize> Bodies<N> {
+    fn kinetic(&self, p: &[[f64; 2]; N]) -> f64 {
+        (0..N).map(|i| (0..2).map(|d| p[i][d].powi(2)).sum::<f64>() / (2.0 * self.mass[i])).sum()
+    }
+    fn potential(&self, q: &[[f64; 2]; N]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..N {
+            for j in 0..i {
+                let square = (0..2).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+                energy -= self.mass[i] * self.mass[j] / square.sqrt();
+            }
+        }
+        energy
+    }
+}
+
+/// A star and planets of these masses on nearly circular orbits at distances of 1, 2, 3, ...
+fn planets<const N: usize>(mass: impl Fn(usize) -> f64) -> (Bodies<N>, Phase<[[f64; 2]; N]>) {
+    let mass: Vec<f64> = (0..N).map(|i| if i == 0 { 1.0 } else { mass(i) }).collect();
+    let (mut q, mut p) = ([[0.0; 2]; N], [[0.0; 2]; N]);
+    for i in 1..N {
+        let (radius, (sin, cos)) = (i as f64, (2.4 * i as f64).sin_cos());
+        let speed = 1.05 / radius.sqrt();
+        (q[i], p[i]) = ([radius * cos, radius * sin], [-mass[i] * speed * sin, mass[i] * speed * cos]);
+    }
+    (Bodies { mass }, Phase::new(q, p))
+}
+
+/// The same with the star at another place.
+fn with_the_star_at<const N: usize>(
+    place: usize,
+    (system, start): &(Bodies<N>, Phase<[[f64; 2]; N]>),
+) -> (Bodies<N>, Phase<[[f64; 2]; N]>) {
+    let (mut system, mut start) = (system.clone(), *start);
+    system.mass[..=place].rotate_left(1);
+    start.q[..=place].rotate_left(1);
+    start.p[..=place].rotate_left(1);
+    (system, start)
+}
+
+/// How far two states are apart, each body in units of its own radius and momentum.
+fn apart<const N: usize>(a: &Phase<[[f64; 2]; N]>, b: &Phase<[[f64; 2]; N]>) -> f64 {
+    let length = |[x, y]: [f64; 2]| x.hypot(y);
+    let far = |a: [f64; 2], b: [f64; 2], size: f64| length([a[0] - b[0], a[1] - b[1]]) / size;
+    // The star is as far from its place as its planets move it.
+    let sizes = |i: usize| [length(b.q[i]).max(1.0), length(b.p[i]).max(f64::MIN_POSITIVE)];
+    (0..N).map(|i| far(a.q[i], b.q[i], sizes(i)[0]).max(far(a.p[i], b.p[i], sizes(i)[1]))).fold(0.0, f64::max)
+}
+
+fn end<const N: usize>(
+    composition: impl Composition<Bodies<N>>,
+    (system, start): &(Bodies<N>, Phase<[[f64; 2]; N]>),
+    steps: u64,
+) -> (Phase<[[f64; 2]; N]>, [f64; 2]) {
+    let mut run = system.run_with(composition, *start, 0.05).expect("a run");
+    run.advance(steps).expect("steps");
+    (run.state(), [run.kinetic(), run.potential()])
+}
+
+/// The coordinates are the same wherever the star is, so that runs differ by roundings: each step rounds by some ulps, and
+/// the phase sums that up twice.
+fn are_alike<const N: usize>(composition: impl Composition<Bodies<N>>, mass: f64) {
+    const STEPS: u64 = 400;
+    let tolerance = 4.0 * f64::EPSILON * (STEPS as f64).powi(2);
+    let first = planets::<N>(|i| mass * (1 + i % 3) as f64);
+    let (expected, energies) = end(composition, &first, STEPS);
+    for place in 1..N {
+        let other = with_the_star_at(place, &first);
+        let (mut found, others) = end(composition, &other, STEPS);
+        found.q[..=place].rotate_right(1);
+        found.p[..=place].rotate_right(1);
+        let error = apart(&found, &expected);
+        assert!(error < tolerance, "{N} bodies of {mass:e}, the star at {place}: {error:e}");
+        for (found, expected) in others.iter().zip(energies) {
+            // Energies of light bodies are of the size of their masses.
+            assert!((found - expected).abs() < tolerance * N as f64 * mass, "{found:e} is not {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn the_star_may_be_anywhere() {
+    for mass in [1e-3, 1e-9, 2_f64.powi(-100)] {
+        are_alike::<3>(Aba1064, mass);
+        are_alike::<10>(Aba1064, mass);
+    }
+    // Kicks along the gradient of the squared force read the Hessian in the user's order.
+    are_alike::<3>(Chin4A, 1e-3);
+    are_alike::<10>(Chin4A, 1e-3);
+}
+
+#[test]
+fn members_move_as_they_do_alone_whoever_leads() {
+    let first = planets::<3>(|_| 1e-3);
+    let members: Vec<_> = (0..9).map(|member| with_the_star_at(member % 3, &first)).collect();
+    let mut ensemble = Ensemble::new(Aba1064, members.iter().cloned(), 0.05).expect("members");
+    ensemble.advance(100).expect("steps");
+    for (member, state) in members.iter().zip(ensemble.states()) {
+        assert_eq!(end(Aba1064, member, 100).0, state);
+    }
+}
+
+#[test]
+fn steps_are_symplectic_whoever_leads() {
+    for place in 0..3 {
+        let (system, start) = with_the_star_at(place, &planets::<3>(|i| 0.01 * i as f64));
+        let defect = symplectic_defect(&system, Aba1064, start, 0.05).expect("a step");
+        // Some hundred roundings of numbers of the size of 1 / m.
+        assert!(defect < 1e-11, "the star at {place}: {defect:e}");
+    }
+}
+
+#[test]
+fn masses_that_are_not_above_zero_are_refused() {
+    let (system, start) = planets::<3>(|_| 1e-3);
+    for (body, mass) in [(0, 0.0), (1, 0.0), (2, -1e-3), (0, -1.0), (1, f64::INFINITY)] {
+        let mut system = system.clone();
+        system.mass[body] = mass;
+        let refused = system.run(start, 0.1).expect_err("no mass");
+        assert!(matches!(refused, Error::Mass { body: named, mass: found, .. } if named == body && found == mass));
+        assert!(mass != 0.0 || refused.to_string().contains("2f64.powi(-100)"), "{refused}");
+    }
+}
