@@ -99,6 +99,57 @@ impl Chained {
     }
 }
 
+/// Electrons and the wave that they share, whose momentum is multiplied by a sum over the electrons: the model of a
+/// free-electron laser. The number of electrons is that of the start less one.
+#[derive(Clone)]
+struct Laser {
+    rate: f64,
+}
+
+#[hamiltonian(split = motion + exchange)]
+impl Laser {
+    fn motion(&self, q: &[f64], p: &[f64]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.5 * q[n - 1].powi(2);
+        for j in 0..n - 1 {
+            energy += 0.5 * p[j] * p[j];
+        }
+        energy
+    }
+    fn exchange(&self, q: &[f64], p: &[f64]) -> f64 {
+        let mut bunching = 0.0;
+        for j in 0..q.len() - 1 {
+            bunching += q[j].sin();
+        }
+        let wave = p[q.len() - 1];
+        0.5 * wave * wave + self.rate * wave * bunching
+    }
+}
+
+/// A particle whose momentum is moved by a bath of oscillators, in arrays: the particle is the first coordinate.
+#[derive(Clone)]
+struct Bath {
+    rate: f64,
+}
+
+#[hamiltonian(split = particle + bath)]
+impl Bath {
+    fn particle(&self, q: [f64; 3], p: [f64; 3]) -> f64 {
+        let mut bath = 0.0;
+        for j in 1..3 {
+            bath += self.rate * q[j].sin();
+        }
+        0.5 * (p[0] - bath).powi(2)
+    }
+    fn bath(&self, q: [f64; 3], p: [f64; 3]) -> f64 {
+        let mut energy = q[0].cos();
+        for j in 1..3 {
+            energy += 0.5 * p[j] * p[j];
+        }
+        energy
+    }
+}
+
 /// An oscillator whose flow the user wrote, beside an anharmonic rest.
 #[derive(Clone)]
 struct Turning {
@@ -149,6 +200,16 @@ fn shears_are_certified() {
     certify::<_, _, f64>(&Chained { rate: 0.7 }, Verlet, points(1.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
     assert_members_are_alone!(|rate| Twist { rate }, |k: f64| Phase { q: [0.1 * k, -0.2], p: [0.3, 0.5] });
     assert_members_are_alone!(|rate| Chained { rate }, points);
+}
+
+#[test]
+fn shears_whose_sums_run_over_other_coordinates_are_certified() {
+    let listed = |k: f64| Phase { q: vec![0.4, -0.2, 0.1 * k, 0.7], p: vec![0.3, 0.5, -0.1, 0.6] };
+    let three = |k: f64| Phase { q: [0.4, 0.1 * k, -0.2], p: [0.3, 0.5, -0.1] };
+    certify::<_, _, f64>(&Laser { rate: 0.7 }, Verlet, listed(2.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
+    certify::<_, _, f64>(&Bath { rate: 0.7 }, Verlet, three(2.0), 0.02).unwrap_or_else(|error| panic!("{error}"));
+    assert_members_are_alone!(|rate| Laser { rate }, listed);
+    assert_members_are_alone!(|rate| Bath { rate }, three);
 }
 
 #[test]

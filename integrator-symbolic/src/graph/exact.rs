@@ -87,12 +87,8 @@ impl Graph {
 
     /// Whether two coordinates of different parts may be conjugates of each other, whatever the indices of loops are.
     fn may_be_conjugates(&self, a: Element, b: Element) -> bool {
-        let may_be_equal = |a, b| match (self.loops.literal(a), self.loops.literal(b)) {
-            (Some(a), Some(b)) => a == b,
-            _ => true,
-        };
-        let components = a.component.zip(b.component).is_none_or(|(a, b)| may_be_equal(a, b));
-        a.part != b.part && may_be_equal(a.index, b.index) && components
+        let components = a.component.zip(b.component).is_none_or(|(a, b)| !self.loops.differ(a, b));
+        a.part != b.part && !self.loops.differ(a.index, b.index) && components
     }
 }
 

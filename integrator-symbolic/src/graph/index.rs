@@ -6,6 +6,7 @@
 mod bounds;
 mod fold;
 mod kind;
+mod span;
 
 use super::{Element, ParameterId};
 pub(super) use bounds::DEEPEST;
