@@ -12,7 +12,8 @@
 //! condition that it had one, unless no value of it could do harm.
 
 use crate::graph::{
-    Element, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId, like_terms::with_like_terms_collected,
+    Element, FoldSlope, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId,
+    like_terms::with_like_terms_collected,
 };
 use std::collections::HashMap;
 
@@ -330,6 +331,12 @@ impl Sweep {
             Node::Sum(by, body) => {
                 let inside: Vec<Scope> = context.iter().copied().chain([Scope::Loop(by)]).collect();
                 self.push(graph, body, &inside, adjoint);
+            }
+            Node::Fold(fold, by, body) if self.depends[body.position()] => {
+                let FoldSlope { condition, value } = graph.fold_slope(fold, by, body, id);
+                let scopes = [Some(Scope::Loop(by)), condition.map(|condition| Scope::Branch(condition, true))];
+                let inside: Vec<Scope> = context.iter().copied().chain(scopes.into_iter().flatten()).collect();
+                self.push_product(graph, body, &inside, adjoint, value);
             }
             Node::Select(condition, a, b) => self.push_chosen(graph, [a, b], condition, context, adjoint),
             // Leaves and conditions pass nothing on; neither does what does not depend on the part.

@@ -130,6 +130,7 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
             check_coordinates(input, model, errors);
             check_composition(input, model, errors);
             check_taylor(input, model, errors);
+            check_taylor_of_folds(input, model, errors);
             check_sensitive(input, model, errors);
             if errors.is_empty() {
                 check_device(input, errors);
@@ -141,6 +142,19 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
         None => {}
     }
     model.filter(|_| errors.is_empty())
+}
+
+/// What is joined by a loop otherwise than by adding has no recurrence of its coefficients.
+fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
+    let energies = [model.kinetic, model.potential];
+    if let (Some(span), Some(fold)) = (input.taylor, model.graph.first_fold(energies)) {
+        let message = format!(
+            "a {} of any number of items has no Taylor series here: write it over up to 16 items whose number is a literal, or \
+             leave out `taylor`",
+            fold.noun()
+        );
+        errors.at_span(span, message);
+    }
 }
 
 /// What is differentiated by a stated method alone has one derivative, and a series asks for all.

@@ -361,8 +361,10 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let node = self.graph.node(id);
             let children = node.children().map(|child| self.waits_of(path, child, kind, known)).max().unwrap_or(0);
             let like = match (node, kind) {
-                (Node::Sum(..) | Node::Select(..), _) if self.strategy.waiting == Waiting::ForAny => true,
-                (Node::Sum(by, _), Scope::Loop(kind)) => by == kind,
+                (Node::Sum(..) | Node::Fold(..) | Node::Select(..), _) if self.strategy.waiting == Waiting::ForAny => {
+                    true
+                }
+                (Node::Sum(by, _) | Node::Fold(_, by, _), Scope::Loop(kind)) => by == kind,
                 (Node::Select(condition, ..), Scope::Branch(kind, _)) => condition == kind,
                 _ => false,
             };
@@ -392,8 +394,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
         for block in &self.blocks {
             // A sum and a choice are used by the ends inside their blocks; a change of sign costs nothing, so it is
             // written where it is used, and what is under it is used there.
-            let passes =
-                |id: &&NodeId| !matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..) | Node::Neg(_));
+            let passes = |id: &&NodeId| !self.is_made_inside(**id) && !matches!(self.graph.node(**id), Node::Neg(_));
             let from_nodes = block.nodes.iter().filter(passes).flat_map(|id| self.graph.node(*id).children());
             let from_ends = block.ends.iter().map(|end| end.value());
             let conditions = block.inner.iter().filter_map(|(_, inner)| match self.blocks[*inner].scope {
@@ -411,9 +412,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 }
             }
             named.extend(conditions);
-            let made_inside =
-                block.nodes.iter().filter(|id| matches!(self.graph.node(**id), Node::Sum(..) | Node::Select(..)));
-            named.extend(made_inside.copied());
+            named.extend(block.nodes.iter().filter(|id| self.is_made_inside(**id)));
         }
         named.extend(uses.into_iter().filter(|(_, count)| *count > 1).map(|(id, _)| id));
         named.extend(self.blocks.iter().flat_map(|block| block.nodes.intersection(&self.constraints.named)));

@@ -287,7 +287,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                     (rows_first && is_table && is_known).then_some(id)?
                 }
                 Node::Coordinate(element) => self.neighbour(iterations, begins, element)?,
-                Node::Sum(..) | Node::External(..) => return None,
+                Node::Sum(..) | Node::Fold(..) | Node::External(..) => return None,
                 Node::CompareIndex(..) if !loops.is_empty() => return None,
                 node => self.graph.rebuilt(node.map(|child| seen[&child])),
             };

@@ -55,6 +55,7 @@ macro_rules! rows {
             #[hamiltonian]
             impl System {
                 const WIDTH: usize = 2;
+                const ORDER: usize = 2 * Self::WIDTH;
                 fn kinetic(&self, p: [f64; 4]) -> f64 {
                     p.iter().map(|p| p * p / 2.0).sum()
                 }
@@ -204,6 +205,15 @@ rows! {
     horner { let mut v = 0.0; for k in (0..3).rev() { v = v * q[0] + self.stiffness[k]; } v } => [2.0 + 6.0 * a, 0.0, 0.0, 0.0];
     polynomials { let mut v = 0.0; for k in self.table.iter().rev() { v = v * q[0] + k; } v } => [3.0 + 4.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
     polynomials_in_arms { let mut v = 0.0; for i in 0..4 { v += match &self.kinds[i] { Kind::Listed { list, .. } => list.iter().rev().fold(0.0, |v, k| v * q[i] + k), _ => q[i] }; } v } => [1.0, 1.0, 7.0, 1.0];
+    guarded_recurrences { let mut v = [0.0; 4]; for n in 0..4 { v[n] = 1.0; if n >= 1 { v[n] += q[0] * v[n - 1]; } if n >= 2 && v[n - 2] > 0.0 { v[n] -= v[n - 2]; } } v[3] } => [-1.0 + 2.0 * a + 3.0 * a * a, 0.0, 0.0, 0.0];
+    legendre { let x = q[0]; let mut l = [0.0; 4]; for n in 0..4 { l[n] = match n { 0 => 1.0, 1 => x, _ => ((2 * n - 1) as f64 * x * l[n - 1] - (n - 1) as f64 * l[n - 2]) / n as f64 }; } let mut m = [0.0; 4]; for n in 0..4 { if n == 0 { m[n] = 1.0; continue; } m[n] = if n == 1 { x } else { 2.0 * x * m[n - 1] - m[n - 2] }; } l[3] + m[3] } => [7.5 * a * a - 1.5 + 12.0 * a * a - 3.0, 0.0, 0.0, 0.0];
+    triangles { let mut w = [[0.0; 4]; 4]; for n in 0..4 { for m in 0..4 { if m > n { continue; } if n == 0 { w[0][0] = 1.0; } else { w[n][m] = q[0] * w[n - 1][m]; if m >= 1 { w[n][m] += q[1] * w[n - 1][m - 1]; } } } } w[3][1] + w[3][2] } => [6.0 * a * b + 3.0 * b * b, 3.0 * a * a + 6.0 * a * b, 0.0, 0.0];
+    lengths_by_constants { let mut v = [0.0; Self::ORDER]; v[0] = 1.0; for n in 1..Self::ORDER { v[n] = 1.0 + q[0] * v[n - 1]; } let (mut x, mut y) = (1.0, q[1]); for _ in 1..Self::ORDER - 1 { (x, y) = (y, 2.0 * q[1] * y - x); } v[Self::ORDER - 1] + y + (0..Self::ORDER).fold(1.0, |product, k| product * (q[2] + k as f64)) } => [1.0 + 2.0 * a + 3.0 * a * a, 12.0 * b * b - 3.0, 4.0 * c.powi(3) + 18.0 * c * c + 22.0 * c + 6.0, 0.0];
+    any_number_of_factors { let mut w = 1.0; for i in 0..self.count { w *= 1.0 + q[i]; } w + self.table.iter().map(|k| q[3] - k).product::<f64>() } => [(1.0 + b) * (1.0 + c), (1.0 + a) * (1.0 + c), (1.0 + a) * (1.0 + b), (0..4).map(|i| (0..4).filter(|j| *j != i).map(|j| d - s.table[j]).product::<f64>()).sum()];
+    factors_that_are_zero { (0..self.count).map(|i| q[i] - 0.4).product::<f64>() + self.table.iter().map(|_| (q[3] - 0.2) * (q[0] - 0.4)).product::<f64>() } => [(b - 0.4) * (c - 0.4), 0.0, 0.0, 0.0];
+    largest_of_any_number { let (mut top, mut low) = (-9.0, f64::INFINITY); for k in &self.table { let x = k * q[0] + k * k * q[1]; if x > top { top = x; } low = low.min(x); } top * low } => { let (top, low) = (a + b, 4.0 * a + 16.0 * b); [low + 4.0 * top, low + 16.0 * top, 0.0, 0.0] };
+    log_sum_exp { let logs: Vec<f64> = self.table.iter().map(|k| -k * q[0] * q[0]).collect(); let top = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max); top + logs.iter().map(|x| (x - top).exp()).sum::<f64>().ln() } => { let weights = [4.0, 3.0, 2.0, 1.0].map(|k: f64| (-k * a * a).exp()); let mean = (4.0 * weights[0] + 3.0 * weights[1] + 2.0 * weights[2] + weights[3]) / weights.iter().sum::<f64>(); [-2.0 * a * mean, 0.0, 0.0, 0.0] };
+    densities_of_pairs { let mut rho = vec![1.0; self.count]; for i in 0..self.count { for j in i + 1..self.count { let f = q[i] * q[j]; rho[i] += f; rho[j] += f; } } rho.iter().map(|x| x * x).sum::<f64>() } => { let x = [a, b, c]; let rho = x.map(|own| 1.0 + own * (a + b + c - own)); let slope = |m: usize| (0..3).map(|i| 2.0 * rho[i] * if i == m { a + b + c - x[m] } else { x[i] }).sum::<f64>(); [slope(0), slope(1), slope(2), 0.0] };
     products { let mut v = 1.0; for i in 0..4 { v *= q[i]; } v } => [b * c * d, a * c * d, a * b * d, a * b * c];
     read_on_the_way { let (mut s, mut v) = (0.0, 0.0); for x in q { s += x; v += s * s; } let mut e = 1.0; for _ in 0..6 { e -= (e * e - 2.0 - q[0]) / (2.0 * e); } v + e } => { let sums = [a, a + b, a + b + c, a + b + c + d]; let tail = |k: usize| sums[k..].iter().map(|s| 2.0 * s).sum::<f64>(); [tail(0) + 0.5 / (2.0 + a).sqrt(), tail(1), tail(2), tail(3)] };
 

@@ -1,6 +1,6 @@
 //! Derivatives of prepared values by a parameter, by one sweep from the parameter to the value.
 
-use super::{Graph, Node, NodeId, ParameterId};
+use super::{FoldSlope, Graph, Node, NodeId, ParameterId};
 use std::collections::HashMap;
 
 impl Graph {
@@ -70,6 +70,13 @@ impl Graph {
                 self.sum_of(products)
             }
             Node::Sum(by, body) => of(body).map(|body| self.sum(by, body)),
+            Node::Fold(fold, by, body) => {
+                let inner = of(body)?;
+                let FoldSlope { condition, value } = self.fold_slope(fold, by, body, id);
+                let (product, zero) = (self.mul(value, inner), self.constant(0.0));
+                let product = condition.map_or(product, |condition| self.select(condition, product, zero));
+                Some(self.sum(by, product))
+            }
             Node::Select(condition, a, b) if of(a).is_some() || of(b).is_some() => {
                 let zero = self.constant(0.0);
                 Some(self.select(condition, of(a).unwrap_or(zero), of(b).unwrap_or(zero)))

@@ -1,6 +1,6 @@
 //! Costs of expressions, in arithmetic operations.
 
-use super::{ExternalId, Graph, Node, NodeId, index::LoopSet};
+use super::{ExternalId, Fold, Graph, Node, NodeId, index::LoopSet};
 use std::{
     collections::{BTreeMap, HashMap, HashSet},
     fmt,
@@ -86,14 +86,15 @@ impl Graph {
             let node = self.node(id);
             // A sum adds once per iteration.
             let loops = match node {
-                Node::Sum(by, _) => self.loops_of(id).union(LoopSet::of(by)),
+                Node::Sum(by, _) | Node::Fold(_, by, _) => self.loops_of(id).union(LoopSet::of(by)),
                 _ => self.loops_of(id),
             };
             let tally = tallies.entry(loops).or_default();
             let mut call = |name: String| *tally.functions.entry(name).or_default() += 1;
             match node {
                 Node::Add(..) | Node::Sum(..) => tally.additions += 1,
-                Node::Mul(..) => tally.multiplications += 1,
+                Node::Mul(..) | Node::Fold(Fold::Product, ..) => tally.multiplications += 1,
+                Node::Fold(Fold::Largest, ..) => call("max".to_owned()),
                 Node::Div(..) => tally.divisions += 1,
                 Node::Power(..) => tally.roots += 1,
                 Node::Unary(function, _) | Node::Binary(function, ..) => call(function.name().to_owned()),

@@ -110,6 +110,14 @@ impl<'p> Point<'p> {
                 self.iterations(graph, &[by], &mut |point| sum += point.value(graph, body));
                 sum
             }
+            Node::Fold(fold, by, body) => {
+                let mut whole = fold.beginning();
+                self.iterations(graph, &[by], &mut |point| {
+                    let item = point.value(graph, body);
+                    whole = fold.joined(whole, item);
+                });
+                whole
+            }
             other => unreachable!("{other:?} is a condition"),
         }
     }

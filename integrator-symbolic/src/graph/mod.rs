@@ -17,6 +17,7 @@ mod decision_tree;
 pub(crate) mod evaluate;
 pub(crate) mod exact;
 pub(crate) mod external;
+mod fold;
 pub(crate) mod function;
 mod in_the_way;
 pub(crate) mod index;
@@ -35,6 +36,7 @@ mod separate;
 pub(crate) use access::Access;
 pub use cost::Tally;
 use external::Arguments;
+pub(crate) use fold::{Fold, FoldSlope};
 use function::Function;
 use index::{IndexId, LoopId, LoopSet, Loops};
 use std::collections::{HashMap, HashSet};
@@ -121,6 +123,8 @@ pub(crate) enum Node {
     External(ExternalId, Arguments),
     /// The sum of the body over the loop's index.
     Sum(LoopId, NodeId),
+    /// The items of the loop joined otherwise than by adding them.
+    Fold(Fold, LoopId, NodeId),
     /// A condition: how two numbers compare.
     Compare(Comparison, NodeId, NodeId),
     /// A condition: how two integers compare.
@@ -159,9 +163,12 @@ impl Node {
             | Node::CompareIndex(..)
             | Node::External(..)
             | Node::Flag(_) => [None; 3],
-            Node::Neg(a) | Node::Power(a, _) | Node::Unary(_, a) | Node::Sum(_, a) | Node::Not(a) => {
-                [Some(a), None, None]
-            }
+            Node::Neg(a)
+            | Node::Power(a, _)
+            | Node::Unary(_, a)
+            | Node::Sum(_, a)
+            | Node::Fold(_, _, a)
+            | Node::Not(a) => [Some(a), None, None],
             Node::Add(a, b)
             | Node::Mul(a, b)
             | Node::Div(a, b)
@@ -195,6 +202,7 @@ impl Node {
             Node::Unary(function, a) => Node::Unary(function, of(a)),
             Node::External(id, arguments) => Node::External(id, arguments.map(of)),
             Node::Sum(by, a) => Node::Sum(by, of(a)),
+            Node::Fold(fold, by, a) => Node::Fold(fold, by, of(a)),
             Node::Not(a) => Node::Not(of(a)),
             Node::Add(a, b) => Node::Add(of(a), of(b)),
             Node::Mul(a, b) => Node::Mul(of(a), of(b)),
@@ -376,7 +384,7 @@ impl Graph {
             Node::Parameter(id) | Node::Flag(id) => self.loops.of_parameter(id),
             Node::CompareIndex(_, a, b) => self.loops.of_index(a).union(self.loops.of_index(b)),
             Node::FromIndex(index) => self.loops.of_index(index),
-            Node::Sum(by, _) => self.loops.of_range(by),
+            Node::Sum(by, _) | Node::Fold(_, by, _) => self.loops.of_range(by),
             Node::Coordinate(element) => self.loops.of_element(element),
             _ => LoopSet::EMPTY,
         };
@@ -387,7 +395,7 @@ impl Graph {
         let mut facts = Facts {
             loops,
             summed: match node {
-                Node::Sum(by, _) => LoopSet::of(by),
+                Node::Sum(by, _) | Node::Fold(_, by, _) => LoopSet::of(by),
                 _ => LoopSet::EMPTY,
             },
             prepared: !node.is_read(),
@@ -402,7 +410,7 @@ impl Graph {
         for child in node.children() {
             let child = self.facts[child.position()];
             facts.loops = facts.loops.union(match node {
-                Node::Sum(by, _) => child.loops.without(by),
+                Node::Sum(by, _) | Node::Fold(_, by, _) => child.loops.without(by),
                 _ => child.loops,
             });
             facts.summed = facts.summed.union(child.summed);
@@ -412,7 +420,7 @@ impl Graph {
             facts.total &= child.total;
             facts.total_of_any &= child.total_of_any;
             facts.access = facts.access.max(child.access);
-            if !matches!(node, Node::Sum(..)) {
+            if !matches!(node, Node::Sum(..) | Node::Fold(..)) {
                 facts.beside_sums = facts.beside_sums.max(child.beside_sums);
             }
         }
@@ -429,7 +437,8 @@ impl Graph {
             Node::Power(_, halves) => halves > 0 && halves % 2 == 0,
             Node::Div(_, divisor) => self.as_constant(divisor).is_some_and(|divisor| divisor != 0.0),
             Node::Unary(function, _) | Node::Binary(function, ..) => function.row().total,
-            Node::External(..) => false,
+            // Without items the largest one is infinite, and a derivative divides by items.
+            Node::External(..) | Node::Fold(..) => false,
             _ => true,
         }
     }

@@ -31,7 +31,7 @@ impl Graph {
                     Some(degree) if halves > 0 && halves % 2 == 0 => degree.checked_mul(halves as u32 / 2),
                     _ => None,
                 },
-                Node::Unary(_, a) => of(a).filter(|degree| *degree == 0),
+                Node::Unary(_, a) | Node::Fold(_, _, a) => of(a).filter(|degree| *degree == 0),
                 Node::External(_, arguments) => arguments.iter().all(|argument| of(argument) == Some(0)).then_some(0),
                 Node::Binary(_, a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
                     of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0)

@@ -78,6 +78,7 @@ pub(crate) fn rename(
         Node::Unary(function, a) => Node::Unary(function, of(graph, a)?),
         Node::Binary(function, a, b) => Node::Binary(function, of(graph, a)?, of(graph, b)?),
         Node::Sum(by, body) => Node::Sum(by, of(graph, body)?),
+        Node::Fold(fold, by, body) => Node::Fold(fold, by, of(graph, body)?),
         Node::Compare(comparison, a, b) => Node::Compare(comparison, of(graph, a)?, of(graph, b)?),
         Node::And(a, b) => Node::And(of(graph, a)?, of(graph, b)?),
         Node::Or(a, b) => Node::Or(of(graph, a)?, of(graph, b)?),

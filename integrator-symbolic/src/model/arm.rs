@@ -132,6 +132,7 @@ impl Reader<'_> {
             self.conditions.extend(tried);
             let condition = match text.guard {
                 None => Some(fits),
+                Some(_) if self.is_known(Some(fits), false) => Some(fits),
                 Some(guard) => {
                     let guard = self.in_arm(arm.clone(), |reader| reader.condition_of(guard));
                     guard.map(|guard| self.graph.and(fits, guard))
@@ -143,6 +144,10 @@ impl Reader<'_> {
             let side = self.side(&fork, condition, true, read);
             sides.push((condition, side, place));
             condition.into_iter().for_each(|condition| self.past(condition));
+            if self.is_known(condition, true) {
+                last = Some(fork.untaken());
+                break;
+            }
         }
         self.conditions.truncate(depth);
         self.joined(fork, sides, last?)

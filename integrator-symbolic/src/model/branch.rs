@@ -33,6 +33,13 @@ pub(super) struct Side {
 /// Sides of a branch, each with its condition and its place in the text.
 pub(super) type Sides<'a> = Vec<(Option<NodeId>, Side, &'a dyn ToTokens)>;
 
+impl Fork {
+    /// A side that is not taken.
+    pub(super) fn untaken(&self) -> Side {
+        Side { outcome: Some(Outcome::of(Value::Unknown)), left: self.before.clone(), added: Vec::new() }
+    }
+}
+
 impl Reader<'_> {
     /// A value as a condition.
     pub(super) fn condition(&mut self, value: &Value) -> Option<NodeId> {
@@ -136,7 +143,8 @@ impl Reader<'_> {
         Fork { ids, before, sums }
     }
 
-    /// Reads one side of a branch, and goes back to where the branch began.
+    /// Reads one side of a branch, and goes back to where the branch began. A side that is known not to be taken, as
+    /// `if n >= 1` is in the iteration 0 of a loop that is written out, is not read: it may compute what is not there.
     pub(super) fn side(
         &mut self,
         fork: &Fork,
@@ -144,12 +152,20 @@ impl Reader<'_> {
         holds: bool,
         read: impl FnOnce(&mut Self) -> Option<Outcome>,
     ) -> Side {
+        if self.is_known(condition, !holds) {
+            return fork.untaken();
+        }
         let outcome = self.under(condition, holds, read);
         let states = fork.ids.iter().zip(&fork.before);
         let left =
             states.map(|(id, before)| std::mem::replace(&mut self.bindings[id.0].value, before.clone())).collect();
         let added = self.frames.last_mut().map(|frame| std::mem::take(&mut frame.sums)).unwrap_or_default();
         Side { outcome, left, added }
+    }
+
+    /// Whether a condition is known to hold, or known not to.
+    pub(super) fn is_known(&self, condition: Option<NodeId>, holds: bool) -> bool {
+        condition.is_some_and(|condition| self.graph.as_truth(condition) == Some(holds))
     }
 
     /// What is known behind a branch: of its sides, the first one whose condition holds was taken, else the last.
@@ -187,6 +203,11 @@ impl Reader<'_> {
         second: Side,
         place: &dyn ToTokens,
     ) -> Option<Side> {
+        match self.graph.as_truth(condition) {
+            Some(true) => return Some(first),
+            Some(false) => return Some(second),
+            None => {}
+        }
         let [first_leaves, second_leaves] = [&first, &second].map(|side| self.leaves(side));
         let states = first.left.into_iter().zip(second.left);
         let left = match (first_leaves, second_leaves) {

@@ -130,8 +130,14 @@ impl Reader<'_> {
             let side = self.side(&fork, condition, true, |reader| reader.body(body, flow));
             sides.push((condition, side, *branch));
             condition.into_iter().for_each(|condition| self.past(condition));
+            if self.is_known(condition, true) {
+                break;
+            }
         }
-        let last = self.side(&fork, None, true, |reader| reader.body(last, flow));
+        let last = match self.is_known(condition, true) {
+            true => fork.untaken(),
+            false => self.side(&fork, None, true, |reader| reader.body(last, flow)),
+        };
         self.conditions.truncate(depth);
         self.joined(fork, sides, last)
     }

@@ -220,7 +220,7 @@ impl Reader<'_> {
                 }))
             }
             Value::Array(parts) => {
-                let literal = self.graph.loops.literal(position);
+                let literal = self.known(position);
                 let part = literal.and_then(|literal| parts.get(usize::try_from(literal).ok()?));
                 if literal.is_none()
                     && let Some(list) = self.as_list(&Value::Array(parts.clone()))

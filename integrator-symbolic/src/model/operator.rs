@@ -62,6 +62,10 @@ impl Reader<'_> {
             let first = value.as_ref().filter(|_| matches!(link.op, BinOp::And(_) | BinOp::Or(_))).cloned();
             let first = first.and_then(|first| self.condition(&first));
             let holds = matches!(link.op, BinOp::And(_));
+            if let Some(known) = first.filter(|_| self.is_known(first, !holds)) {
+                value = Some(Value::Condition(known));
+                continue;
+            }
             let right = self.under(first, holds, |reader| reader.expression(&link.right));
             self.note_operand(&link.op, right.as_ref(), &link.right);
             value = match (value, right) {

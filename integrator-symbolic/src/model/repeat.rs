@@ -53,6 +53,9 @@ impl Reader<'_> {
         if let Some(rewritten) = nested_loop(repeat).or_else(|| indexed_loop(repeat)) {
             return self.repeat(&rewritten);
         }
+        if let Some(loops) = self.gathered(repeat) {
+            return loops.iter().try_fold(Value::Unit, |_, own| self.repeat(own));
+        }
         let sequence = self.sequence_of(&repeat.expr, Some(&repeat.pat))?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);
@@ -78,6 +81,9 @@ impl Reader<'_> {
             }
             if let Some(value) = self.fill(repeat, &sequence)? {
                 return Some(value);
+            }
+            if let Some(iterations) = self.iterations_by_constants(&written) {
+                return self.write_out(repeat, &written, iterations);
             }
         }
         self.sums(repeat, &sequence, &|reader, index| reader.iteration(repeat, &sequence, index))
@@ -154,7 +160,8 @@ impl Reader<'_> {
             self.lookup(name).is_some_and(|id| match &self.bindings[id.0].value {
                 // Of sums, arrays alone are indexed.
                 Value::Array(_) | Value::Accumulating => true,
-                Value::List(part) => part.literal,
+                // A list is read by any index, and assigned where its elements are known.
+                Value::List(part) => part.literal || assigned.names.contains(name),
                 _ => false,
             })
         };

@@ -197,12 +197,17 @@ impl Reader<'_> {
                     return None;
                 }
                 let position = self.expression(index)?;
-                let position = self.integer(&position).and_then(|index| self.graph.loops.literal(index));
+                let position = self.integer(&position).and_then(|index| self.known(index));
+                self.list_as_array(&target);
                 let elements = match self.element_of(&target)? {
                     Value::Array(elements) => elements.len(),
                     Value::Accumulating => usize::MAX,
-                    Value::List(_) => {
-                        self.errors.at(place, BY_INDEX);
+                    Value::List(list) => {
+                        let list = list.clone();
+                        let message = self.unseen_length(&list).unwrap_or_else(|| BY_INDEX.to_owned());
+                        self.errors.at(place, message);
+                        // One mistake, one message, however often it is assigned to.
+                        self.bindings[target.id.0].value = Value::Unknown;
                         return None;
                     }
                     Value::View(_) => {
@@ -263,7 +268,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    fn element_of(&self, target: &Target) -> Option<&Value> {
+    pub(super) fn element_of(&self, target: &Target) -> Option<&Value> {
         target.at.iter().try_fold(&self.bindings[target.id.0].value, |value, position| match value {
             Value::Array(parts) => parts.get(*position),
             Value::Accumulating => Some(value),
@@ -462,7 +467,7 @@ pub(super) fn simple_name(expression: &Expr) -> Option<&Ident> {
 }
 
 /// The name of the variable that a place is, or is an element of.
-fn root_name(place: &Expr) -> Option<&Ident> {
+pub(super) fn root_name(place: &Expr) -> Option<&Ident> {
     match place {
         Expr::Index(ExprIndex { expr, .. }) => root_name(expr),
         Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. }) => root_name(expr),

@@ -16,7 +16,7 @@ use std::{ops::Range, rc::Rc};
 use syn::{Expr, ExprClosure, ExprForLoop, ExprMethodCall, parse_quote, visit::Visit};
 
 /// What is done with every item.
-enum Step {
+pub(super) enum Step {
     /// It is added.
     Add,
     /// It is a factor.
@@ -60,18 +60,25 @@ impl Reader<'_> {
         if let Some(total) = self.by_powers(&sequence, &start, &step, call)? {
             return Some(total);
         }
+        if let Some(iterations) = self.iterations_by_constants(&sequence) {
+            return self.item_by_item(&sequence, iterations, &start, &step, call);
+        }
+        if let Some(total) = self.by_joining(&sequence, &start, &step, call)? {
+            return Some(total);
+        }
         let name = &call.method;
         let message = format!(
-            "this `{name}` does more than add, so it is written out, for up to {FEW} items whose number is known here: \
-             run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or write a sum. Over any \
-             number of items, `sum * x + c` with the same x for all of them is a polynomial, and understood"
+            "this `{name}` does more than add, multiply or keep the largest item, so it is written out, for up to {FEW} items \
+             whose number is known here: run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or \
+             write a sum. Over any number of items, `sum * x + c` with the same x for all of them is a polynomial, and \
+             understood"
         );
         self.errors.at(name, message);
         None
     }
 
-    /// A loop that does to variables what Horner's rule does, `v = v * x + c`, as a fold over its items; outside,
-    /// whether it was read.
+    /// A loop that does to variables what Horner's rule does, `v = v * x + c`, or joins an item to each of them, as a fold over
+    /// its items; outside, whether it was read.
     pub(super) fn loop_by_powers(&mut self, repeat: &ExprForLoop, sequence: &Sequence) -> Option<Option<Value>> {
         let mut assigned = Assigned::default();
         assigned.visit_block(&repeat.body);
@@ -90,7 +97,11 @@ impl Reader<'_> {
             (#items).fold((#(#variables,)*), |(#(mut #variables,)*), #pattern| { #body (#(#variables,)*) })
         );
         let (start, step) = self.step(&call)?;
-        let Some(Value::Tuple(totals)) = self.by_powers(sequence, &start, &step, &call)? else { return Some(None) };
+        let total = match self.by_powers(sequence, &start, &step, &call)? {
+            None => self.by_joining(sequence, &start, &step, &call)?,
+            total => total,
+        };
+        let Some(Value::Tuple(totals)) = total else { return Some(None) };
         for (id, total) in ids.into_iter().zip(totals) {
             self.bindings[id.0].value = total;
         }
@@ -130,7 +141,7 @@ impl Reader<'_> {
     }
 
     /// The numbers of the accumulator behind an item.
-    fn stepped(
+    pub(super) fn stepped(
         &mut self,
         step: &Step,
         before: &Accumulator,
@@ -314,7 +325,7 @@ impl Reader<'_> {
     }
 
     /// An accumulator of numbers of which nothing is known, other ones each time.
-    fn unknown(&mut self, like: &Accumulator) -> Accumulator {
+    pub(super) fn unknown(&mut self, like: &Accumulator) -> Accumulator {
         let numbers = like.numbers.iter().map(|_| {
             let number = self.parameters.len();
             let parameter = self.parameter(quote!(accumulator #number), "accumulator", Default::default());
@@ -326,15 +337,15 @@ impl Reader<'_> {
 
 /// What a fold carries from item to item: a number, or a tuple or an array of some.
 #[derive(Clone)]
-struct Accumulator {
+pub(super) struct Accumulator {
     /// A value with this many numbers in these places.
     shape: Value,
-    numbers: Vec<NodeId>,
+    pub(super) numbers: Vec<NodeId>,
 }
 
 impl Accumulator {
     /// The value with other numbers.
-    fn with(&self, numbers: &[NodeId]) -> Value {
+    pub(super) fn with(&self, numbers: &[NodeId]) -> Value {
         filled(&self.shape, &mut numbers.iter().copied())
     }
 }

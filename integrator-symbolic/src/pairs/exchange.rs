@@ -138,7 +138,7 @@ impl<'p> Forms<'p> {
                 self.of(graph, b, exchanged)?,
             ]),
             Node::Time | Node::Middle | Node::Step => Form::Fixed(id),
-            Node::External(..) | Node::CompareIndex(..) | Node::Flag(_) => return None,
+            Node::Fold(..) | Node::External(..) | Node::CompareIndex(..) | Node::Flag(_) => return None,
         };
         Some(self.id(form))
     }

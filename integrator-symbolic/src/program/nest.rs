@@ -89,7 +89,9 @@ impl NestContext<'_> {
     ) -> Option<()> {
         let own: Vec<&Item> = body.iter().filter(|item| !matches!(item, Item::Loop { .. })).collect();
         // What a loop inside adds up belongs to the lines around it.
-        if own.iter().any(|item| matches!(item, Item::Begin(id) if matches!(self.graph.node(*id), Node::Sum(..)))) {
+        if own.iter().any(
+            |item| matches!(item, Item::Begin(id) if matches!(self.graph.node(*id), Node::Sum(..) | Node::Fold(..))),
+        ) {
             return None;
         }
         if !own.is_empty() {

@@ -93,7 +93,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// Whether a node gets its value in an inner block.
     pub(super) fn is_made_inside(&self, id: NodeId) -> bool {
-        matches!(self.graph.node(id), Node::Sum(..) | Node::Select(..))
+        matches!(self.graph.node(id), Node::Sum(..) | Node::Fold(..) | Node::Select(..))
     }
 
     fn inner_item(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {

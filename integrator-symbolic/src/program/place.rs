@@ -100,6 +100,11 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                     _ => self.end(&iteration, End::Add { sum: id, value: body }),
                 }
             }
+            Node::Fold(_, by, body) => {
+                let waits = self.waits(home, id, Scope::Loop(by));
+                let iteration = self.inside(home, Scope::Loop(by), waits);
+                self.end(&iteration, End::Add { sum: id, value: body });
+            }
             Node::Select(condition, first, second) => {
                 self.note_use(condition, home);
                 // A choice begins as zero, which needs no branch; the negative zero does.

@@ -424,8 +424,11 @@ pub(crate) const BODIES: &[Row] = &[
     ("y += q[0]; q[0]", &["2:0 `y` is not known here"]),
     ("let mut v = 1.0; for i in 0..2 { v *= q[i]; } v", &[]),
     (
-        "let mut v = 0.0; for i in 0..self.count { v += v * q[i]; } v",
-        &["2:47 `v` is being summed up by the loop around here: it can be read after the loop"],
+        "let mut v = 0.0; for i in 0..self.count { v += v * v * q[i]; } v",
+        &[
+            "2:47 `v` is being summed up by the loop around here: it can be read after the loop",
+            "2:51 `v` is being summed up by the loop around here: it can be read after the loop",
+        ],
     ),
     ("for i in 0..2 { q[i]; }", &["2:0 `potential` has to end in a number, the energy; this is nothing"]),
     (

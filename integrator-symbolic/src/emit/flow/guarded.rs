@@ -47,6 +47,82 @@ const ROWS: &[Row] = rows! { q:
         }
         v
     }
+    densities_of_pairs {
+        let mut rho = vec![0.5; q.len()];
+        let mut pairs = 0.0;
+        for i in 0..q.len() {
+            for j in i + 1..q.len() {
+                let r2 = (q[i] - q[j]).powi(2);
+                if r2 < 4.0 {
+                    let f = (-r2).exp();
+                    rho[i] += f;
+                    rho[j] += 2.0 * f;
+                    pairs += r2.sqrt();
+                }
+            }
+        }
+        let mut v = pairs;
+        for i in 0..q.len() {
+            v -= rho[i].sqrt();
+        }
+        v
+    }
+    densities_of_lower_pairs {
+        let n = q.len();
+        let mut rho = vec![1.0; n];
+        for (i, x) in q.iter().enumerate() {
+            for j in 0..i {
+                let f = (x - q[j]).cos();
+                if f < 0.3 {
+                    continue;
+                }
+                rho[i] += f * x;
+                rho[j] -= f;
+            }
+        }
+        rho.iter().map(|x| x * x).sum::<f64>()
+    }
+    densities_of_all_others {
+        let mut rho = vec![0.0; q.len()];
+        for i in 0..q.len() {
+            for j in 0..q.len() {
+                if i != j {
+                    rho[i] += (q[i] * q[j]).sin();
+                    rho[j] += q[i];
+                }
+            }
+        }
+        let mut v = 0.0;
+        for (x, density) in q.iter().zip(&rho) {
+            v += x * density * density;
+        }
+        v
+    }
+    log_sum_exp {
+        let top = q.iter().map(|x| 300.0 * x * x).fold(f64::NEG_INFINITY, f64::max);
+        top + q.iter().map(|x| (300.0 * x * x - top).exp()).sum::<f64>().ln()
+    }
+    largest_of_equal_ones {
+        let mut top = -9.0;
+        for x in q {
+            for y in [0.5, 0.5] {
+                if (x - y).powi(2) > top {
+                    top = (x - y).powi(2);
+                }
+            }
+        }
+        let low = q.iter().fold(f64::INFINITY, |low, x| low.min(x * x * x));
+        top * q[0] + low
+    }
+    products_with_zeros {
+        let mut all = 1.0;
+        let mut others = 1.0;
+        for (k, x) in q.iter().enumerate() {
+            all *= x - 0.7 + 0.25 * k as f64;
+            others *= (x - 0.7) * (x + 0.2);
+        }
+        all + others * q[0] + q.iter().filter(|x| **x > 0.1).map(|x| x * x - 4.0).product::<f64>()
+    }
     factor_of_no_index {
         let mut v = 0.0;
         for i in 0..q.len() {
@@ -289,7 +365,11 @@ impl<'m> Lines<'m> {
             Item::Let(id) => self.name(*id),
             Item::SineCosine { sine, cosine, .. } => [*sine, *cosine].into_iter().for_each(|id| self.name(id)),
             Item::Begin(id) => {
-                self.point.known.insert(*id, 0.0);
+                let beginning = match graph.node(*id) {
+                    Node::Fold(fold, ..) => fold.beginning(),
+                    _ => 0.0,
+                };
+                self.point.known.insert(*id, beginning);
             }
             Item::Loop { by, body } => {
                 let range = graph.loops.get(*by);
@@ -306,7 +386,11 @@ impl<'m> Lines<'m> {
             }
             Item::Add { sum, value } => {
                 let value = self.point.value(graph, *value);
-                *self.point.known.get_mut(sum).expect("a sum that has begun") += value;
+                let known = self.point.known.get_mut(sum).expect("a sum that has begun");
+                *known = match graph.node(*sum) {
+                    Node::Fold(fold, ..) => fold.joined(*known, value),
+                    _ => *known + value,
+                };
             }
             Item::Choose { choice, value } => {
                 let value = self.point.value(graph, *value);

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     graph::{
-        Element, Graph, Node, NodeId, Part,
+        Element, Fold, Graph, Node, NodeId, Part,
         index::{Index, LoopId},
     },
     model::{Length, Model},
@@ -89,6 +89,7 @@ impl<'m> Printer<'m> {
             externals: &model.externals,
             functions: model.functions,
             is_list: matches!(model.shape.length, Length::OfStart),
+            counted: Part::Position,
             frame,
         }
     }
@@ -118,8 +119,12 @@ impl<'m> Block<'m> {
             }
             Item::Begin(id) => {
                 self.begun.insert(*id, self.masks.len());
-                let (name, zero) = (&printer.names[id], self.zero());
-                quote!(let mut #name = #zero;)
+                let beginning = match printer.graph.node(*id) {
+                    Node::Fold(fold, ..) => printer.number(fold.beginning()),
+                    _ => self.zero(),
+                };
+                let name = &printer.names[id];
+                quote!(let mut #name = #beginning;)
             }
             Item::Loop { by, body } => {
                 if let Some(sum) = self.list_sum(fields, *by, body) {
@@ -137,9 +142,10 @@ impl<'m> Block<'m> {
             Item::Add { sum, value } => {
                 let name = printer.names[sum].to_token_stream();
                 let depth = self.begun.get(sum).copied().unwrap_or_default();
-                match printer.compared.contains(sum) {
-                    true => self.accumulate_rounded(fields, name, *value, depth),
-                    false => self.accumulate(fields, name, *value, depth),
+                match printer.graph.node(*sum) {
+                    Node::Fold(fold, ..) => self.join(fields, fold, &name, *value, depth),
+                    _ if printer.compared.contains(sum) => self.accumulate_rounded(fields, name, *value, depth),
+                    _ => self.accumulate(fields, name, *value, depth),
                 }
             }
             Item::Choose { choice, value } => {
@@ -242,6 +248,10 @@ impl<'m> Block<'m> {
                 let (part, at) = (printer.part(element), printer.at(fields, element));
                 quote!(moved.#part #at)
             }
+            // There are as many momenta as positions, and a list is not counted while an element of it is being changed.
+            _ if printer.is_list && element.part == Part::Position => {
+                Printer { names: HashMap::new(), counted: Part::Momentum, ..*printer }.place(fields, element)
+            }
             _ => printer.place(fields, element),
         };
         // A list cannot be read while an element of it is being changed.
@@ -265,6 +275,23 @@ impl<'m> Block<'m> {
                 }
             }
         }
+    }
+
+    /// `target *= value`, or `target = target.max(value)`, in the lanes in which all conditions beyond `depth` hold.
+    fn join(&self, fields: &mut Fields, fold: Fold, target: &TokenStream, value: NodeId, depth: usize) -> TokenStream {
+        let value = self.printer.expression(fields, value);
+        let joined = match fold {
+            Fold::Product => {
+                let value = value.term();
+                quote!(#target * #value)
+            }
+            Fold::Largest => {
+                let value = value.tokens;
+                quote!(#target.max(#value))
+            }
+        };
+        let joined = self.mask(depth, &joined, target);
+        quote!(#target = #joined;)
     }
 
     /// `target += value`, fused where the value is a product, in the lanes in which all conditions beyond `depth` hold.
@@ -307,6 +334,7 @@ fn names(graph: &Graph, model: &Model, named: &BTreeSet<NodeId>) -> HashMap<Node
     for id in named {
         let kind = match graph.node(*id) {
             Node::Sum(..) => "sum",
+            Node::Fold(fold, ..) => fold.name(),
             Node::Select(..) => "choice",
             node if node.is_condition() => "condition",
             _ => "shared",

@@ -151,6 +151,9 @@ impl Cuda<'_, '_> {
                 let function = self.reads.native("sin_cos").unwrap_or_else(|| "sin_cos".to_owned());
                 format!("R {sine}, {cosine};\n{function}({argument}, {sine}, {cosine});\n")
             }
+            Item::Begin(id) if let Node::Fold(fold, ..) = self.printer.graph.node(*id) => {
+                self.refuse(format!("the {} of any number of items has no text for devices yet", fold.noun()))
+            }
             Item::Begin(id) => format!("R {} = R(0.0);\n", self.name(*id)),
             Item::Loop { by, body } => {
                 let range = self.printer.graph.loops.get(*by);
@@ -299,7 +302,7 @@ impl Cuda<'_, '_> {
                 Printed::atom(self.refuse(format!("`{name}` is called as it is, and a device cannot call Rust")))
             }
             // Sums and choices are always named; the blocks inside theirs compute them.
-            Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(body),
+            Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(body),
             condition => Printed::atom(self.condition(condition)),
         }
     }

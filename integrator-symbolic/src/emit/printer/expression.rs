@@ -3,7 +3,7 @@
 use super::{fields::Fields, frame::Frame};
 use crate::{
     graph::{
-        Element, ExternalId, Graph, Node, NodeId,
+        Element, ExternalId, Graph, Node, NodeId, Part,
         external::Arguments,
         function::Function,
         index::{IndexId, LoopId, LoopSet},
@@ -81,6 +81,8 @@ pub(crate) struct Printer<'m> {
     pub(crate) functions: Functions,
     /// Whether coordinates are lists, whose length is known at run time.
     pub(crate) is_list: bool,
+    /// The coordinates whose length is read: positions, unless these are being changed.
+    pub(crate) counted: Part,
     /// Where coordinates and prepared constants are.
     pub(crate) frame: &'m Frame<'m>,
 }
@@ -175,7 +177,7 @@ impl Printer<'_> {
             Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
             Node::External(id, arguments) => self.external(fields, id, arguments),
             // Sums and choices are always named; the blocks inside theirs compute them.
-            Node::Sum(_, body) | Node::Select(_, body, _) => self.expression(fields, body),
+            Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
         }
     }
@@ -210,6 +212,11 @@ impl Printer<'_> {
         let node = self.graph.node(id);
         let is_leaf = node.children().next().is_none();
         matches!(node, Node::Constant(_)) || !is_leaf && node.children().all(|child| self.is_literal(child))
+    }
+
+    /// A number that flows compute in.
+    pub(crate) fn number(&self, value: f64) -> TokenStream {
+        self.constant(value).tokens
     }
 
     fn constant(&self, value: f64) -> Printed {

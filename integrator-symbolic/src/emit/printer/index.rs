@@ -137,7 +137,8 @@ impl Printer<'_> {
                 if self.dialect == Dialect::Generic
                     && !matches!(self.frame, Frame::Constants | Frame::Series { .. }) =>
             {
-                quote!(motion.q.len())
+                let counted = part_name(self.counted);
+                quote!(motion.#counted.len())
             }
             Index::Length => quote!(length),
             Index::Parameter(parameter) => {

@@ -6,7 +6,7 @@ mod naming;
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
-        Comparison, Element, Node, NodeId, ParameterId, Part, Scope,
+        Comparison, Element, Fold, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Called, Model},
@@ -257,6 +257,14 @@ impl Formulas<'_> {
             }
             Node::Select(..) => self.cases(id, Self::read),
             Node::Sum(by, body) => self.total(by, &self.read(body)),
+            Node::Fold(fold, by, body) => {
+                let sign = match fold {
+                    Fold::Product => "Π",
+                    Fold::Largest => "max",
+                };
+                let text = format!("{sign}_{{{}}} {}", self.range(by), self.read(body).text_of(Tie::Product));
+                Formula::atom(Kind::Total, text)
+            }
             _ => opaque(self.condition(id, true)),
         }
     }

@@ -35,16 +35,26 @@ const POLYNOMIALS: [Row; 6] = rows![
     |sum, x| (sum + x) * 0.75 + x * x,
 ];
 
+/// Products, and what keeps the largest or the smallest item, over any number of items.
+const JOINED: [Row; 7] = rows![
+    |sum, x| sum + x * sum,
+    |sum, x| sum.max(x),
+    |sum, x| sum * x.cos() * 0.5,
+    |sum, x| if sum < x * x { x * x } else { sum },
+    |sum, x| if x > sum { sum } else { x },
+    |sum, x| (x - 1.0).min(sum).min(x * x),
+    |sum, x| if x > 0.0 { sum * x } else { sum },
+];
+
 /// What is more than that; many are sums at 0 and at 1.
-const OTHERS: [Row; 10] = rows![
+const OTHERS: [Row; 9] = rows![
     |sum, x| sum.abs() + x,
     |sum, x| sum.max(0.0) + x,
     |sum, x| sum.min(1.0) + x * x,
     |sum, x| sum.clamp(0.0, 1.0) + x,
     |sum, x| sum * sum + x * x,
     |sum, x| sum * sum * sum + x,
-    |sum, x| sum + x * sum,
-    |sum, x| sum.max(x),
+    |sum, x| if sum < x * x { x } else { sum },
     |sum, x| if sum > 0.5 { sum + x } else { sum },
     |sum, x| sum.powi(3) + x,
 ];
@@ -64,7 +74,7 @@ const TOLERANCE: f64 = 32.0 * f64::EPSILON;
 
 #[test]
 fn folds_over_few_items_have_the_value_of_std() {
-    for row in SUMS.into_iter().chain(POLYNOMIALS).chain(OTHERS) {
+    for row in SUMS.into_iter().chain(POLYNOMIALS).chain(JOINED).chain(OTHERS) {
         let (found, expected) = both(row, "[f64; 5]");
         let found = found.unwrap_or_else(|error| panic!("{}: {error}", row.0));
         assert!((found - expected).abs() <= TOLERANCE * expected.abs().max(1.0), "{}: {found} for {expected}", row.0);
@@ -107,8 +117,8 @@ fn folds_may_carry_several_numbers() {
 }
 
 #[test]
-fn folds_over_any_number_of_items_are_sums_polynomials_or_refused() {
-    for row in SUMS.into_iter().chain(POLYNOMIALS) {
+fn folds_over_any_number_of_items_are_sums_polynomials_joined_or_refused() {
+    for row in SUMS.into_iter().chain(POLYNOMIALS).chain(JOINED) {
         let (found, expected) = both(row, "&[f64]");
         let found = found.unwrap_or_else(|error| panic!("{}: {error}", row.0));
         assert!((found - expected).abs() <= TOLERANCE * expected.abs().max(1.0), "{}: {found} for {expected}", row.0);
