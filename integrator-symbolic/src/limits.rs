@@ -7,6 +7,10 @@ use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 /// How deeply brackets, signs and calls may be nested. The parser's own stack ends near 500 nested blocks.
 pub(crate) const DEEPEST: usize = 200;
 
+/// How deeply expressions may be nested that are read, those of helper methods inside of their calls. The reader's stack ends
+/// near a thousand of them where it is compiled without optimisation.
+pub(crate) const NESTED: usize = 500;
+
 /// How many different operations a Hamiltonian may have, sums counted once.
 pub(crate) const OPERATIONS: usize = 100_000;
 

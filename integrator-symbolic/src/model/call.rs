@@ -4,6 +4,7 @@ use super::{
     Reader,
     adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
+    cure::in_rust,
     early_return::where_there,
     elementary::is_elementary,
     fill::ending_in,
@@ -218,6 +219,13 @@ impl Reader<'_> {
                 None
             }
             _ => {
+                let is_list = arguments.first().is_some_and(is_list);
+                if let [name] = segments[..]
+                    && let Some(cure) = in_rust(&name.to_string(), &places, is_list)
+                {
+                    self.errors.at(name, format!("there is no function `{name}` in Rust: write `{cure}`"));
+                    return None;
+                }
                 let (name, last) = (quoted(&function), segments.last());
                 let last = last.map_or_else(|| name.clone(), ToString::to_string);
                 let cure = format!("move the function into it and call `Self::{last}`, {OR_STATE}");
@@ -335,6 +343,11 @@ impl Reader<'_> {
         let value = if is_generic { value } else { value.map(|value| self.of_output(value, &helper.sig.output)) };
         value.map(Value::into_operand)
     }
+}
+
+/// Whether a value is a list of others.
+pub(super) fn is_list(value: &Value) -> bool {
+    matches!(value, Value::View(_) | Value::Array(_) | Value::List(_))
 }
 
 /// Whether a method has parameters of its own, which mean nothing outside of it.

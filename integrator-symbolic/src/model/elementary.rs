@@ -2,7 +2,8 @@
 
 use super::{
     Reader,
-    call::{OR_STATE, takes},
+    call::{OR_STATE, is_list, takes},
+    cure::in_rust,
     value::{Opaque, Value},
 };
 use crate::{
@@ -58,7 +59,13 @@ impl Reader<'_> {
                 return None;
             }
             _ => {
-                self.unknown_function(name, &method);
+                let whole: Vec<&Expr> = std::iter::once(place).chain(places.iter().copied()).collect();
+                match in_rust(&method, &whole, is_list(&receiver)) {
+                    Some(cure) => {
+                        self.errors.at(name, format!("numbers and arrays have no method `{method}`: write `{cure}`"));
+                    }
+                    None => self.unknown_function(name, &method),
+                }
                 return None;
             }
         };
@@ -66,6 +73,11 @@ impl Reader<'_> {
             return Some(receiver);
         }
         let x = self.operand(&receiver, place)?;
+        if method == "log" && arguments.is_empty() {
+            let message = "`log` takes the base as an argument: the natural logarithm is `ln`";
+            self.errors.at(name, message);
+            return None;
+        }
         if arguments.len() != expected {
             self.errors.at(name, takes(&method, expected, arguments.len()));
             return None;

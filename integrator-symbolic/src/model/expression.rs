@@ -14,7 +14,7 @@ use crate::{
         NodeId, Part,
         index::{Index, IndexId, LoopSet},
     },
-    limits::{OPERATIONS, READINGS},
+    limits::{NESTED, OPERATIONS, READINGS},
 };
 use proc_macro2::{Ident, Span};
 use quote::{ToTokens, quote};
@@ -44,6 +44,22 @@ impl Reader<'_> {
             }
             return None;
         }
+        if self.nested >= NESTED {
+            self.readings = READINGS + 1;
+            let message = format!(
+                "expressions and the helper methods that they call are nested more than {NESTED} deep here: give inner parts \
+                 names with `let`, or write a loop"
+            );
+            self.errors.at(expression, message);
+            return None;
+        }
+        self.nested += 1;
+        let value = self.expression_by_kind(expression);
+        self.nested -= 1;
+        value
+    }
+
+    fn expression_by_kind(&mut self, expression: &Expr) -> Option<Value> {
         match expression {
             Expr::Paren(inner) => self.grouped(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => {

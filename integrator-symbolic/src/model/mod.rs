@@ -11,6 +11,7 @@ mod branch;
 mod call;
 mod closure;
 mod constant;
+mod cure;
 mod doubled;
 mod early_return;
 mod elementary;
@@ -28,6 +29,7 @@ mod operator;
 mod own_flow;
 mod parameter_text;
 mod parts;
+mod passed_over;
 mod pattern;
 mod prepared;
 mod presence;
@@ -251,7 +253,19 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     };
     let lengths = reader.lengths(&shape);
     let extents = shape.extents().map(|length| reader.length(length)).collect();
+    let noted = reader.errors.count();
     let rate = reader.rate(&shape);
+    let mut used: Vec<&str> = match &called {
+        Called::Separate(_) => vec!["kinetic", "potential"],
+        Called::Whole(_) => vec!["hamiltonian"],
+        Called::Parts => Vec::new(),
+    };
+    let named: Vec<String> = input.split.iter().map(ToString::to_string).collect();
+    if let Called::Parts = called {
+        used.extend(named.iter().map(String::as_str));
+    }
+    used.extend((rate.is_some() || reader.errors.count() > noted).then_some("rate"));
+    reader.check_passed_over(&used);
     let sensitive = reader.sensitive_parameters();
     let invariants = reader.invariants(&shape);
     let Reader { mut graph, parameters, running, externals, .. } = reader;
@@ -405,6 +419,8 @@ struct Reader<'i> {
     uses: Vec<ItemUse>,
     /// How many expressions were read.
     readings: u32,
+    /// How many expressions are being read, one inside of another.
+    nested: usize,
     /// Whether a product that mixes positions and momenta was noted.
     misplaced: bool,
     /// Whether products may mix positions and momenta.
@@ -437,6 +453,7 @@ impl<'i> Reader<'i> {
             foreign: None,
             uses: Vec::new(),
             readings: 0,
+            nested: 0,
             misplaced: false,
             may_mix: false,
             addends: HashMap::new(),

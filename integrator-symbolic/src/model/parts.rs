@@ -6,6 +6,7 @@ use super::{
     own_flow::own_flow,
     parameter_text::Texts,
     shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
+    sorted_parts::sorts_two_functions,
 };
 use crate::{
     errors::Errors,
@@ -47,6 +48,12 @@ impl<'i> Reader<'i> {
         let mut names = HashSet::new();
         let mut parts = Vec::new();
         let mut shape: Option<Shape> = None;
+        if let Some(first) = sorts_two_functions(input) {
+            let message = "`quadratic + rest` sorts the terms of one function: write `fn hamiltonian(&self, q: [f64; N], p: [f64; \
+                           N]) -> f64`, the sum of both, in place of `kinetic` and `potential`";
+            self.errors.at(first, message);
+            return None;
+        }
         for name in &input.split {
             if !names.insert(name.to_string()) {
                 self.errors.at(name, format!("`{name}` is a part of H already: each part is named once"));

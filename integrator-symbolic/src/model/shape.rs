@@ -220,8 +220,17 @@ pub(crate) fn usual_name(part: Part) -> &'static str {
     }
 }
 
+/// Whether a pattern is a name, perhaps with the underscore of what is not read.
 fn is_named(pattern: &Pat, name: &str) -> bool {
-    matches!(pattern, Pat::Ident(pattern) if pattern.ident == name)
+    matches!(pattern, Pat::Ident(pattern) if pattern.ident.to_string().trim_start_matches('_') == name)
+}
+
+/// Whether a function takes coordinates.
+pub(crate) fn has_coordinates(function: &ImplItemFn) -> bool {
+    function.sig.inputs.iter().any(|argument| match argument {
+        FnArg::Typed(argument) => Shape::of(&argument.ty, &mut Errors::default()).is_some(),
+        FnArg::Receiver(_) => false,
+    })
 }
 
 /// The arguments of a function that gives an energy.

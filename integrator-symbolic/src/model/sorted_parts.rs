@@ -18,6 +18,14 @@ pub(super) fn sorted(input: &Input) -> Option<&ImplItemFn> {
     input.function("hamiltonian").filter(|_| SORTED.into_iter().all(is_sorted))
 }
 
+/// The first name of such a split, where H is written as two functions.
+pub(super) fn sorts_two_functions(input: &Input) -> Option<&proc_macro2::Ident> {
+    let [first, second] = &input.split[..] else { return None };
+    let is_sorted = |name| (first == name || second == name) && input.function(name).is_none();
+    let is_there = |name| input.function(name).is_some();
+    (SORTED.into_iter().all(is_sorted) && ["kinetic", "potential"].into_iter().any(is_there)).then_some(first)
+}
+
 impl Reader<'_> {
     /// The terms of joint degree two or less in positions and momenta, and the others, each with a flow that is known.
     pub(super) fn sorted_parts(&mut self, function: &ImplItemFn) -> Option<(Vec<ExactPart>, Shape, Called)> {

@@ -94,6 +94,27 @@ fn bodies() {
     });
 }
 
+/// Calls of helper methods are followed by recursion, on the stack of the compiler, which has 8 MiB.
+#[test]
+fn long_chains_of_helpers_are_refused_at_a_call() {
+    fn found(length: usize, open: &str, close: &str) -> Vec<String> {
+        let helpers: String = (0..length)
+            .map(|k| format!("fn f{k}(&self, x: f64) -> f64 {{ {open}self.f{}(x * 0.99){close} + 0.1 * x }}\n", k + 1))
+            .collect();
+        let item = format!(
+            "impl System {{ {KINETIC} fn potential(&self, q: [f64; 2]) -> f64 {{ self.f0(q[0]) }}\n\
+             {helpers} fn f{length}(&self, x: f64) -> f64 {{ x.cos() }} }}"
+        );
+        let expanded = std::thread::Builder::new().stack_size(8 << 20).spawn(move || errors("", &item));
+        expanded.expect("a thread").join().expect("no panic")
+    }
+    assert_eq!(found(150, "", ""), [""; 0]);
+    for (length, open, close) in [(600, "", ""), (3000, "", ""), (100, "((((((((((", "))))))))))")] {
+        let [message] = &found(length, open, close)[..] else { panic!("one message for a chain of {length}") };
+        assert!(message.contains("nested more than 500 deep"), "{message}");
+    }
+}
+
 #[test]
 fn known_functions_are_listed() {
     let listed: Vec<&str> = known_functions().collect();

@@ -117,6 +117,26 @@ pub(crate) const ARGUMENTS: &[Row] = &[
 /// Annotated items.
 pub(crate) const ITEMS: &[Row] = &[
     (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] } fn rate(&self, q: [f64; 2]) -> f64 { q[0] } }",
+        &[
+            "1:120 `rate` is not used: the pace is a function of all positions alone, `fn rate(&self, q: ..) -> f64`. Change its arguments, or rename it",
+        ],
+    ),
+    (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { self.rate(q[0]) } fn rate(&self, x: f64) -> f64 { x } }",
+        &[],
+    ),
+    (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] } fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] * p[0] + q[0] } }",
+        &[
+            "1:120 `hamiltonian` is not used: H is made of `kinetic` and `potential`, and no function calls this one. Remove it, or rename it",
+        ],
+    ),
+    (
+        "impl System { fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] } fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { self.kinetic(p) + self.potential(q) } }",
+        &[],
+    ),
+    (
         "impl S { fn kinetic(&self, p: &[f64]) -> f64 { p[0] * p[0] } fn potential(&self, q: &[f64]) -> f64 {\nlet mut a = q.to_vec(); a[0] = 1.0; a[1] } }",
         &[
             "2:24 elements of a copy of coordinates can be assigned where the copy has at most 16 of them: write the new value as a variable",
@@ -421,6 +441,33 @@ pub(crate) const BODIES: &[Row] = &[
     ),
     ("assert!(q[0] > 0.0); q[0]", &[]),
     ("q[0] = 1.0; q[0]", &["2:0 `q` are coordinates: the functions only read them"]),
+    // What other languages write.
+    ("sqrt(q[0])", &["2:0 there is no function `sqrt` in Rust: write `q[0].sqrt()`"]),
+    ("exp(-q[0] * q[0])", &["2:0 there is no function `exp` in Rust: write `(-q[0] * q[0]).exp()`"]),
+    ("abs(q[0] - q[1])", &["2:0 there is no function `abs` in Rust: write `(q[0] - q[1]).abs()`"]),
+    ("max(q[0], q[1])", &["2:0 there is no function `max` in Rust: write `q[0].max(q[1])`"]),
+    ("pow(q[0], 2)", &["2:0 there is no function `pow` in Rust: write `q[0].powi(2)`"]),
+    ("pow(q[0], 1.5)", &["2:0 there is no function `pow` in Rust: write `q[0].powf(1.5)`"]),
+    ("log(q[0] + 2.0)", &["2:0 there is no function `log` in Rust: write `(q[0] + 2.0).ln()`"]),
+    ("q[0].log()", &["2:5 `log` takes the base as an argument: the natural logarithm is `ln`"]),
+    ("sum(q)", &["2:0 there is no function `sum` in Rust: write `q.iter().sum::<f64>()`"]),
+    (
+        "dot(q, q)",
+        &["2:0 there is no function `dot` in Rust: write `q.iter().zip(&q).map(|(a, b)| a * b).sum::<f64>()`"],
+    ),
+    (
+        "q.norm()",
+        &["2:2 numbers and arrays have no method `norm`: write `q.iter().map(|x| x * x).sum::<f64>().sqrt()`"],
+    ),
+    (
+        "q.dot(&q)",
+        &["2:2 numbers and arrays have no method `dot`: write `q.iter().zip(&q).map(|(a, b)| a * b).sum::<f64>()`"],
+    ),
+    ("q[0].norm()", &["2:5 numbers and arrays have no method `norm`: write `q[0].abs()`"]),
+    ("q[0].square()", &["2:5 numbers and arrays have no method `square`: write `q[0].powi(2)`"]),
+    ("q[0].pow(-2)", &["2:5 numbers and arrays have no method `pow`: write `q[0].powi(-2)`"]),
+    ("arctan2(q[0], q[1])", &["2:0 there is no function `arctan2` in Rust: write `q[0].atan2(q[1])`"]),
+    ("sqrt(2.0) * q[0]", &[]),
     ("y += q[0]; q[0]", &["2:0 `y` is not known here"]),
     ("let mut v = 1.0; for i in 0..2 { v *= q[i]; } v", &[]),
     (
@@ -538,6 +585,30 @@ pub(crate) const BODIES: &[Row] = &[
 
 /// The annotation, ` on `, and the functions of the impl, which begin on line 2.
 pub(crate) const SPLITS: &[Row] = &[
+    (
+        "split = quadratic + rest on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].powi(4) }",
+        &[
+            "1:8 `quadratic + rest` sorts the terms of one function: write `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`, the sum of both, in place of `kinetic` and `potential`",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, _q: [f64; 1]) -> f64 { _q[0].cos() } fn b(&self, _p: [f64; 1]) -> f64 { _p[0] * _p[0] }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, _q: [f64; 2], [x, y]: [f64; 2]) -> f64 { x * x + y } fn b(&self, q: [f64; 2]) -> f64 { q[0] * q[1] }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0] }",
+        &[
+            "2:98 `potential` is not used: H is made of `a` and `b`, and no function calls this one. Remove it, or rename it",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { self.a(q) + self.b(p) }",
+        &[],
+    ),
     (
         "split = a + b on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
         &[],

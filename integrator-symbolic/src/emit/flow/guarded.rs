@@ -62,8 +62,8 @@ const ROWS: &[Row] = rows! { q:
             }
         }
         let mut v = pairs;
-        for i in 0..q.len() {
-            v -= rho[i].sqrt();
+        for density in &rho {
+            v -= density.sqrt();
         }
         v
     }
