@@ -133,6 +133,33 @@ fn end_of_loops(context: &[Scope]) -> usize {
     context.iter().rposition(|around| matches!(around, Scope::Loop(_))).map_or(0, |last| last + 1)
 }
 
+/// A side of a distance: a length, or the square of one.
+enum Side {
+    Length(NodeId),
+    Square(NodeId),
+}
+
+/// The most sides of a distance, so that what is written of distances within distances is in proportion to them.
+const MOST_SIDES: usize = 8;
+
+/// The sides of a distance by `hypot`, those of distances in it included, or of a root. A distance in another one has no slope where
+/// it is zero, and the whole has: its slope by a side is the side over the whole.
+fn distance(graph: &Graph, id: NodeId) -> Option<Vec<Side>> {
+    let (mut sides, mut open) = (Vec::new(), vec![id]);
+    while let Some(id) = open.pop() {
+        match graph.node(id) {
+            Node::Binary(function, a, b) if function.is_distance() => open.extend([b, a]),
+            Node::Power(square, 1) => sides.push(Side::Square(square)),
+            _ => sides.push(Side::Length(id)),
+        }
+        if sides.len() + open.len() > MOST_SIDES {
+            return None;
+        }
+    }
+    let is_plain = matches!(sides[..], [Side::Length(of)] if of == id);
+    (!is_plain).then_some(sides)
+}
+
 /// A value inside of branches.
 type Inside<'a> = (&'a [Scope], NodeId);
 
@@ -304,6 +331,19 @@ impl Sweep {
                 let slope = graph.mul(exponent, lowered);
                 self.push_product(graph, a, context, adjoint, slope);
             }
+            Node::Unary(function, a)
+                if function.is_of_square()
+                    && self.depends[a.position()]
+                    && let Some(distance) = distance(graph, a) =>
+            {
+                if let Some(slope) = graph.slope(function, a, id) {
+                    // The slope is zero where the distance is, and its quotient is finite: multiplied by a coordinate, zero.
+                    let least = graph.constant(f64::MIN_POSITIVE);
+                    let divisor = graph.call_two("max", a, least);
+                    let quotient = graph.div(slope, divisor);
+                    self.push_distance(graph, &distance, context, adjoint, quotient);
+                }
+            }
             Node::Unary(function, a) if self.depends[a.position()] => {
                 if let Some(slope) = graph.slope(function, a, id) {
                     self.push_product(graph, a, context, adjoint, slope);
@@ -311,6 +351,13 @@ impl Sweep {
             }
             Node::Binary(function, a, b) if let Some(first) = self.choice(graph, function, [a, b], adjoint) => {
                 self.push_chosen(graph, [a, b], first, context, adjoint);
+            }
+            Node::Binary(function, ..)
+                if function.is_distance()
+                    && let Some(distance) = distance(graph, id) =>
+            {
+                let reciprocal = graph.power(id, -2);
+                self.push_distance(graph, &distance, context, adjoint, reciprocal);
             }
             Node::Binary(function, a, b) => {
                 let slopes = graph.slopes(function, a, b, id);
@@ -341,6 +388,29 @@ impl Sweep {
             Node::Select(condition, a, b) => self.push_chosen(graph, [a, b], condition, context, adjoint),
             // Leaves and conditions pass nothing on; neither does what does not depend on the part.
             _ => {}
+        }
+    }
+
+    /// Passes on the adjoint of a distance, times what its slopes have in common: that by a length `x` is `x` times it.
+    fn push_distance(
+        &mut self,
+        graph: &mut Graph,
+        distance: &[Side],
+        context: &[Scope],
+        adjoint: NodeId,
+        common: NodeId,
+    ) {
+        for side in distance {
+            let (child, slope) = match *side {
+                Side::Length(x) => (x, graph.mul(common, x)),
+                Side::Square(square) => {
+                    let half = graph.constant(0.5);
+                    (square, graph.mul(half, common))
+                }
+            };
+            if self.depends[child.position()] {
+                self.push_product(graph, child, context, adjoint, slope);
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 //! All of it holds on every instruction set. A process uses one, so [`instruction_sets`] runs these tests again in a
 //! process for each of the others.
 
+mod axis;
 mod by_hand;
 #[path = "../../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;

@@ -319,6 +319,31 @@ mod tests {
             |g, [x, ..]| g.power(x, 4),
         ),
         (
+            "hypot(x, y)^2 == x^2 + y^2",
+            |g, [x, y, _]| {
+                let distance = g.call_two("hypot", x, y);
+                g.mul(distance, distance)
+            },
+            |g, [x, y, _]| {
+                let [xx, yy] = [g.power(x, 4), g.power(y, 4)];
+                g.add(xx, yy)
+            },
+        ),
+        (
+            "hypot(hypot(x, y), z)^3 == (x^2 + y^2 + z^2)^(3/2)",
+            |g, [x, y, z]| {
+                let in_plane = g.call_two("hypot", x, y);
+                let distance = g.call_two("hypot", in_plane, z);
+                g.power(distance, 6)
+            },
+            |g, [x, y, z]| {
+                let [xx, yy, zz] = [g.power(x, 4), g.power(y, 4), g.power(z, 4)];
+                let in_plane = g.add(xx, yy);
+                let square = g.add(in_plane, zz);
+                g.power(square, 3)
+            },
+        ),
+        (
             "3 x / 3 == x",
             |g, [x, ..]| {
                 let three = g.constant(3.0);

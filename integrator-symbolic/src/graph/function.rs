@@ -318,6 +318,16 @@ impl Function {
     pub(crate) fn name(self) -> &'static str {
         self.row().name
     }
+
+    /// Whether it is the root of a sum of two squares.
+    pub(crate) fn is_distance(self) -> bool {
+        self.name() == "hypot"
+    }
+
+    /// Whether it is a series in even powers, so that it is smooth in space as a function of a distance.
+    pub(crate) fn is_of_square(self) -> bool {
+        matches!(self.name(), "cos" | "cosh")
+    }
 }
 
 #[cfg(test)]

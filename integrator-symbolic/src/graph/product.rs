@@ -86,6 +86,12 @@ impl Graph {
                     None => self.intern(Node::Power(base, halves)),
                 }
             }
+            // reassociating: hypot(x, y)^n == (x^2 + y^2)^(n/2) for whole n from 2 on, which leave the range where the square does
+            (_, Node::Binary(function, x, y)) if function.is_distance() && halves % 2 == 0 && halves >= 4 => {
+                let [x, y] = [x, y].map(|x| self.power(x, 4));
+                let square = self.add(x, y);
+                self.power(square, halves / 2)
+            }
             _ => self.intern(Node::Power(base, halves)),
         }
     }
