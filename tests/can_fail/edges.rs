@@ -158,3 +158,15 @@ fn a_jump_is_found_where_no_energy_is_conserved() {
         assert!(outcome.is_ok(), "{}", outcome.expect_err("a refusal"));
     }
 }
+
+/// By value or by reference, with a time of its own or without.
+#[test]
+fn a_gradient_is_checked_at_any_form_of_a_start() {
+    let system = Stepped { step: 0.1, width: 0.3 };
+    let point = Phase::new([1.0, 0.2], [0.1, 0.6]);
+    let expected = gradient_error(&system, point, 1.5);
+    assert!(expected.is_ok(), "{expected:?}");
+    assert_eq!(gradient_error(&system, &point, 1.5), expected);
+    assert_eq!(gradient_error(&system, point.at_time(1.0), 0.5), expected);
+    assert_eq!(gradient_error(&system, &point.at_time(1.5), 0.0), expected);
+}

@@ -9,6 +9,7 @@ use crate::{
     check::{
         CheckError,
         property::{flow_laws::generator_error, part_flows::Flows},
+        start::{IntoStart, Start},
         statistics::points::{begin, coordinate, numbers, origin},
     },
     hamiltonian::{Hamiltonian, Shaped},
@@ -39,6 +40,8 @@ use crate::{
 /// as well. So a tiny component beside a huge one is judged by its own size, and one
 /// that is the small difference of large terms is not blamed for it.
 ///
+/// As in the other checks, `point` is a [`Phase`] or a [`Start`], by value or by reference; of a `Start`, `time` counts from its own.
+///
 /// Where the parts of H are no `T(p)` and `V(q)`, it is the largest error of the derivative of a flow by its duration, as
 /// the gradient of the energy makes it, in units of that derivative: what differences cannot explain of it.
 ///
@@ -47,10 +50,12 @@ use crate::{
 /// flow no finite one.
 pub fn gradient_error<H: Hamiltonian, K: Precision>(
     system: &H,
-    point: Phase<Shaped<H, K>>,
+    point: impl IntoStart<Shaped<H, K>, Leaf = K>,
     time: f64,
 ) -> Result<f64, CheckError> {
-    let point = begin::<H, _, K>(system, H::Compose::default(), &point.at_time(time), 1.0)?.phase;
+    let Start { phase, time: begin_at } = point.into_start();
+    let time = begin_at + time;
+    let point = begin::<H, _, K>(system, H::Compose::default(), &phase.at_time(time), 1.0)?.phase;
     error_at(&Energies::new(system, &point), &flat(&point), time)
 }
 
