@@ -19,6 +19,9 @@ use crate::{
 };
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+/// The number of orders that the runtime compiles one by one, its `HIGHEST`.
+const ORDERS: usize = 28;
+
 /// The series that recurrences read beside the values themselves.
 #[derive(Debug, Default)]
 pub(crate) struct Recurrences {
@@ -90,6 +93,13 @@ impl Recurrences {
             _ => 2 * self.slopes[id].iter().flatten().count().max(1),
         };
         self.nonlinear.iter().map(of).sum()
+    }
+
+    /// The number of operations in the code of all orders, where each is compiled on its own: sums of products, whose
+    /// lengths are the orders, and the values themselves.
+    pub(crate) fn operations_of_all_orders(&self, graph: &Graph) -> usize {
+        let values = self.kept.union(&self.nonlinear).count();
+        self.products(graph) * ORDERS * ORDERS / 4 + values * ORDERS
     }
 
     /// Notes what a node is computed from, and returns the slopes that come with it.

@@ -240,3 +240,64 @@ mod as_many_pieces_as_a_table_has_lines {
         are_taken("pieces that replace");
     }
 }
+
+/// Forces of a bar that rotates in a halo: one condition in so many subexpressions.
+fn bar(terms: usize) -> String {
+    let kinds = [
+        |i| format!("(w * {i}.5 + x).sin()"),
+        |i| format!("(w + y * {i}.5).exp()"),
+        |i| format!("(w * w + {i}.1 + x * x).sqrt()"),
+        |i| format!("w * x * y / ({i}.2 + w * w)"),
+    ];
+    let sum: Vec<String> = (1..terms + 1).map(|i| kinds[i % 4](i)).collect();
+    format!(
+        "impl Bar {{
+            fn kinetic(&self, p: [f64; 2]) -> f64 {{ p.iter().map(|p| p * p / 2.0).sum() }}
+            fn potential(&self, q: [f64; 2], t: f64) -> f64 {{
+                let (s, c) = (self.speed * t).sin_cos();
+                let (x, y) = (c * q[0] + s * q[1], c * q[1] - s * q[0]);
+                let r = (x * x + y * y + 0.01).sqrt();
+                let w = if r < self.a {{ r * r }} else {{ self.a / r }};
+                {}
+            }}
+        }}",
+        sum.join(" + ")
+    )
+}
+
+/// Expands with Taylor's recurrences, and returns how many fused products an order has, and whether orders are compiled one by one.
+fn recurrences(item: &str) -> (usize, bool) {
+    let text = hamiltonian("taylor".parse().expect("tokens"), item.parse().expect("tokens")).to_string();
+    assert!(!text.contains("compile_error"), "{text}");
+    let order = &text[text.find("fn order <").expect("recurrences")..];
+    let order = &order[..order.find("] impl ").unwrap_or(order.len())];
+    (order.matches(". fma (").count(), text.contains("const ROLLED : bool = false"))
+}
+
+/// Orders are compiled one by one where that is little code: with 28 of them, and sums of up to 14 lines, each product of an
+/// order is compiled some 200 times.
+#[test]
+fn orders_are_unrolled_while_they_are_short() {
+    let mut systems: Vec<String> = (0..7).map(|exponent| bar(1 << exponent)).collect();
+    systems.push(ten_bodies());
+    for degree in (2..40).step_by(4) {
+        let terms: Vec<String> = (2..degree).map(|i| format!("(q[0] * {i}.0 + q[1]).powi({i})")).collect();
+        systems.push(format!(
+            "impl Polynomial {{
+                fn kinetic(&self, p: [f64; 2]) -> f64 {{ p[0] * p[0] + p[1] * p[1] }}
+                fn potential(&self, q: [f64; 2]) -> f64 {{ q[0] * q[0] {} }}
+            }}",
+            terms.iter().map(|term| format!("+ {term}")).collect::<String>()
+        ));
+    }
+    let (mut unrolled, mut longest) = (0, 0);
+    for system in &systems {
+        let (products, is_unrolled) = recurrences(system);
+        // Ten thousand operations are 50 products of orders; a line has two, and as many come after the sums.
+        assert!(!is_unrolled || products < 400, "{products} products in\n{system}");
+        unrolled += usize::from(is_unrolled);
+        longest = longest.max(products);
+    }
+    assert!(unrolled > 3 && unrolled < systems.len() - 3, "{unrolled} of {}", systems.len());
+    assert!(longest > 1_000, "{longest}");
+}

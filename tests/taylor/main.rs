@@ -11,6 +11,7 @@ mod global_error;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod lines;
+mod long;
 mod mixed;
 #[path = "../support/motions.rs"]
 mod motions;

@@ -13,7 +13,7 @@ pub trait Recurrences: Hamiltonian {
     /// The coefficients that recurrences read.
     type Tape<R: Real>: Default + Send + Sync + 'static;
 
-    /// Whether there are loops over coordinates, so that orders need no code of their own.
+    /// Whether one function serves all orders, since there are loops over coordinates or the code of each order is long.
     const ROLLED: bool;
 
     /// Whether every iteration of the loops reads coordinates of its own first, so that iterations read whole vectors

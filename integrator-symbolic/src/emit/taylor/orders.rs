@@ -31,6 +31,10 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::{BTreeSet, HashMap};
 
+/// The most operations of orders that are compiled one by one, some ten times those of a pendulum. Beyond it one function
+/// serves all orders.
+const MOST_UNROLLED: usize = 10_000;
+
 /// The items that hold a tape, and the implementation that computes an order.
 pub(crate) struct Orders {
     /// The structs of the tape.
@@ -56,7 +60,8 @@ pub(crate) fn orders(
     let constraints = constraints(&model.graph, &recurrences);
     let program = |model: &mut Model, kinetic: &[_], potential: &[_]| program(model, kinetic, potential, &constraints);
     let all = program(model, &kinetic, &potential);
-    let rolled = matches!(Accumulation::of(&model.graph, &all.items), Accumulation::InPlace);
+    let is_long = recurrences.operations_of_all_orders(&model.graph) > MOST_UNROLLED;
+    let rolled = is_long || matches!(Accumulation::of(&model.graph, &all.items), Accumulation::InPlace);
     // With an inverse mass, positions follow from momenta: they are taken out of loops, or come an order ahead.
     let (program, of_positions, second_order) = match inverse_masses(&mut model.graph, &kinetic) {
         Some(inverse_masses) if rolled => {
