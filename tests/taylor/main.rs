@@ -20,3 +20,4 @@ mod reference;
 mod rows;
 mod runs;
 mod splits;
+mod units;

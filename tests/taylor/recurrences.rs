@@ -25,7 +25,7 @@ pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series
     let coordinates: Vec<usize> = (0..motion.q.len()).collect();
     let (mut tables, mut tape) = ([Table::new(layout), Table::new(layout)], H::Tape::<f64>::default());
     let parameters = <H as Hamiltonian>::parameters(system, length);
-    let [mut q, mut p] = tables.each_mut().map(|table| table.of(layout));
+    let [mut q, mut p] = tables.each_mut().map(|table| table.of(layout, 1.0));
     for i in &coordinates {
         (q[0][place(i)], p[0][place(i)]) = (motion.q[*i][0].value, motion.p[*i][0].value);
     }

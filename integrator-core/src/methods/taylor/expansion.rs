@@ -5,18 +5,19 @@
 
 use super::{
     Recurrences, Taylor,
-    half::Half,
-    segment::{Progress, Segment},
+    half::{Half, LaneNorms},
+    segment::{Progress, Segment, digits},
     series::HIGHEST,
     states::To,
-    step_size::step_size,
-    table::{Layout, SmallTable, are_always_few},
+    step_size::{step_size, too_short},
+    table::{FEW, Layout, SmallTable, are_always_few},
     time::Time,
 };
 use crate::{
     error::Unsolved,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::{
+        exact::exponent,
         real::{Kernel, Real},
         simd::block::WIDEST,
     },
@@ -220,16 +221,17 @@ impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
         }
     }
 
-    /// Ends the segments of these lanes at `t` from their origins: the next ones begin there.
+    /// Ends the segments of these lanes at `t` from their origins, in units of time: the next ones begin there, after these
+    /// durations.
     #[inline(always)]
-    fn end(&mut self, layout: Layout, t: R, lanes: &[f64; WIDEST], end: Time) {
+    fn end(&mut self, layout: Layout, t: R, durations: &[f64; WIDEST], lanes: &[f64; WIDEST], end: Time) {
         self.evaluate(layout, t, To::Origin { lanes: R::parameter(&|lane| lanes[lane]) });
         for (lane, (segment, _)) in
             self.segments.iter_mut().zip(lanes).enumerate().filter(|(_, (_, ends))| **ends > 0.0)
         {
             let mut steps = segment.steps;
-            steps.take(t.lane(lane));
-            *segment = Segment { origin: end, steps, ..Segment::default() };
+            steps.take(durations[lane]);
+            *segment = Segment { origin: end, steps, exponent: segment.exponent, ..Segment::default() };
         }
     }
 }
@@ -252,22 +254,29 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
             // A copy beside the segments: a load would wait for what has just been stored there.
             let mut steps = [0.0; WIDEST];
             if expansion.segments[..R::MEMBERS].iter().any(Segment::is_unexpanded) {
-                expand::<H, R, K>(expansion, layout, t0);
-                choose_steps(expansion, layout, h, &mut steps);
+                let mut tries = [0; WIDEST];
+                loop {
+                    expand::<H, R, K>(expansion, layout, [t0, h]);
+                    if choose_steps(expansion, layout, h, &mut tries, &mut steps) {
+                        break;
+                    }
+                }
             } else {
                 for (step, segment) in steps.iter_mut().zip(&expansion.segments[..R::MEMBERS]) {
                     *step = segment.step.unwrap_or(0.0);
                 }
             }
             // Each member's duration on its polynomial, and whether this ends at the next origin.
-            let (mut t, mut restarts) = ([0.0; WIDEST], [0.0; WIDEST]);
+            let (mut durations, mut t, mut restarts) = ([0.0; WIDEST], [0.0; WIDEST], [0.0; WIDEST]);
             let (mut restart, mut arrive, mut arrives) = (false, false, [0.0; WIDEST]);
             for lane in 0..R::MEMBERS {
+                let unit = expansion.segments[lane].unit::<R>(h);
                 match expansion.segments[lane].proceed(steps[lane], end, t0) {
-                    Progress::Arrives(duration) => (t[lane], arrives[lane], arrive) = (duration, 1.0, true),
-                    Progress::NextSegment(step) => (t[lane], restarts[lane], restart) = (step, 1.0, true),
+                    Progress::Arrives(duration) => (durations[lane], arrives[lane], arrive) = (duration, 1.0, true),
+                    Progress::NextSegment(step) => (durations[lane], restarts[lane], restart) = (step, 1.0, true),
                     Progress::Stopped => {}
                 }
+                t[lane] = durations[lane] / unit;
             }
             let to = if restart {
                 To::Origin { lanes: R::parameter(&|lane| restarts[lane]) }
@@ -280,7 +289,7 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
             expansion.evaluate(layout, t, to);
             if let To::Current = to {
                 if const { H::PIECEWISE_IN_TIME } {
-                    expansion.end(layout, t, &arrives, end);
+                    expansion.end(layout, t, &durations, &arrives, end);
                 }
                 return;
             }
@@ -288,31 +297,51 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
     }
 }
 
-/// Chooses the steps of the new polynomials, and stores those of all lanes in `steps`.
+/// The most units of time that are tried for a polynomial.
+const MOST_TRIES: u8 = 8;
+
+/// Chooses the steps of the new polynomials, and stores those of all lanes in `steps`. Returns false if some have to be
+/// expanded again, in a unit of time nearer to their step.
 #[inline(always)]
 fn choose_steps<R: Real, C: Coords, P, T>(
     expansion: &mut Expansion<R, C, P, T>,
     layout: Layout,
     h: f64,
+    tries: &mut [u8; WIDEST],
     steps: &mut [f64; WIDEST],
-) {
+) -> bool {
     let Expansion { method: Taylor { order, tolerance }, q, p, segments, .. } = expansion;
     let (order, tolerance) = (*order, *tolerance);
-    let norms = [q.norms(layout, order), p.norms(layout, order)];
     let halves = [&*q, &*p];
+    let groups = Half::<R, C>::groups(layout);
+    let mut all_norms = [LaneNorms::zero(); 2 * FEW];
+    for (group, norms) in all_norms[..2 * groups].iter_mut().enumerate() {
+        *norms = halves[group / groups].norms(layout, group % groups, order);
+    }
+    let mut fits = true;
     for lane in 0..R::MEMBERS {
         let segment = &mut segments[lane];
-        let step = match segment.step {
-            Some(step) => step,
-            None => {
-                let norms = [norms[0].lane(lane), norms[1].lane(lane)];
-                step_size(order, tolerance, norms, move |half: usize, m| halves[half].norm(layout, m).lane(lane))
-                    .copysign(h)
+        if segment.step.is_none() {
+            let mut norms = [[0.0; 4]; 2 * FEW];
+            for (norms, all) in norms.iter_mut().zip(&all_norms[..2 * groups]) {
+                *norms = all.lane(lane);
             }
-        };
-        segment.step = Some(step);
-        steps[lane] = step;
+            let norm = |group: usize, m: usize| halves[group / groups].norm(layout, group % groups, m).lane(lane);
+            let step = step_size(order, tolerance, &norms[..2 * groups], norm);
+            let unit = segment.unit::<R>(h);
+            let [near, _] = digits::<R>();
+            match too_short(step, near, order, 2 * groups, norm) {
+                Some(by) if tries[lane] < MOST_TRIES => {
+                    segment.exponent = Some(exponent(unit).saturating_add(by));
+                    tries[lane] += 1;
+                    fits = false;
+                }
+                _ => segment.step = Some((step.number() * unit).copysign(h)),
+            }
+        }
+        steps[lane] = segment.step.unwrap_or(0.0);
     }
+    fits
 }
 
 /// The layout, with the numbers that code knows.
@@ -336,11 +365,12 @@ const _: () = assert!(for_each_order!(count) == HIGHEST, "the highest order come
 
 /// Expands the polynomials at their origins.
 #[inline(always)]
-fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, layout: Layout, t0: f64) {
+fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, layout: Layout, [t0, h]: [f64; 2]) {
     let time = R::parameter(&|lane| t0 + expansion.segments[lane].origin.nearest());
+    let unit = R::parameter(&|lane| expansion.segments[lane].unit::<R>(h));
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());
-    let (mut q, mut p) = (q.coefficients(layout), p.coefficients(layout));
+    let (mut q, mut p) = (q.coefficients(layout, unit), p.coefficients(layout, unit));
     if H::ROLLED {
         for k in (0..last).step_by(H::ORDERS_PER_CALL) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
@@ -350,7 +380,7 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
         // not from memory.
         let tape = &mut H::Tape::<R>::default();
         let [mut table_q, mut table_p] = [SmallTable::new(); 2];
-        let [mut local_q, mut local_p] = [table_q.of(layout), table_p.of(layout)];
+        let [mut local_q, mut local_p] = [table_q.of(layout, unit), table_p.of(layout, unit)];
         local_q[0].copy_from_slice(&q[0]);
         local_p[0].copy_from_slice(&p[0]);
         macro_rules! orders {

@@ -28,10 +28,17 @@ pub(super) struct Half<R: Real, C: Coords> {
     vectors: States<<C::Leaf as Precision>::Slot<Wide<R>>>,
 }
 
-/// The norms of a half in each lane.
+/// The norms of a group of coordinates in each lane.
+#[derive(Clone, Copy)]
 pub(super) struct LaneNorms<R>([R; 4]);
 
 impl<R: Real> LaneNorms<R> {
+    /// Those of coordinates that are zero.
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self([R::of(0.0); 4])
+    }
+
     /// The norms in a lane.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Norms {
@@ -131,13 +138,13 @@ impl<R: Real, C: Coords> Half<R, C> {
         }
     }
 
-    /// The coefficients; those of order 0 are the state at the origin.
+    /// The coefficients in a unit of time; those of order 0 are the state at the origin.
     #[inline(always)]
-    pub(super) fn coefficients(&mut self, layout: Layout) -> Coefficients<'_, R> {
-        self.table.of(layout)
+    pub(super) fn coefficients(&mut self, layout: Layout, unit: R) -> Coefficients<'_, R> {
+        self.table.of(layout, unit)
     }
 
-    /// Evaluates the polynomials at `t` from the origin.
+    /// Evaluates the polynomials at `t` from the origin, in the unit of time.
     #[inline(always)]
     pub(super) fn evaluate(&mut self, layout: Layout, order: usize, t: R, to: To<R>) {
         let table = self.table.numbers_mut(layout);
@@ -148,15 +155,25 @@ impl<R: Real, C: Coords> Half<R, C> {
         }
     }
 
-    /// The maximum norm of the coefficients of an order in each lane; NaN if one of them is NaN.
+    /// The number of groups of coordinates that have a scale in common: each of a few, which may have a unit of its own,
+    /// and all of many.
     #[inline(always)]
-    pub(super) fn norm(&self, layout: Layout, order: usize) -> R {
+    pub(super) fn groups(layout: Layout) -> usize {
+        if layout.is_few() { layout.width() } else { 1 }
+    }
+
+    /// The maximum norm of the coefficients of an order of a group in each lane; NaN if one of them is NaN.
+    #[inline(always)]
+    pub(super) fn norm(&self, layout: Layout, group: usize, order: usize) -> R {
         let numbers = self.table.order(layout, order);
+        if layout.is_few() {
+            return numbers[group].abs();
+        }
         if R::MEMBERS > 1 {
             return max_norm::<R, R>(numbers);
         }
         // As integers, magnitudes have the same order, with NaN above infinity.
-        let most = if const { are_single::<R, C>() } || layout.is_few() {
+        let most = if const { are_single::<R, C>() } {
             numbers.iter().map(|number| number.lane(0).abs().to_bits() as i64).fold(0, i64::max)
         } else {
             let most = max_norm::<R, Wide<R>>(numbers);
@@ -177,10 +194,10 @@ impl<R: Real, C: Coords> Half<R, C> {
 
     /// The norms of the orders that determine the step size.
     #[inline(always)]
-    pub(super) fn norms(&self, layout: Layout, order: usize) -> LaneNorms<R> {
+    pub(super) fn norms(&self, layout: Layout, group: usize, order: usize) -> LaneNorms<R> {
         let mut norms = [R::of(0.0); 4];
         for (norm, order) in norms.iter_mut().zip([0, 1, order - 1, order]) {
-            *norm = self.norm(layout, order);
+            *norm = self.norm(layout, group, order);
         }
         LaneNorms(norms)
     }

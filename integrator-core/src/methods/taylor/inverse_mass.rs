@@ -4,7 +4,7 @@
 //! order, so that it is known as soon as that one is.
 
 use super::{
-    series::{div_by_order, div_by_two_orders},
+    series::{scaled_by_order, scaled_by_two_orders},
     table::{Coefficients, EIGHT, Layout, Wide, is_narrow},
 };
 use crate::{
@@ -38,8 +38,9 @@ impl<R: Real> InverseMass<R> {
     /// Computes the coefficients of order 1 of positions.
     #[inline(always)]
     pub fn first_order(&self, q: &mut Coefficients<'_, R>, p: &Coefficients<'_, R>) {
+        let unit = q.unit();
         for ((q, p), inverse_mass) in q[1].iter_mut().zip(&p[0]).zip(&*self.numbers) {
-            *q = *inverse_mass * *p;
+            *q = *inverse_mass * *p * unit;
         }
     }
 
@@ -49,21 +50,24 @@ impl<R: Real> InverseMass<R> {
         InverseMasses { numbers: &self.numbers[..layout.width()] }
     }
 
-    /// Divides the sums of momenta by their order, and computes the coefficients of positions of the next one.
+    /// Integrates the sums of momenta of an order, and computes the coefficients of positions of the next one.
     #[inline(always)]
     pub fn next_order(&self, q: &mut Coefficients<'_, R>, p: &mut Coefficients<'_, R>, order: usize) {
+        let unit = q.unit();
+        let square = unit * unit;
         if const { is_narrow::<R>() } || q.is_few() {
             for ((q, p), inverse_mass) in q[order + 1].iter_mut().zip(&mut p[order]).zip(&*self.numbers) {
-                *q = div_by_two_orders(*inverse_mass * *p, order);
-                *p = div_by_order(*p, order);
+                *q = scaled_by_two_orders(*inverse_mass * *p, square, order);
+                *p = scaled_by_order(*p, unit, order);
             }
             return;
         }
+        let [unit, square] = [unit, square].map(<Wide<R> as Row<R>>::splat);
         let vectors = q[order + 1].chunks_exact_mut(EIGHT).zip(p[order].chunks_exact_mut(EIGHT));
         for ((q, p), inverse_mass) in vectors.zip(self.numbers.chunks_exact(EIGHT)) {
             let sum = <Wide<R> as Row<R>>::read(p);
-            div_by_order(sum, order).write(p);
-            div_by_two_orders(<Wide<R> as Row<R>>::read(inverse_mass) * sum, order).write(q);
+            scaled_by_order(sum, unit, order).write(p);
+            scaled_by_two_orders(<Wide<R> as Row<R>>::read(inverse_mass) * sum, square, order).write(q);
         }
     }
 }
@@ -86,8 +90,8 @@ impl<R: Real> InverseMasses<'_, R> {
         order: usize,
     ) {
         let begin = vector * (Wide::<R>::LANES / R::LANES);
-        div_by_order(sum, order).write(&mut p[order][begin..]);
+        p.integral(sum, order).write(&mut p[order][begin..]);
         let inverse_mass = <Wide<R> as Row<R>>::read(&self.numbers[begin..]);
-        div_by_two_orders(inverse_mass * sum, order).write(&mut q[order + 1][begin..]);
+        q.second_integral(inverse_mass * sum, order).write(&mut q[order + 1][begin..]);
     }
 }

@@ -289,7 +289,7 @@ mod tests {
             let together = if is_narrow::<R>() { 1 } else { EIGHT };
             assert!(iterations.blocks().count() >= list.len().div_ceil(together), "{name}");
             let (mut of_q, mut of_p) = (Table::new(layout), Table::new(layout));
-            let (mut q, mut p) = (of_q.of(layout), of_p.of(layout));
+            let (mut q, mut p) = (of_q.of(layout, R::of(1.0)), of_p.of(layout, R::of(1.0)));
             let from: Vec<R> = (0..width).map(|index| R::of(number(index + 100))).collect();
             for order in [3, 4] {
                 q[order].copy_from_slice(&from);

@@ -325,7 +325,7 @@ mod tests {
         let layout = Layout::of::<Vec<f64>>(sites, true);
         let number = |site: usize| site as f64 + 1.0;
         let mut table = Table::<R>::new(layout);
-        let mut q = table.of(layout);
+        let mut q = table.of(layout, R::of(1.0));
         for (site, at) in (0..sites).flat_map(|site| [(site, 0), (site, 1)]) {
             q[3 + at][layout.index(site, 0)] = R::of(number(site) * (at + 1) as f64);
         }

@@ -37,6 +37,18 @@ impl Logarithm {
         if bits == 0 { Self::OF_ZERO } else { Self((bits >> CUT) as i64 - 1023 * PARTS) }
     }
 
+    /// That of a power.
+    pub(super) fn power(self, exponent: usize) -> Self {
+        Self(self.0 * exponent as i64)
+    }
+
+    /// The logarithm of this size times a power of two.
+    #[cfg(test)]
+    #[inline(always)]
+    pub(super) fn times_power_of_two(self, exponent: i32) -> Self {
+        Self(self.0 + i64::from(exponent) * PARTS)
+    }
+
     /// The number with this logarithm; zero or infinity, where it would be beyond all numbers.
     #[inline(always)]
     pub(super) fn number(self) -> f64 {
@@ -44,15 +56,22 @@ impl Logarithm {
         f64::from_bits((bits as u64) << CUT)
     }
 
+    /// The exponent of the power of two at or below the size.
+    #[inline(always)]
+    pub(super) fn floor(self) -> i32 {
+        (self.0 >> (52 - CUT)) as i32
+    }
+
     /// As a number.
     pub(super) fn value(self) -> f64 {
         self.0 as f64 / PARTS as f64
     }
 
-    /// That of the `m`-th root, for an order `m` from 2 on.
+    /// That of the `m`-th root: the quotient rounded down, so that a factor of `2ᵐ` doubles the root exactly.
     #[inline(always)]
     pub(super) fn root(self, m: usize) -> Self {
-        let product = i128::from(self.0 << SHORT) * i128::from(const { reciprocals() }[m]);
+        // The last bit makes up for what reciprocals lack, as long as logarithms are below `2^16 / m`.
+        let product = i128::from(self.0 << SHORT | 1) * i128::from(const { reciprocals() }[m]);
         Self((product >> 64) as i64)
     }
 }
@@ -112,6 +131,19 @@ mod tests {
                     (found - exact).abs() < 2.0 / PARTS as f64 + f64::EPSILON * exact.abs(),
                     "{exponent}/{m}: {found}"
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn roots_scale_exactly() {
+        for m in 1..COEFFICIENTS {
+            for size in [1e-200, 0.3, 1.0, 1.5, 2.0_f64.powi(m as i32), 7e11] {
+                let size = Logarithm::of(size);
+                for exponent in [-40, -1, 1, 30] {
+                    let scaled = size.times_power_of_two(exponent * m as i32).root(m);
+                    assert_eq!(scaled, size.root(m).times_power_of_two(exponent), "{m}: {exponent}");
+                }
             }
         }
     }

@@ -1,19 +1,36 @@
 //! Segments of a member's trajectory, one for each polynomial.
 
 use super::time::Time;
-use crate::{error::Unsolved, system::counts::OwnSteps};
+use crate::{
+    error::Unsolved,
+    scalar::{
+        exact::{exponent, power_of_two},
+        real::Real,
+    },
+    system::counts::OwnSteps,
+};
 
 /// The segment of a trajectory that one polynomial covers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Segment {
     /// The time of the polynomial's expansion, from the start of the clock.
     pub(super) origin: Time,
+    /// The exponent of the unit of time of the polynomial's coefficients, a power of two near the step; `None` before the
+    /// first polynomial.
+    pub(super) exponent: Option<i32>,
     /// The step that the tolerance allows, with the sign of the run's; `None` before the polynomial is expanded.
     pub(super) step: Option<f64>,
     /// The fault that keeps the motion from going on.
     pub(super) unsolved: Option<Unsolved>,
     /// The steps of the member so far.
     pub(super) steps: OwnSteps,
+}
+
+/// The most binary digits between a unit of time and the step, and between a unit and one: coefficients of order 28 are
+/// normal numbers in units so near, and so are squares of units.
+#[inline(always)]
+pub(super) fn digits<R: Real>() -> [i32; 2] {
+    if R::of(1e300).lane(0).is_finite() { [20, 500] } else { [3, 60] }
 }
 
 /// The progress of a member on its polynomial.
@@ -34,6 +51,13 @@ impl Segment {
         self.step.is_none() && self.unsolved.is_none()
     }
 
+    /// The unit of time of the polynomial, in a run with steps of `h`.
+    #[inline(always)]
+    pub(super) fn unit<R: Real>(&self, h: f64) -> f64 {
+        let [_, most] = digits::<R>();
+        power_of_two(self.exponent.unwrap_or_else(|| exponent(h.abs())).clamp(-most, most))
+    }
+
     /// Proceeds towards `end` on this polynomial, or to the next segment, by a clock that started at `t0`.
     #[inline(always)]
     pub(super) fn proceed(&mut self, step: f64, end: Time, t0: f64) -> Progress {
@@ -50,7 +74,7 @@ impl Segment {
             self.unsolved = Some(Unsolved::Singular { time, reach: step });
             return Progress::Stopped;
         }
-        (self.origin, self.step) = (origin, None);
+        (self.origin, self.step, self.exponent) = (origin, None, Some(exponent(step.abs())));
         self.steps.take(step);
         Progress::NextSegment(step)
     }

@@ -53,15 +53,28 @@ pub fn div_by_order<R: Real>(x: R, n: usize) -> R {
     times(x, const { reciprocals(0) }[n])
 }
 
-/// `x / (n (n + 1))`; for the lowest orders as if in one division.
+/// `x u / n` with a power of two `u`, which changes no digit.
 #[inline(always)]
-pub fn div_by_two_orders<R: Real>(x: R, n: usize) -> R {
-    times(x, const { reciprocals(1) }[n])
+pub(super) fn scaled_by_order<R: Real>(x: R, unit: R, n: usize) -> R {
+    times_scaled(x, unit, const { reciprocals(0) }[n])
+}
+
+/// `x u / (n (n + 1))` with a power of two `u`; for the lowest orders as if in one division.
+#[inline(always)]
+pub(super) fn scaled_by_two_orders<R: Real>(x: R, unit: R, n: usize) -> R {
+    times_scaled(x, unit, const { reciprocals(1) }[n])
 }
 
 #[inline(always)]
 fn times<R: Real>(x: R, [high, low]: [f64; 2]) -> R {
     if low == 0.0 { x * R::of(high) } else { x.fma(R::of(high), x * R::of(low)) }
+}
+
+/// The same times a power of two. This multiplies the reciprocals, which are known before `x` is.
+#[inline(always)]
+fn times_scaled<R: Real>(x: R, unit: R, [high, low]: [f64; 2]) -> R {
+    let high = R::of(high) * unit;
+    if low == 0.0 { x * high } else { x.fma(high, x * (R::of(low) * unit)) }
 }
 
 /// `1/n`, or `1/(n (n + 1))` for one more: for the lowest orders as a number with as many digits as a single has, and the
@@ -89,12 +102,12 @@ pub fn half_power<R: Real>(x: R, halves: i32) -> R {
     if halves < 0 { R::of(1.0) / power } else { power }
 }
 
-/// The coefficients of one and of the time at an expansion.
+/// The coefficients of one and of the time at an expansion, in a unit of time.
 #[inline(always)]
-pub fn time_coefficients<R: Real>(k: usize, time: R) -> (R, R) {
+pub fn time_coefficients<R: Real>(k: usize, time: R, unit: R) -> (R, R) {
     match k {
         0 => (R::of(1.0), time),
-        1 => (R::of(0.0), R::of(1.0)),
+        1 => (R::of(0.0), unit),
         _ => (R::of(0.0), R::of(0.0)),
     }
 }
@@ -112,13 +125,16 @@ pub fn next_record<'t, T: Default>(iterations: &'t mut Vec<T>, next: &mut usize)
 
 #[cfg(test)]
 mod tests {
-    use super::{HIGHEST, div_by_order, div_by_two_orders};
+    use super::{HIGHEST, div_by_order, scaled_by_order, scaled_by_two_orders};
 
     #[test]
     fn reciprocals_are_those_of_one_division() {
         for n in 1..=HIGHEST + 1 {
             assert_eq!(div_by_order(1.0, n), 1.0 / n as f64, "1/{n}");
-            assert_eq!(div_by_two_orders(1.0, n), 1.0 / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
+            for unit in [2.0_f64.powi(-300), 1.0, 2.0_f64.powi(300)] {
+                assert_eq!(scaled_by_order(1.0, unit, n), unit / n as f64, "1/{n}");
+                assert_eq!(scaled_by_two_orders(1.0, unit, n), unit / (n * (n + 1)) as f64, "1/({n} ({n} + 1))");
+            }
         }
     }
 }

@@ -1,71 +1,138 @@
 //! Step-size control: the step within which a Taylor polynomial meets its tolerance.
 //!
-//! For positions and for momenta, the last coefficients add the tolerance times their scale at the end of the step: `h
-//! = min (ε S / |cₘ|)^(1/m)` over the last two orders `m` (Jorba and Zou 2005), with the maximum norms of the
-//! coefficients. The scale `S` is the norm of the half itself, or what it grows to within its radius of convergence
-//! where it begins near zero, so that neither units nor the other half matter. Roots are taken of logarithms within
-//! 0.09: steps may be off by a few per cent, the same on every machine.
+//! For each coordinate of a few, and else for all positions and for all momenta, the last coefficients add the tolerance
+//! times their scale at the end of the step: `h = min (ε S / |cₘ|)^(1/m)` over the last two orders `m` (Jorba and Zou
+//! 2005), with the maximum norms of the coefficients. The scale `S` is the norm itself, or what it grows to within its
+//! radius of convergence where it begins near zero. So neither the units of coordinates nor that of time matter: with
+//! another power of two as a unit, steps have the same digits. Roots are taken of logarithms within 0.09: steps may be off
+//! by a few per cent, the same on every machine.
 
-use super::logarithm::Logarithm;
+use super::{logarithm::Logarithm, series::COEFFICIENTS};
 
-/// The maximum norms of a half's coefficients of the first two orders and of the last two.
+/// The maximum norms of the coefficients of the first two orders and of the last two.
 pub(super) type Norms = [f64; 4];
 
-/// The length of a step of this order, infinite where the motion is a polynomial, zero where it is singular.
-/// `norm(half, m)` is the norm of the coefficients of order `m`, which is seldom needed beside `norms`.
+/// The logarithm of a step of this order: that of infinity where the motion is a polynomial, that of zero where
+/// coefficients are infinite. `norms` are those of each group of coordinates that have a scale in common, and `norm(group,
+/// m)` is the norm of the coefficients of order `m`, which is seldom needed beside these.
 #[inline(always)]
-pub(super) fn step_size<const HALVES: usize>(
+pub(super) fn step_size(
     order: usize,
     tolerance: f64,
-    norms: [Norms; HALVES],
+    norms: &[Norms],
     norm: impl Fn(usize, usize) -> f64,
-) -> f64 {
+) -> Logarithm {
     let tolerance = Logarithm::of(tolerance);
     let mut least = Logarithm::OF_INFINITY;
-    for (half, norms) in norms.into_iter().enumerate() {
-        least = least.min(logarithm_of_step(order, tolerance, norms, |m| norm(half, m)));
+    for (group, norms) in norms.iter().enumerate() {
+        least = least.min(step_of_group(order, tolerance, *norms, |m| norm(group, m)));
     }
-    least.number()
+    least
 }
 
-/// The logarithm of the step of one half.
+/// The logarithm of the step of one group.
 #[inline(always)]
-fn logarithm_of_step(order: usize, tolerance: Logarithm, norms: Norms, norm: impl Fn(usize) -> f64) -> Logarithm {
+fn step_of_group(order: usize, tolerance: Logarithm, norms: Norms, norm: impl Fn(usize) -> f64) -> Logarithm {
     let [value, slope, before, last] = norms.map(Logarithm::of);
     let most = before.max(last);
     if most >= Logarithm::OF_INFINITY {
-        // So near to a singularity that coefficients are beyond the largest number: no step is short enough.
+        // So near to a singularity, or in a unit so far from the step, that coefficients are beyond the largest number.
         return Logarithm::OF_ZERO;
     }
-    if most == Logarithm::OF_ZERO {
-        return sparse(order, tolerance, [value, slope], &norm);
+    if most == Logarithm::OF_ZERO || value.max(slope) == Logarithm::OF_ZERO {
+        return sparse(order, tolerance, &norm);
     }
-    let error = tolerance + scale(order - 1, most, [value, slope]);
+    // The radius of convergence that late coefficients show; where one of them is zero, it is far too large.
+    let radius = (slope - before).root(order - 2).min((slope - last).root(order - 1));
+    let error = tolerance + value.max(slope + radius);
     // Where one of them is zero, the root is that of a number far too large.
     (error - before).root(order - 1).min((error - last).root(order))
 }
 
-/// The scale of a half: its norm, or that of its first derivative times the radius of convergence that a late
-/// coefficient shows, whichever is larger.
-#[inline(always)]
-fn scale(m: usize, coefficient: Logarithm, [value, slope]: [Logarithm; 2]) -> Logarithm {
-    let scale = value.max(slope + (slope - coefficient).root(m));
-    if value.max(slope) == Logarithm::OF_ZERO { coefficient } else { scale }
+/// The step by the first derivative and the last ones that do not vanish: of a polynomial there is none, and symmetries
+/// leave out some orders of a series.
+#[cold]
+fn sparse(order: usize, tolerance: Logarithm, norm: &impl Fn(usize) -> f64) -> Logarithm {
+    let norms = logarithms(order, norm);
+    let is_there = |m: &usize| norms[*m] != Logarithm::OF_ZERO;
+    let Some(first) = (1..=order).find(is_there) else { return Logarithm::OF_INFINITY };
+    let late = |begin: usize, end: usize| (begin..end).rev().filter(is_there).filter(|m| *m > first);
+    let step = |m: usize| {
+        let radius = (norms[first] - norms[m]).root(m - first);
+        (tolerance + norms[0].max(norms[first] + radius.power(first)) - norms[m]).root(m)
+    };
+    // By the last two orders, or by the highest one below.
+    let step_of_last = late(order - 1, order + 1).map(step).min();
+    step_of_last.or_else(|| late(order / 2, order - 1).next().map(step)).unwrap_or(Logarithm::OF_INFINITY)
 }
 
-/// The step of a motion whose last coefficients vanish, by the highest that does not: of a polynomial there is none,
-/// and symmetries leave out some orders of a series.
+/// The logarithms of the norms of all orders.
+fn logarithms(order: usize, norm: &impl Fn(usize) -> f64) -> [Logarithm; COEFFICIENTS] {
+    let mut norms = [Logarithm::OF_ZERO; COEFFICIENTS];
+    for (m, logarithm) in norms.iter_mut().enumerate().take(order + 1) {
+        *logarithm = Logarithm::of(norm(m));
+    }
+    norms
+}
+
+/// The exponent of a power of two by which the unit of time is too short, if it is more than `near` binary digits from this
+/// step, so that high coefficients may overflow or underflow.
+#[inline(always)]
+pub(super) fn too_short(
+    step: Logarithm,
+    near: i32,
+    order: usize,
+    groups: usize,
+    norm: impl Fn(usize, usize) -> f64,
+) -> Option<i32> {
+    if step.floor().abs() <= near { None } else { by_first_orders(step, near, order, groups, norm) }
+}
+
+/// The same where the step is far: where it is infinite or zero, by the orders whose coefficients are numbers.
 #[cold]
-fn sparse(order: usize, tolerance: Logarithm, begin: [Logarithm; 2], norm: &impl Fn(usize) -> f64) -> Logarithm {
-    let mut norms = (order / 2..order - 1).rev().map(|m| (m, Logarithm::of(norm(m))));
-    let highest = norms.find(|(_, norm)| *norm != Logarithm::OF_ZERO);
-    highest.map_or(Logarithm::OF_INFINITY, |(m, norm)| (tolerance + scale(m, norm, begin) - norm).root(m))
+fn by_first_orders(
+    step: Logarithm,
+    near: i32,
+    order: usize,
+    groups: usize,
+    norm: impl Fn(usize, usize) -> f64,
+) -> Option<i32> {
+    let groups = (0..groups).map(|group| logarithms(order, &|m| norm(group, m)));
+    if step == Logarithm::OF_INFINITY {
+        // A polynomial, unless the highest coefficient that is left is much smaller than the others.
+        let exponents = groups.filter_map(|norms| {
+            let m = (1..=order).rev().find(|m| norms[*m] != Logarithm::OF_ZERO)?;
+            let most = norms.into_iter().max()?;
+            Some((most - norms[m]).root(m).floor())
+        });
+        return exponents.min().filter(|exponent| *exponent > near);
+    }
+    if step != Logarithm::OF_ZERO {
+        return Some(step.floor());
+    }
+    let mut least = -near - 1;
+    for norms in groups {
+        let Some(m) = (1..=order).find(|m| norms[*m] >= Logarithm::OF_INFINITY) else { continue };
+        if m == 1 {
+            // The derivative itself is no number, in any unit.
+            return None;
+        }
+        least = least.min((norms[0].max(norms[1]) - norms[m - 1]).root(m - 1).floor());
+    }
+    Some(least)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::{Logarithm, too_short};
+
+    fn logarithm(order: usize, tolerance: f64, norm: impl Fn(usize) -> f64) -> Logarithm {
+        let norms = [[0, 1, order - 1, order].map(&norm)];
+        super::step_size(order, tolerance, &norms, |_, m| norm(m))
+    }
+
     fn step_size(order: usize, tolerance: f64, norm: impl Fn(usize) -> f64) -> f64 {
-        super::step_size(order, tolerance, [[0, 1, order - 1, order].map(&norm)], |_, m| norm(m))
+        logarithm(order, tolerance, norm).number()
     }
 
     #[test]
@@ -94,5 +161,57 @@ mod tests {
         let found = step_size(20, 1e-16, |m| if m % 6 == 1 { 1.0 } else { 0.0 });
         assert!((0.01..0.2).contains(&found), "{found}");
         assert!(step_size(20, 1e-16, |_| f64::NAN).is_nan() || step_size(20, 1e-16, |_| f64::NAN) >= 0.0);
+    }
+
+    /// Norms of all kinds: entire functions, geometric series, those that begin late or have gaps.
+    const SERIES: [fn(usize) -> f64; 6] = [
+        |m| 0.7_f64.powi(m as i32),
+        |m| 1.3 * 9.1_f64.powi(m as i32) / (1 + m * m) as f64,
+        |m| if m == 0 { 1e-9 } else { 3.7_f64.powi(m as i32) },
+        |m| if m < 2 { 0.0 } else { 5.1 * 0.3_f64.powi(m as i32) },
+        |m| if m % 3 == 2 { 2.3_f64.powi(m as i32) } else { 0.0 },
+        |m| if m < 5 { 0.0 } else { 1.7_f64.powi(m as i32) },
+    ];
+
+    #[test]
+    fn steps_scale_with_powers_of_two_exactly() {
+        for (number, series) in SERIES.into_iter().enumerate() {
+            for order in [4, 18, 22, 27, 28] {
+                let step = logarithm(order, 1e-13, series);
+                for (size, time) in [(0, 7), (-200, 0), (90, -13), (-60, 16)] {
+                    let scaled = |m: usize| series(m) * 2.0_f64.powi(size - time * m as i32);
+                    let is_polynomial = step == Logarithm::OF_INFINITY;
+                    let expected = if is_polynomial { step } else { step.times_power_of_two(time) };
+                    assert_eq!(logarithm(order, 1e-13, scaled), expected, "series {number}, order {order}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_unit_that_overflows_or_underflows_is_replaced() {
+        let entire = |m: usize| 1.0 / (1..=m).map(|i| i as f64).product::<f64>();
+        for begin in [-400, -90, -40, -21, 0, 21, 40, 90, 400] {
+            let mut exponent = begin;
+            let changes = (0..20).find(|_| {
+                // Numbers as they come out in this unit.
+                let norm = |m: usize| entire(m) * (0..m).fold(1.0, |power, _| power * 2.0_f64.powi(exponent));
+                match too_short(logarithm(20, 1e-13, norm), 20, 20, 1, |_, m| norm(m)) {
+                    Some(by) => exponent += by,
+                    None => return true,
+                }
+                false
+            });
+            assert!(changes.is_some_and(|changes| changes < 6), "from 2^{begin} to 2^{exponent}: {changes:?}");
+            assert!((-20..=20).contains(&exponent), "from 2^{begin} to 2^{exponent}");
+        }
+    }
+
+    #[test]
+    fn lines_and_singularities_keep_their_unit() {
+        let line = |m: usize| [1.0, 1e-3].get(m).copied().unwrap_or(0.0);
+        assert_eq!(too_short(logarithm(20, 1e-13, line), 20, 20, 1, |_, m| line(m)), None);
+        let singular = |m: usize| if m == 0 { 1.0 } else { f64::INFINITY };
+        assert_eq!(too_short(logarithm(20, 1e-13, singular), 20, 20, 1, |_, m| singular(m)), None);
     }
 }

@@ -1,6 +1,6 @@
 //! The Taylor coefficients of all positions, or of all momenta.
 
-use super::series::{COEFFICIENTS, div_by_order};
+use super::series::{COEFFICIENTS, scaled_by_order, scaled_by_two_orders};
 use crate::{
     scalar::{real::Real, simd::row::Row},
     state::{aligned::Aligned, coords::Coords},
@@ -128,10 +128,10 @@ impl<R: Real> Table<R> {
     pub fn new(layout: Layout) -> Self {
         Self { numbers: Aligned::filled(COEFFICIENTS * layout.width, R::of(0.0)) }
     }
-    /// The coefficients by order.
+    /// The coefficients by order, in a unit of time that is a power of two.
     #[inline(always)]
-    pub fn of(&mut self, layout: Layout) -> Coefficients<'_, R> {
-        Coefficients { numbers: self.numbers_mut(layout), layout }
+    pub fn of(&mut self, layout: Layout, unit: R) -> Coefficients<'_, R> {
+        Coefficients { numbers: self.numbers_mut(layout), layout, unit }
     }
     /// All of them, order by order.
     #[inline(always)]
@@ -165,17 +165,20 @@ impl<R: Real> SmallTable<R> {
     pub(super) fn new() -> Self {
         Self { numbers: [R::of(0.0); COEFFICIENTS * FEW] }
     }
-    /// The coefficients.
+    /// The coefficients, in a unit of time that is a power of two.
     #[inline(always)]
-    pub(super) fn of(&mut self, layout: Layout) -> Coefficients<'_, R> {
-        Coefficients { numbers: &mut self.numbers, layout }
+    pub(super) fn of(&mut self, layout: Layout, unit: R) -> Coefficients<'_, R> {
+        Coefficients { numbers: &mut self.numbers, layout, unit }
     }
 }
 
-/// The coefficients of the coordinates by order; in each order, components one after the other.
+/// The coefficients of the coordinates by order; in each order, components one after the other. Those of order `k` are
+/// multiplied by the `k`-th power of the unit of time, a power of two near a step, so that they neither overflow nor
+/// underflow.
 pub struct Coefficients<'t, R> {
     numbers: &'t mut [R],
     layout: Layout,
+    unit: R,
 }
 
 impl<R> Index<usize> for Coefficients<'_, R> {
@@ -195,16 +198,42 @@ impl<R> IndexMut<usize> for Coefficients<'_, R> {
 }
 
 impl<R: Real> Coefficients<'_, R> {
-    /// Divides the coefficients of an order by it.
+    /// The unit of time.
     #[inline(always)]
-    pub fn divide(&mut self, order: usize) {
+    pub fn unit(&self) -> R {
+        self.unit
+    }
+
+    /// Returns the coefficient of an order of a coordinate, from that of its derivative of the order below.
+    #[inline(always)]
+    pub fn integral<W: Row<R>>(&self, derivative: W, order: usize) -> W {
+        scaled_by_order(derivative, W::splat(self.unit), order)
+    }
+
+    /// Returns the coefficient of the order above of a coordinate, from that of its second derivative of the order below.
+    #[inline(always)]
+    pub fn second_integral<W: Row<R>>(&self, derivative: W, order: usize) -> W {
+        scaled_by_two_orders(derivative, W::splat(self.unit * self.unit), order)
+    }
+
+    /// The same times the order above.
+    #[inline(always)]
+    pub fn rate<W: Row<R>>(&self, derivative: W, order: usize) -> W {
+        scaled_by_order(derivative, W::splat(self.unit * self.unit), order)
+    }
+
+    /// Makes coefficients of an order from those of the derivatives.
+    #[inline(always)]
+    pub fn integrate(&mut self, order: usize) {
+        let unit = self.unit;
         if const { is_narrow::<R>() } || self.layout.is_few() {
             for number in &mut self[order] {
-                *number = div_by_order(*number, order);
+                *number = scaled_by_order(*number, unit, order);
             }
         } else {
+            let unit = <Wide<R> as Row<R>>::splat(unit);
             for numbers in self[order].chunks_exact_mut(EIGHT) {
-                div_by_order(<Wide<R> as Row<R>>::read(numbers), order).write(numbers);
+                scaled_by_order(<Wide<R> as Row<R>>::read(numbers), unit, order).write(numbers);
             }
         }
     }

@@ -260,7 +260,9 @@ impl Writer<'_> {
             OrdersPerCall::One => (None, clock.iter().map(|name| quote!([#runtime::splat(#name)])).collect()),
             OrdersPerCall::Two if clock.is_empty() => (None, Vec::new()),
             OrdersPerCall::Two => (
-                Some(quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time));)),
+                Some(
+                    quote!(let times = [order, order + 1].map(|order| #runtime::time_coefficients(order, time, q.unit()));),
+                ),
                 clock
                     .iter()
                     .map(|name| {

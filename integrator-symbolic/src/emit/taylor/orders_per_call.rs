@@ -38,7 +38,7 @@ pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {
 /// The line that gives the coefficients of the time, where they are read.
 pub(super) fn clock(runtime: &Ident, lines: &TokenStream) -> Option<TokenStream> {
     let is_read = !clock_read(&Body::new(lines.clone())).is_empty();
-    is_read.then(|| quote!(let (step, time) = #runtime::time_coefficients(order, time);))
+    is_read.then(|| quote!(let (step, time) = #runtime::time_coefficients(order, time, q.unit());))
 }
 
 impl Writer<'_> {
@@ -52,8 +52,8 @@ impl Writer<'_> {
                 let moved = elements.iter().enumerate().map(|(number, element)| {
                     let (derivative, part) = (derivative(number), self.printer.part(*element));
                     let place = self.printer.in_row(fields, *element);
-                    let rate = self.keep_rate_of(element, &derivative);
-                    quote!(#rate #part[order + 1][#place] = #runtime::div_by_order(#derivative, order + 1);)
+                    let rate = self.keep_rate_of(element, &quote!(#part.integral(#derivative, 1)));
+                    quote!(#rate #part[order + 1][#place] = #part.integral(#derivative, order + 1);)
                 });
                 quote!(#opening #derivatives #body #(#moved)*)
             }
@@ -62,8 +62,8 @@ impl Writer<'_> {
                 p[order + 1].fill(#scalar::of(-0.0));
                 #opening
                 #body
-                q.divide(order + 1);
-                p.divide(order + 1);
+                q.integrate(order + 1);
+                p.integrate(order + 1);
             },
         };
         let clock = clock(runtime, &lines);

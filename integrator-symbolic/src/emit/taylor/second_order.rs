@@ -42,7 +42,7 @@ impl Writer<'_> {
             let value = self.moved(fields, *inverse_mass, &quote!(p[0][#place]));
             let rate = self.rate_of(&momentum.partner()).map(|rate| rate.of(&quote!(1)));
             let rate = rate.map(|rate| quote!(#rate = q[1][#place];));
-            quote!(q[1][#place] = #value; #rate)
+            quote!(q[1][#place] = q.integral(#value, 1); #rate)
         });
         let first: TokenStream = first.collect();
         let lines = elements.iter().enumerate().map(|(number, momentum)| {
@@ -51,13 +51,13 @@ impl Writer<'_> {
                 let value = self.moved(fields, *inverse_mass, &quote!(#derivative));
                 match self.rate_of(&momentum.partner()).map(|rate| rate.of(&quote!(order + 2))) {
                     Some(rate) => quote! {
-                        #rate = #runtime::div_by_order(#value, order + 1);
+                        #rate = q.rate(#value, order + 1);
                         q[order + 2][#place] = #runtime::div_by_order(#rate, order + 2);
                     },
-                    None => quote!(q[order + 2][#place] = #runtime::div_by_two_orders(#value, order + 1);),
+                    None => quote!(q[order + 2][#place] = q.second_integral(#value, order + 1);),
                 }
             });
-            quote!(p[order + 1][#place] = #runtime::div_by_order(#derivative, order + 1); #position)
+            quote!(p[order + 1][#place] = p.integral(#derivative, order + 1); #position)
         });
         let lines: TokenStream = lines.collect();
         let lines = quote!(if order == 0 { #first } #opening #derivatives #body #lines);

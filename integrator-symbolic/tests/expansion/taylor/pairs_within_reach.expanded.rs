@@ -318,7 +318,7 @@ const _: () = {
                 results
             }
             let times = [order, order + 1]
-                .map(|order| runtime::time_coefficients(order, time));
+                .map(|order| runtime::time_coefficients(order, time, q.unit()));
             if order == 0 && tape.iterations_1.is_empty() {
                 for k in 0..length {
                     for j in 0..k {

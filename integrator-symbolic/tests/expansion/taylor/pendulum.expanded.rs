@@ -42,7 +42,7 @@ const _: () = {
         ) {
             use runtime::Pair as _;
             if order == 0 {
-                q[1][0] = parameters.prepared_0 * p[0][0];
+                q[1][0] = q.integral(parameters.prepared_0 * p[0][0], 1);
                 tape.rates_0[1] = q[1][0];
             }
             let mut derivative_0 = Scalar::of(-0.0);
@@ -111,11 +111,9 @@ const _: () = {
                 tape.kept[order].shared_1,
             );
             derivative_0 += parameters.prepared_1 * shared_1;
-            p[order + 1][0] = runtime::div_by_order(derivative_0, order + 1);
-            tape.rates_0[order + 2] = runtime::div_by_order(
-                parameters.prepared_0 * derivative_0,
-                order + 1,
-            );
+            p[order + 1][0] = p.integral(derivative_0, order + 1);
+            tape.rates_0[order + 2] = q
+                .rate(parameters.prepared_0 * derivative_0, order + 1);
             q[order + 2][0] = runtime::div_by_order(tape.rates_0[order + 2], order + 2);
         }
     }

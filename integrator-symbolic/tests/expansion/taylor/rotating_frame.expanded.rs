@@ -177,11 +177,11 @@ const _: () = {
             derivative_1 += p[order][1] - parameters.rate.fma(q[order][0], shared_3);
             derivative_2 += -(-parameters.rate).fma(p[order][1], shared_5);
             derivative_3 += -(parameters.rate * p[order][0]);
-            q[order + 1][0] = runtime::div_by_order(derivative_0, order + 1);
-            q[order + 1][1] = runtime::div_by_order(derivative_1, order + 1);
-            p[order + 1][0] = runtime::div_by_order(derivative_2, order + 1);
-            tape.rates_0[order + 1] = derivative_3;
-            p[order + 1][1] = runtime::div_by_order(derivative_3, order + 1);
+            q[order + 1][0] = q.integral(derivative_0, order + 1);
+            q[order + 1][1] = q.integral(derivative_1, order + 1);
+            p[order + 1][0] = p.integral(derivative_2, order + 1);
+            tape.rates_0[order + 1] = p.integral(derivative_3, 1);
+            p[order + 1][1] = p.integral(derivative_3, order + 1);
         }
     }
 };
