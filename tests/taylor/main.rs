@@ -15,6 +15,7 @@ mod long;
 mod mixed;
 #[path = "../support/motions.rs"]
 mod motions;
+mod powers;
 mod recurrences;
 mod reference;
 mod rows;

@@ -1,6 +1,9 @@
 //! The operations of generated recurrences, beside sums of products.
 
-use crate::scalar::{real::Real, simd::pair::Pair};
+use crate::scalar::{
+    real::{Mask, Real},
+    simd::pair::Pair,
+};
 use alloc::vec::Vec;
 
 /// The highest order of a polynomial.
@@ -90,6 +93,51 @@ const fn reciprocals(more: usize) -> [[f64; 2]; COEFFICIENTS] {
         n += 1;
     }
     parts
+}
+
+/// A coefficient of a power with any exponent, `value` as its recurrence finds it, which divides by the base: where this
+/// begins at zero, and the exponent is a whole number from zero on, it is that of a product. `base` has the coefficients
+/// up to the order.
+#[inline(always)]
+pub fn power_at_zero<R: Real>(value: R, exponent: R, order: usize, base: impl Fn(usize) -> R) -> R {
+    let at_zero = base(0).equal(R::of(0.0));
+    if at_zero.any() { whole_power_at_zero(at_zero, value, exponent, order, base) } else { value }
+}
+
+#[cold]
+fn whole_power_at_zero<R: Real>(at_zero: R::Mask, value: R, exponent: R, order: usize, base: impl Fn(usize) -> R) -> R {
+    let zero = R::of(0.0);
+    let is_whole = exponent.floor().equal(exponent).and(exponent.less(zero).not());
+    let (mut factor, mut power) = ([zero; COEFFICIENTS], [zero; COEFFICIENTS]);
+    for (j, coefficient) in factor.iter_mut().enumerate().take(order + 1) {
+        *coefficient = base(j);
+    }
+    power[0] = R::of(1.0);
+    let mut exponent = exponent;
+    // The power begins with the order of its exponent: those with more digits than orders have none.
+    for _ in 0..usize::BITS - HIGHEST.leading_zeros() {
+        let half = (exponent * R::of(0.5)).floor();
+        let is_odd = R::of(0.5).less(exponent - half - half);
+        let with_factor = product(&power, &factor, order);
+        for (power, with_factor) in power.iter_mut().zip(with_factor) {
+            *power = R::select(is_odd, with_factor, *power);
+        }
+        factor = product(&factor, &factor, order);
+        exponent = half;
+    }
+    let coefficient = R::select(zero.less(exponent), zero, power[order]);
+    R::select(at_zero.and(is_whole), coefficient, value)
+}
+
+/// The coefficients of a product up to an order.
+fn product<R: Real>(a: &[R; COEFFICIENTS], b: &[R; COEFFICIENTS], order: usize) -> [R; COEFFICIENTS] {
+    let mut product = [R::of(0.0); COEFFICIENTS];
+    for (k, sum) in product.iter_mut().enumerate().take(order + 1) {
+        for j in 0..k + 1 {
+            *sum = a[j].fma(b[k - j], *sum);
+        }
+    }
+    product
 }
 
 /// `x` to the power of so many halves.

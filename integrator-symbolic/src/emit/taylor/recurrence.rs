@@ -346,7 +346,14 @@ impl Writer<'_> {
                 let exponent = self.printer.receiver(fields, b);
                 let first = quote!(#inverted #new.powf(#exponent));
                 let newest = [[new, quote!(#exponent * #own * #inverse)]];
-                self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse))
+                let value = self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse));
+                if self.printer.graph.as_constant(b).is_some() {
+                    return value;
+                }
+                // A parameter may be a whole number, whose power is smooth where its base is zero.
+                let (negative, base) = self.unsigned(fields, a);
+                let base = minus(negative, base.of(&quote!(order)));
+                quote!(#runtime::power_at_zero(#value, #exponent, order, |order| #base))
             }
             node => {
                 let first = match node {
