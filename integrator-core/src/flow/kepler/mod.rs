@@ -5,6 +5,7 @@
 //! happens to a body depends on that body alone, bit for bit, however many are computed side by side; one whose orbit
 //! could not be solved for becomes NaN, with a note of it.
 
+mod fall;
 mod stumpff;
 #[cfg(test)]
 mod tests;

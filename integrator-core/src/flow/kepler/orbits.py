@@ -35,7 +35,8 @@ def moved(q, p, w, k, t):
     # The time grows with s: an interval around the root is halved wherever Newton's method leaves it.
     low, high = (mpf(0), mp.cbrt(121 * rest / abs(mu))) if rest > 0 else (-mp.cbrt(-121 * rest / abs(mu)), mpf(0))
     if beta < 0:
-        far = asinh(abs(rest) * abs(beta) ** 1.5 / abs(mu) * 1000 + 1000) / sqrt(-beta) + 1
+        # The anomalies at both ends: that of the start is on the way back where the body falls.
+        far = 2 * asinh((abs(rest) * abs(beta) ** 1.5 + r0 * abs(beta)) / abs(mu) * 1000 + 1000) / sqrt(-beta) + 1
         low, high = max(low, -far), min(high, far)
     s = (low + high) / 2
     for step in range(2000):
@@ -101,6 +102,15 @@ def main():
                 write([*q, *p, w, k, mpf(duration) / rate])
     for q, p, k, t in [((2, 1), (-3, -1), -1, 1.5), ((0.5, 0), (0, 0.25), -2, -3), ((1, 3), (0.5, 0), -1e-6, 50)]:
         write([*map(mpf, q), *map(mpf, p), mpf(1), mpf(k), mpf(t)])
+    # Falls from far away towards the pericentre of a hyperbola, to just before it, to it, and beyond; and back in time.
+    for distance, speed, impact in [(1e2, 30, 1), (1e2, 3, 0.01), (1e4, 1, 0.1), (1e4, 300, 1), (1e6, 3, 0.01), (1e6, 300, 0.01)]:
+        for part in ["0.1", "0.4", "0.6", "-0.99", "1", "-1.0001", "2.5"]:
+            way = mpf(distance) / speed * mpf(part)
+            speed_to = -speed if way > 0 else speed
+            for turn, w, k in [(mpf(0), mpf(1), mpf(1)), (mpf(0.7), mpf(0.5), mpf(2)), (mpf(2.2), mpf(2), mpf(-0.5))]:
+                c, s = cos(turn), sin(turn)
+                x, y, u, v = mpf(distance), mpf(impact), mpf(speed_to), mpf(0)
+                write([c * x - s * y, s * x + c * y, (c * u - s * v) / w, (s * u + c * v) / w, w, k, way])
 
 
 def write(numbers):

@@ -44,9 +44,14 @@ fn growth(states: [[f64; 4]; 2], constants: [f64; 2]) -> f64 {
     1.0 + states.into_iter().map(anomaly).sum::<f64>()
 }
 
+/// How many orbits of the table begin near the centre; the others fall from far away towards a pericentre.
+const NEAR: usize = 213;
+
 #[test]
 fn orbits_of_all_kinds_are_those_of_the_table() {
-    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in orbits() {
+    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in
+        orbits().into_iter().take(NEAR)
+    {
         let (start, constants) = ([x, y, px, py], [inverse_mass, strength]);
         let found = flown(start, constants, duration);
         for (i, condition) in [cx, cy, cpx, cpy].into_iter().enumerate() {
@@ -62,7 +67,9 @@ fn orbits_of_all_kinds_are_those_of_the_table() {
 
 #[test]
 fn orbits_in_single_precision_are_those_of_the_table() {
-    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in orbits() {
+    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in
+        orbits().into_iter().take(NEAR)
+    {
         let (start, constants) = ([x, y, px, py], [inverse_mass, strength]);
         let found = flown(start.map(|x| x as f32), constants.map(|x| x as f32), duration);
         for (i, condition) in [cx, cy, cpx, cpy].into_iter().enumerate() {
@@ -76,12 +83,68 @@ fn orbits_in_single_precision_are_those_of_the_table() {
     }
 }
 
-/// Bound orbits without and with a pericentre passage, one that nearly falls into the centre, and a hyperbola.
-const STARTS: [([f64; 4], [f64; 2], f64); 4] = [
+/// By how many times what the roundings of the data make the end of a fall is off, the larger one of position and momentum. Where
+/// all digits are lost, the first order of errors says nothing.
+fn error_of_fall(start: [f64; 4], found: [f64; 4], after: [f64; 4], conditions: [f64; 4], unit: f64) -> f64 {
+    let part = |i: usize| {
+        let size = |numbers: [f64; 4]| numbers[i].hypot(numbers[i + 1]);
+        let rounding = unit * (size(conditions) + size(after) + size(start));
+        let error = f64::hypot(found[i] - after[i], found[i + 1] - after[i + 1]);
+        if rounding > 1e-2 * (size(after) + size(start)) && error.is_finite() { 0.0 } else { error / rounding }
+    };
+    // Not a number stays one.
+    if part(0) <= part(2) { part(2) } else { part(0) }
+}
+
+#[test]
+fn falls_from_far_away_end_where_the_table_says() {
+    for [x, y, px, py, inverse_mass, strength, duration, after @ .., cx, cy, cpx, cpy] in
+        orbits().into_iter().skip(NEAR)
+    {
+        let (start, constants, conditions) = ([x, y, px, py], [inverse_mass, strength], [cx, cy, cpx, cpy]);
+        let found = flown(start, constants, duration);
+        // A change of a number by half a unit is one rounding; a dozen of them act as one of the start do.
+        let error = error_of_fall(start, found, after, conditions, f64::EPSILON);
+        assert!(within(error, 10.0), "{error} for {start:?}, {constants:?} for {duration}: {found:?} and {after:?}");
+        let single = flown(start.map(|x| x as f32), constants.map(|x| x as f32), duration);
+        let error = error_of_fall(start, single.map(f64::from), after, conditions, f64::from(f32::EPSILON));
+        assert!(within(error, 10.0), "{error} for {start:?}, {constants:?} for {duration}: {single:?} and {after:?}");
+    }
+}
+
+#[test]
+fn light_and_heavy_particles_move_as_those_of_mass_one() {
+    fn moves_alike<R: Real>(power: i32, unit: f64) {
+        // An ellipse and a fall from far away.
+        for (start, duration) in [([1.0, 0.2, -0.1, 0.9], 0.3), ([100.0, 0.5, -3.0, 0.0], 40.0)] {
+            let mass = 2_f64.powi(power);
+            let [x, y, px, py] = start.map(R::of);
+            let alone = flown([x, y, px, py], [R::of(1.0); 2], duration);
+            let scaled = flown([x, y, px * R::of(mass), py * R::of(mass)], [R::of(1.0 / mass), R::of(mass)], duration);
+            for (i, scale) in [1.0, 1.0, mass, mass].into_iter().enumerate() {
+                let [alone, scaled] = [alone[i].lane(0), scaled[i].lane(0) / scale];
+                // A power of two changes no digit, but for those of the smallest numbers.
+                assert!(within(scaled - alone, 2.0 * unit * alone.abs()), "mass 2^{power}: {scaled} and {alone}");
+            }
+        }
+    }
+    for power in [-100, -70, 64, 90] {
+        moves_alike::<f32>(power, f64::from(f32::EPSILON));
+    }
+    for power in [-900, -520, 520, 900] {
+        moves_alike::<f64>(power, f64::EPSILON);
+    }
+}
+
+/// Bound orbits without and with a pericentre passage, one that nearly falls into the centre, a hyperbola,
+/// one that is followed far out, and a fall from far away past the pericentre.
+const STARTS: [([f64; 4], [f64; 2], f64); 6] = [
     ([1.0, 0.2, -0.1, 0.9], [1.0, 1.0], 0.3),
     ([3.0, -1.0, 0.2, 0.5], [0.5, 2.0], -4.0),
     ([0.1, 0.0, 0.0, 4.4], [1.0, 1.0], 2.5),
     ([-4.0, 1.0, 3.0, 0.3], [0.5, 1.5], 7.0),
+    ([1.0, 0.2, -0.1, 3.0], [1.0, 1.0], 1000.0),
+    ([100.0, 0.5, -3.0, 0.1], [1.0, 1.0], 36.0),
 ];
 
 #[test]
@@ -131,10 +194,11 @@ fn tangent_maps_are_symplectic_and_those_of_the_flow() {
             for a in 0..4 {
                 for b in 0..4 {
                     let expected = f64::from(i8::from(b == a + 2) - i8::from(a == b + 2));
-                    // The terms of the form, each of which carries the roundings of some dozen operations.
+                    // The terms of the form, each of which carries the roundings of some dozen operations, of two points of
+                    // the orbit for a fall.
                     let size: f64 = (0..4).map(|i| columns[a][i].abs() * columns[b][(i + 2) % 4].abs()).sum();
                     let defect = form(&columns[a], &columns[b]) - expected;
-                    let bound = 200.0 * f64::EPSILON * (size + 1.0);
+                    let bound = 400.0 * f64::EPSILON * (size + 1.0);
                     assert!(
                         within(defect, bound),
                         "columns {a}, {b} of {start:?} for {duration}: {defect:e} of {bound:e}"

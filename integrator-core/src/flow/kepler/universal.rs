@@ -11,7 +11,10 @@
 //! is near; elsewhere the root is searched for in a bracket first, by Laguerre's method (Conway 1986). The correction is
 //! always last and in the scalar itself, so that the tangent of a dual is exact, wherever the search came from.
 
-use super::stumpff::{functions, shifted, small};
+use super::{
+    fall::{End, Fall, come_from_far, falls},
+    stumpff::{functions, shifted, small},
+};
 use crate::scalar::real::{Mask, Real};
 use core::f64::consts::{PI, TAU};
 
@@ -49,26 +52,26 @@ pub(crate) struct Increments<W: Real, const D: usize> {
 
 /// An orbit from where the body is, and the time that it takes.
 #[derive(Clone, Copy)]
-struct Orbit<W> {
+pub(super) struct Orbit<W> {
     /// `μ`
-    mu: W,
+    pub(super) mu: W,
     /// `r₀`
-    distance: W,
+    pub(super) distance: W,
     /// `η`
-    eta: W,
+    pub(super) eta: W,
     /// `β`
-    beta: W,
+    pub(super) beta: W,
     /// `ζ`
-    zeta: W,
+    pub(super) zeta: W,
     /// The time, within half a period.
-    time: W,
+    pub(super) time: W,
 }
 
 /// A point of an orbit.
 #[derive(Clone, Copy)]
-struct Place<W> {
+pub(super) struct Place<W> {
     /// `G₀` to `G₃`
-    functions: [W; 4],
+    pub(super) functions: [W; 4],
     /// By how much the point is later than it should be.
     late: W,
     /// The distance, and its first two derivatives by `s`.
@@ -78,10 +81,10 @@ struct Place<W> {
 }
 
 /// The root of Kepler's equation: a place nearby, the correction of `s` from there, and the lanes in which there is none.
-struct Root<W: Real> {
-    place: Place<W>,
-    d: W,
-    failed: W::Mask,
+pub(super) struct Root<W: Real> {
+    pub(super) place: Place<W>,
+    pub(super) d: W,
+    pub(super) failed: W::Mask,
 }
 
 /// The way of a body in a time `duration`.
@@ -103,12 +106,13 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
     let quotient = distance * (W::of(1.0) / square);
     let inverse = quotient.fma((-distance).fma(quotient, W::of(1.0)), quotient);
     let mu = strength * inverse_mass;
-    let velocity = inverse_mass * inverse_mass * momentum;
+    let velocity = velocity_squared(body, momentum);
     let beta = (mu + mu).fma(inverse, -velocity);
     let (eta, zeta) = (inverse_mass * radial, velocity.fma(distance, -mu));
     let time = within_a_period(mu, beta, duration);
-    let orbit = Orbit { mu, distance, eta, beta, zeta, time: W::select(free, zero, time) };
-    let Root { place, d, failed } = root(&orbit, inverse);
+    let orbit = Orbit { mu, distance, eta, beta, zeta, time };
+    let falling = falls(&orbit).and(free.not());
+    let Root { place, d, failed } = root(&Orbit { time: W::select(free.or(falling), zero, time), ..orbit }, inverse);
     let [first, second, third] = shifted(place.functions, beta, d);
     let [r, slope, curvature] = place.distance;
     let farther = small(beta, d, [slope, curvature]);
@@ -142,7 +146,46 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
         let correction = (-excess).fma(arrival.fma(pull, -p[d]), rest * pull);
         by_p[d] = W::select(failed, W::of(f64::NAN), -arrival.fma(pull, correction));
     }
-    Increments { q: by_q, p: by_p, failed }
+    let increments = Increments { q: by_q, p: by_p, failed };
+    if falling.any() { increments.of_falls(body, orbit, falling) } else { increments }
+}
+
+impl<W: Real, const D: usize> Increments<W, D> {
+    /// The same, but for the lanes whose bodies fall from far away.
+    #[inline(always)]
+    fn of_falls(mut self, body: &Body<W, D>, orbit: Orbit<W>, falling: W::Mask) -> Self {
+        let End { q, p, failed } = W::enter(Fall { body: *body, orbit });
+        self.failed = self.failed.or(falling.and(failed));
+        let undefined = W::of(f64::NAN);
+        for d in 0..D {
+            let [by_q, by_p] = [q[d] - body.q[d], p[d] - body.p[d]].map(|by| W::select(failed, undefined, by));
+            self.q[d] = W::select(falling, by_q, self.q[d]);
+            self.p[d] = W::select(falling, by_p, self.p[d]);
+        }
+        self
+    }
+}
+
+/// The square of the velocity, from that of the momentum. Where that or the square of the inverse mass leaves the range of the
+/// scalar or loses digits at its lower end, as that of a light particle in single precision does, no square is formed but that of
+/// the velocity.
+#[inline(always)]
+fn velocity_squared<W: Real, const D: usize>(body: &Body<W, D>, momentum: W) -> W {
+    let Body { p, inverse_mass, .. } = *body;
+    let square = inverse_mass * inverse_mass;
+    let [least, largest] = if is_single::<W>() { [1e-30, 1e37] } else { [1e-290, 1e307] };
+    let inside = W::of(least).less(square.min(momentum)).and(square.max(momentum).less(W::of(largest)));
+    let outside = inside.not();
+    let velocity = square * momentum;
+    if !outside.any() {
+        return velocity;
+    }
+    let mut by_parts = W::of(0.0);
+    for number in p {
+        let part = inverse_mass * number;
+        by_parts = part.fma(part, by_parts);
+    }
+    W::select(outside, by_parts, velocity)
 }
 
 /// A sum, and what its rounding took from it.
@@ -156,9 +199,13 @@ fn two_sum<W: Real>(a: W, b: W) -> [W; 2] {
 /// The spacing of numbers next to one.
 #[inline(always)]
 fn unit<W: Real>() -> W {
-    // Single precision rounds 1 + 2⁻³⁰ to 1.
-    let single = (W::of(1.0) + W::of(4_194_304.0 * f64::EPSILON)).equal(W::of(1.0));
-    W::select(single, W::of(f64::from(f32::EPSILON)), W::of(f64::EPSILON))
+    W::of(if is_single::<W>() { f64::from(f32::EPSILON) } else { f64::EPSILON })
+}
+
+/// Whether the scalar is one of single precision, which rounds 1 + 2⁻³⁰ to 1.
+#[inline(always)]
+fn is_single<W: Real>() -> bool {
+    (W::of(1.0) + W::of(4_194_304.0 * f64::EPSILON)).equal(W::of(1.0)).any()
 }
 
 /// The time without whole revolutions: within half a period, where the motion has one.
@@ -177,7 +224,7 @@ fn within_a_period<W: Real>(mu: W, beta: W, time: W) -> W {
 
 /// Where the body is when the time has come.
 #[inline(always)]
-fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
+pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let s = orbit.short_arc(inverse);
     let place = orbit.at(s);
     let (d, near) = place.correction(orbit.beta, s);
@@ -252,6 +299,11 @@ impl<W: Real> Orbit<W> {
     fn bracket(&self) -> [W; 2] {
         let zero = W::of(0.0);
         let far = (W::of(121.0) * self.time / self.mu.abs()).cbrt();
+        // Those that fall from far away for a long time are not solved here, and others stay beyond a sixteenth of the distance.
+        // Farther along the orbit, the terms of the equation are so large that their sum has no right sign.
+        let beyond = W::of(16.0) * self.time / self.distance;
+        let is_beyond = come_from_far(self).and(beyond.abs().less(far.abs()));
+        let far = W::select(is_beyond, beyond, far);
         let backwards = self.time.less(zero);
         [W::select(backwards, far, zero), W::select(backwards, zero, far)]
     }
