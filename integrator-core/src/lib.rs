@@ -237,6 +237,7 @@ pub mod __private {
             by_value::by_value,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
+            integers::{bound, bound_through, like, span, span_through, wrapped},
             motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,

@@ -9,6 +9,7 @@
 )]
 
 mod coordinates;
+mod integers;
 mod rows;
 
 /// Where forces are compared; no two coordinates are alike, and every branch of the rows is decided clearly.

@@ -300,6 +300,9 @@ rows! {
     vectors { self.table[1] * q[0] + self.table.len() as f64 * q[1] } => [3.0, 4.0, 0.0, 0.0];
     casts { self.count as f64 * q[0] + f64::from(self.charge) * q[1] + self.soft as f64 * q[2] } => [3.0, 2.0, 0.5, 0.0];
     integers_of_other_types { let k = 2 * self.charge - 1; let mut v = (1.0 + q[0]).powi(self.charge + 1) + k as f64 * q[1]; if self.charge % 2 == 0 { v += q[2]; } v += match self.charge % 3 { 2 => q[3], _ => 0.0 }; v } => [3.0 * (1.0 + a).powi(2), 3.0, 1.0, 1.0];
+    pair_tables { let mut v = 0.0; for i in 0..4 { for j in 0..i { v += self.table[self.neighbours[i] % 2 * Self::WIDTH + self.neighbours[j] % 2] * q[i] * q[j]; } } v } => [0, 1, 2, 3].map(|i| [0, 1, 2, 3].into_iter().filter(|j| *j != i).map(|j| s.table[[1, 0, 1, 0][i.max(j)] * 2 + [1, 0, 1, 0][i.min(j)]] * START[j]).sum::<f64>());
+    integers_of_two_lists { let mut v = 0.0; for i in 0..4 { for j in 0..i { if (self.neighbours[i] + self.neighbours[j]) % 2 == 1 { v += (self.neighbours[i] * self.neighbours[j]) as f64 * q[i]; } } } v } => [0.0, 2.0, 6.0, 0.0];
+    ranges_of_integers { let mut v = 0.0; for l in 0..=self.charge { for m in -l..=l { v += (l * l + m) as f64 * q[0]; } } v + (-self.charge..=self.charge).filter(|&l| l != 0).map(|l| q[1].powi(2) / f64::from(l * l)).sum::<f64>() } => [23.0, 5.0 * b, 0.0, 0.0];
     truth { f64::from(self.tilted) * q[0] + self.tilted as u8 as f64 * q[1] } => [1.0, 1.0, 0.0, 0.0];
     truth_of_conditions { (q[0] > 0.0) as i32 as f64 * q[0] * q[0] + f64::from(q[1] > 0.0) * q[2] + f64::from(q[3]) } => [2.0 * a, 0.0, 0.0, 1.0];
     constants { Self::WIDTH as f64 * q[0] + std::f64::consts::PI * q[1] } => [2.0, std::f64::consts::PI, 0.0, 0.0];

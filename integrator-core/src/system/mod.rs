@@ -6,6 +6,7 @@ pub(crate) mod device_text;
 pub(crate) mod elements;
 pub(crate) mod energy;
 pub(crate) mod external;
+pub(crate) mod integers;
 pub(crate) mod motion;
 pub(crate) mod not_finite;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -38,6 +38,7 @@ impl Graph {
 
     /// An integer as a number.
     pub(crate) fn number_of(&mut self, index: IndexId) -> NodeId {
+        let index = self.loops.plain(index);
         match self.loops.signed_literal(index) {
             Some(value) => self.constant(value as f64),
             None => self.intern(Node::FromIndex(index)),

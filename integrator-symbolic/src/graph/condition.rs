@@ -36,6 +36,7 @@ impl Graph {
 
     /// The same for integers.
     pub(crate) fn compare_index(&mut self, comparison: Comparison, a: IndexId, b: IndexId) -> NodeId {
+        let [a, b] = [a, b].map(|index| self.loops.plain(index));
         match (self.loops.signed_literal(a), self.loops.signed_literal(b)) {
             (Some(a), Some(b)) => self.truth(match comparison {
                 Comparison::Less => a < b,

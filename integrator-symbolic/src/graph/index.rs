@@ -237,6 +237,7 @@ impl Loops {
 
     /// A bound of a loop: a difference that is below zero ends the loop before it begins.
     pub(crate) fn ending(&mut self, bound: IndexId) -> IndexId {
+        let bound = self.plain(bound);
         match self.index(bound) {
             Index::Sub(a, b) | Index::Minus(a, b) if !self.is_signed(a) && !self.is_signed(b) => {
                 let [a, b] = [a, b].map(|operand| self.unsigned(operand));

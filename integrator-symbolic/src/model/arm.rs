@@ -6,7 +6,7 @@ use super::{
     branch::Sides,
     early_return::{Body, Flow, Outcome},
     pattern::Names,
-    statement::Assigned,
+    statement::{Assigned, simple_name},
     text::identifiers,
     value::{Opaque, Value},
 };
@@ -85,12 +85,17 @@ impl Reader<'_> {
     /// What may be matched: a value of the system, and the integer that it is where it is one of indices. Nothing is noted
     /// of others.
     pub(super) fn matchable(&mut self, expression: &Expr) -> Option<Option<(Opaque, Option<IndexId>)>> {
+        if let Some(id) = simple_name(expression).and_then(|name| self.lookup(&name.to_string()))
+            && let Value::Joint(joint) = &self.bindings[id.0].value
+        {
+            return Some(Some((joint.own.clone(), None)));
+        }
         let Some(Value::Opaque(whole)) = self.verbatim(expression) else { return Some(None) };
         if let Expr::Tuple(_) = expression {
             return Some(Some((whole, None)));
         }
         let value = self.expression(expression)?;
-        Some(Some(match self.of_own_type(value) {
+        Some(Some(match self.of_own_type(value.into_own()) {
             Value::Opaque(opaque) => (opaque, None),
             Value::Integer(index) => (self.opaque(&Value::Integer(index)).unwrap_or(whole), Some(index)),
             _ => (whole, None),

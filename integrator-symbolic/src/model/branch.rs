@@ -3,6 +3,7 @@
 use super::{
     BindingId, Reader, Target,
     early_return::{Flow, Outcome, has_let},
+    joint::Joint,
     sequence::Sequence,
     statement::Assigned,
     text::place,
@@ -214,9 +215,13 @@ impl Reader<'_> {
             (true, _) => states.map(|(_, second)| second).collect(),
             (_, true) => states.map(|(first, _)| first).collect(),
             _ => {
-                let states = states.zip(&fork.before).map(|((a, b), before)| match (before, &a, &b) {
-                    (Value::Real(before), Value::Real(a), Value::Real(b)) => {
-                        Some(Value::Real(self.graph.select_addends(condition, *before, [*a, *b])))
+                let number = |value: &Value| match value {
+                    Value::Real(number) | Value::Joint(Joint { number, .. }) => Some(*number),
+                    _ => None,
+                };
+                let states = states.zip(&fork.before).map(|((a, b), before)| match [before, &a, &b].map(number) {
+                    [Some(before), Some(a), Some(b)] => {
+                        Some(Value::Real(self.graph.select_addends(condition, before, [a, b])))
                     }
                     _ => self.either(condition, a, b, place),
                 });
@@ -307,10 +312,19 @@ impl Reader<'_> {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
                 Some(Value::Tuple(parts.collect::<Option<_>>()?))
             }
+            (a, b)
+                if [&a, &b].iter().any(|value| matches!(value, Value::Integer(_)))
+                    && let Some(own) = self.own_choice(condition, &a, &b) =>
+            {
+                Some(Value::Opaque(own))
+            }
             (a, b) => match [(&a, true), (&b, false)]
                 .map(|(value, holds)| self.under(Some(condition), holds, |reader| reader.real(value)))
             {
-                [Some(a), Some(b)] => Some(Value::Real(self.graph.select(condition, a, b))),
+                [Some(first), Some(second)] => {
+                    let own = self.own_choice(condition, &a, &b);
+                    Some(Self::joint(self.graph.select(condition, first, second), own))
+                }
                 _ => {
                     let message =
                         format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());

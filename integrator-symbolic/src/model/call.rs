@@ -91,7 +91,7 @@ impl Reader<'_> {
         }
         let turbofish = call.turbofish.as_ref().map(ToTokens::to_token_stream);
         let name = &call.method;
-        if let Some(object) = self.opaque(&receiver)
+        if let Some(object) = self.receiver_text(&receiver)
             && !matches!(receiver, Value::Real(_))
             && !(is_self && self.helper_reads_sensitive(name))
             && let Some((text, loops)) = self.opaque_list(&arguments, &call.args)
@@ -99,6 +99,11 @@ impl Reader<'_> {
             let object_text = place(object.text);
             let text = quote!(#object_text.#name #turbofish(#text));
             return Some(Value::Opaque(Opaque { text, loops: loops.union(object.loops) }));
+        }
+        if !is_self
+            && let Some(value) = self.joint_method(call, &receiver, &arguments, is_elementary(&name.to_string()))
+        {
+            return value;
         }
         let places: Vec<&Expr> = call.args.iter().collect();
         if name == "len" && places.is_empty() {
@@ -174,7 +179,8 @@ impl Reader<'_> {
             && *kind == "f64"
             && *name == "from"
         {
-            let number = match self.of_own_type(value.clone()) {
+            let value = self.of_own_type(value.clone().into_own());
+            let number = match value {
                 Value::Integer(index) => Some(self.graph.number_of(index)),
                 Value::Condition(condition) => Some(self.truth_as_number(condition)),
                 Value::Real(number) => Some(number),
@@ -183,6 +189,7 @@ impl Reader<'_> {
             if let Some(number) = number {
                 return Some(Value::Real(number));
             }
+            arguments = vec![value];
         }
         // A function of literals that is seen here is a number that is known here.
         let literals = !arguments.is_empty() && arguments.iter().all(|value| matches!(value, Value::Real(_)));
@@ -190,6 +197,9 @@ impl Reader<'_> {
         if !(literals && is_seen)
             && let Some((text, loops)) = self.opaque_list(&arguments, &call.args)
         {
+            return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
+        }
+        if !is_seen && let Some((text, loops)) = self.own_list(&arguments, &call.args) {
             return Some(Value::Opaque(Opaque { text: quote!(#function(#text)), loops }));
         }
         match segments[..] {
@@ -268,7 +278,7 @@ impl Reader<'_> {
         let helper = helper.filter(|helper| !is_generic(helper));
         let mut kinds = helper.into_iter().flat_map(typed_arguments).map(|parameter| &*parameter.ty);
         let values = arguments.into_iter().map(|argument| match kinds.next() {
-            Some(kind) => self.expression_of(argument, kind),
+            Some(kind) => self.expression_of(argument, kind).map(|value| value.where_typed(kind)),
             None => self.expression(argument),
         });
         let values: Vec<_> = values.collect();

@@ -164,7 +164,7 @@ impl Reader<'_> {
             };
             return Some(Value::Real(self.graph.power(x, halves)));
         }
-        let exponent = match &self.of_own_type(exponent.clone()) {
+        let exponent = match &self.of_own_type(exponent.clone().into_own()) {
             Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
                 Some(Ok(whole)) if let Some(halves) = halves_of(whole) => {
                     return Some(Value::Real(self.graph.power(x, halves)));

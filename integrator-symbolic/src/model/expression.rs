@@ -6,7 +6,7 @@ use super::{
     escape::escape,
     integer::operand,
     statement::Assigned,
-    text::{element, identifiers, in_parentheses, is_reference, place, with_variables},
+    text::{element, identifiers, is_reference, place, with_variables},
     value::{Opaque, Value, View},
 };
 use crate::{
@@ -131,10 +131,7 @@ impl Reader<'_> {
 
     /// Parentheses stay around parameters, whose text is kept.
     fn grouped(&mut self, inner: &Expr) -> Option<Value> {
-        Some(match self.expression(inner)? {
-            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: in_parentheses(text), loops }),
-            value => value,
-        })
+        self.expression(inner).map(Value::in_parentheses)
     }
 
     fn literal(&mut self, literal: &ExprLit) -> Option<Value> {
@@ -210,7 +207,7 @@ impl Reader<'_> {
             return part.map(Value::List);
         }
         let (value, at) = (self.expression(&index.expr), self.expression(&index.index));
-        let (value, at) = (value?, at?);
+        let (value, at) = (value?, at?.into_own());
         if let Value::Opaque(list) = &value
             && (matches!(at, Value::Opaque(_) | Value::Tuple(_)) || is_reference(&index.index))
         {
@@ -228,7 +225,7 @@ impl Reader<'_> {
                 if self.graph.loops.literal(position).is_none()
                     && let Some(Opaque { text, loops }) = self.list_text(&parts) =>
             {
-                let at = self.opaque(&at)?;
+                let at = self.place_text(&Value::Integer(position))?;
                 let inner = place(at.text);
                 Some(Value::Opaque(Opaque {
                     text: element(text, inner, index.bracket_token.span.join()),
@@ -276,7 +273,11 @@ impl Reader<'_> {
 
     /// An element of a list or of a map of the system: maps are asked by a reference to anything.
     fn element_at(&mut self, list: &Opaque, at: &Value, index: &ExprIndex) -> Option<Value> {
-        let Some(at) = self.argument(at, &index.index) else {
+        let found = match is_reference(&index.index) {
+            true => self.argument(at, &index.index),
+            false => self.place_text(at),
+        };
+        let Some(at) = found else {
             self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
             return None;
         };

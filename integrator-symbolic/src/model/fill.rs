@@ -231,6 +231,7 @@ fn filled(fill: &Rc<Fill>, place: usize) -> Sequence {
 fn alike(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Real(a), Value::Real(b)) => a == b,
+        (Value::Joint(a), Value::Joint(b)) => a.number == b.number,
         (Value::Array(a), Value::Array(b)) | (Value::Tuple(a), Value::Tuple(b)) => {
             a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b))
         }

@@ -117,7 +117,7 @@ impl Reader<'_> {
     fn in_iterations(&self, by: LoopId, table: LoopSet, needs: Needs, inner: Option<Opaque>) -> Option<Opaque> {
         let Loop { from, to, .. } = self.graph.loops.get(by);
         let around = self.graph.loops.of_range(by);
-        let [first, end] = [from, to].map(|bound| self.index_text(bound));
+        let [first, end] = [from, to].map(|bound| self.bound_text(bound));
         match inner {
             Some(inner) if table.contains(by) => {
                 let name = running_index(by);
@@ -204,13 +204,13 @@ impl Reader<'_> {
     }
 
     /// A condition of parameters and indices as text, for where all conditions around it have been asked.
-    fn condition_text(&self, condition: NodeId) -> Option<Opaque> {
+    pub(super) fn condition_text(&self, condition: NodeId) -> Option<Opaque> {
         let of = |text, loops| Some(Opaque { text, loops });
         match self.graph.node(condition) {
             Node::CompareIndex(comparison, a, b) => {
                 let (loops, sign) = (&self.graph.loops, sign(comparison));
                 let both = loops.of_index(a).union(loops.of_index(b));
-                let (a, b) = (self.index_text(a), self.index_text(b));
+                let (a, b) = (self.signed_text(a), self.signed_text(b));
                 of(quote!((#a) #sign (#b)), both)
             }
             Node::Flag(parameter) => {
@@ -255,7 +255,7 @@ impl Reader<'_> {
                 Some((text, loops))
             }
             Node::FromIndex(index) => {
-                let text = self.index_text(index);
+                let text = self.signed_text(index);
                 Some((quote!((#text as f64)), self.graph.loops.of_index(index)))
             }
             Node::Neg(inner) => self.number_text(inner).map(|(text, loops)| (quote!((-(#text))), loops)),

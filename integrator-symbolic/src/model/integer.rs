@@ -16,11 +16,24 @@ use crate::graph::{
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
+/// What is known of the type of an integer.
+#[derive(Clone, Copy)]
+pub(super) enum Own {
+    Usize,
+    /// Another type, which a cast or a literal names.
+    Named(IntegerType),
+    /// Literals, and indices of loops between literals: any type.
+    Untyped,
+    /// One that the system gives.
+    Unknown,
+}
+
 impl Reader<'_> {
     /// A value as a number that may depend on coordinates.
     pub(super) fn real(&mut self, value: &Value) -> Option<NodeId> {
         match value {
             Value::Real(node) => Some(*node),
+            Value::Joint(joint) => Some(joint.number),
             Value::Opaque(Opaque { text, loops }) => {
                 let parameter = self.parameter(place(text.clone()), "number", *loops);
                 Some(self.graph.parameter(parameter))
@@ -72,9 +85,7 @@ impl Reader<'_> {
             Value::Opaque(opaque) => Some(opaque.clone()),
             Value::Closure(callable) => callable.text.clone(),
             Value::Integer(index) if let Some(own) = self.own_integers.get(index) => Some(own.clone()),
-            Value::Integer(index) => {
-                Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
-            }
+            Value::Integer(index) => Some(self.typed(*index)),
             Value::Real(node) => {
                 let number = self.graph.as_constant(*node).filter(|number| number.is_finite())?;
                 let literal = number_literal(number.abs());
@@ -89,6 +100,76 @@ impl Reader<'_> {
             }
             _ => None,
         }
+    }
+
+    /// An integer as text of its own type; what only literals tell of is left to rustc.
+    fn typed(&self, id: IndexId) -> Opaque {
+        let loops = &self.graph.loops;
+        let mentioned = loops.of_index(id);
+        if loops.is_untyped(id) && loops.signed_literal(id).is_none() {
+            let text = self.typed_text(id, loops.type_of(id));
+            let root = &self.input.root;
+            return Opaque { text: quote!(#root::__private::like(&0, #text)), loops: mentioned };
+        }
+        Opaque { text: self.index_text(id), loops: mentioned.union(self.loops_of_types(id)) }
+    }
+
+    /// The loops that the expressions mention whose types an integer has.
+    fn loops_of_types(&self, id: IndexId) -> LoopSet {
+        let index = self.graph.loops.index(id);
+        let own = match index {
+            Index::Typed(IntegerType { like: Some(like), .. }, _) => self.types[like as usize].loops,
+            _ => LoopSet::EMPTY,
+        };
+        let operands = index.operands().into_iter().flatten();
+        operands.fold(own, |all, operand| all.union(self.loops_of_types(operand)))
+    }
+
+    /// An integer as text of the type of indices.
+    pub(super) fn place_text(&self, value: &Value) -> Option<Opaque> {
+        match value {
+            Value::Integer(index) if !self.own_integers.contains_key(index) => {
+                Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
+            }
+            value => self.opaque(value),
+        }
+    }
+
+    /// What is known of the type of an integer.
+    pub(super) fn type_of(&self, value: &Value) -> Own {
+        let Value::Integer(index) = value else {
+            return match value {
+                Value::Opaque(Opaque { text, .. }) if self.is_usize(text) => Own::Usize,
+                _ => Own::Unknown,
+            };
+        };
+        let loops = &self.graph.loops;
+        match loops.cast_type(*index) {
+            _ if loops.literal(*index).is_some() => Own::Untyped,
+            _ if self.own_integers.contains_key(index) => Own::Unknown,
+            Some(kind) if kind.is_usize() => Own::Usize,
+            Some(kind) if kind.like.is_none() => Own::Named(kind),
+            Some(_) => Own::Unknown,
+            None if loops.is_untyped(*index) => Own::Untyped,
+            None => Own::Usize,
+        }
+    }
+
+    /// The type that an integer of the system has.
+    pub(super) fn type_like(&mut self, value: &Value) -> Option<IntegerType> {
+        if let Value::Integer(index) = value
+            && let Some(kind) = self.graph.loops.cast_type(*index)
+        {
+            return Some(kind);
+        }
+        let own = self.opaque(value)?;
+        let text = own.text.to_string();
+        let known = self.types.iter().position(|kind| kind.text.to_string() == text);
+        let at = known.unwrap_or_else(|| {
+            self.types.push(own);
+            self.types.len() - 1
+        });
+        Some(IntegerType::like(at as u32))
     }
 
     /// An array of parameters as text.
@@ -131,21 +212,57 @@ impl Reader<'_> {
         self.typed_text(id, self.graph.loops.cast_type(id).filter(|kind| !kind.is_usize()))
     }
 
+    /// An integer as text of a type that holds it below zero, too, where it may be.
+    pub(super) fn signed_text(&self, id: IndexId) -> TokenStream {
+        self.typed_text(id, self.graph.loops.type_of(id).filter(|kind| !kind.is_usize()))
+    }
+
+    /// A bound of a loop as text.
+    pub(super) fn bound_text(&self, id: IndexId) -> TokenStream {
+        if self.graph.loops.is_signed(id) {
+            let text = self.signed_text(id);
+            return quote!((#text as usize));
+        }
+        self.index_text(id)
+    }
+
+    /// The text of an integer in another type.
+    fn in_type(&self, text: TokenStream, kind: IntegerType) -> TokenStream {
+        match kind.like {
+            Some(like) => {
+                let (root, Opaque { text: like, .. }) = (&self.input.root, &self.types[like as usize]);
+                quote!(#root::__private::like(&#like, #text))
+            }
+            None => {
+                let kind = Ident::new(kind.name, Span::call_site());
+                quote!((#text as #kind))
+            }
+        }
+    }
+
+    /// The receiver of a method as text: methods want a type.
+    pub(super) fn receiver_text(&self, value: &Value) -> Option<Opaque> {
+        match value {
+            Value::Integer(index) if self.graph.loops.is_untyped(*index) => {
+                let loops = &self.graph.loops;
+                Some(Opaque { text: self.typed_text(*index, loops.type_of(*index)), loops: loops.of_index(*index) })
+            }
+            value => self.opaque(value),
+        }
+    }
+
     /// The same, in a type other than `usize` if there is one.
     fn typed_text(&self, id: IndexId, kind: Option<IntegerType>) -> TokenStream {
         let known = self.graph.loops.index(id);
         let leaf = |text: TokenStream| match kind {
-            Some(kind) => {
-                let kind = Ident::new(kind.name, Span::call_site());
-                quote!((#text as #kind))
-            }
+            Some(kind) => self.in_type(text, kind),
             None => text,
         };
         match (known, known.operands()) {
-            (Index::Typed(..) | Index::Wrapped(..), Some([a, _])) => {
+            (Index::Typed(kind, a) | Index::Wrapped(kind, a), _) => {
                 let inner = self.typed_text(a, self.graph.loops.type_of(a).filter(|kind| !kind.is_usize()));
-                let cast = operation(known, inner, TokenStream::new());
-                quote!((#cast))
+                let inner = if self.graph.loops.is_wrapped(id) { quote!((#inner as isize)) } else { inner };
+                self.in_type(inner, kind)
             }
             (_, Some(both)) => {
                 let [a, b] = both.map(|id| self.typed_text(id, kind));

@@ -25,6 +25,7 @@ mod guard;
 pub(crate) mod integer;
 mod invariant;
 mod join;
+mod joint;
 mod operator;
 mod own_flow;
 mod parameter_text;
@@ -34,6 +35,7 @@ mod pattern;
 mod prepared;
 mod presence;
 mod ragged;
+mod range;
 mod repeat;
 mod running_index;
 mod scatter;
@@ -398,6 +400,10 @@ struct Reader<'i> {
     parameter_ids: HashMap<String, ParameterId>,
     /// Integers of the system and literals with the text that joins them, whose type may be another than that of an index.
     own_integers: HashMap<IndexId, Opaque>,
+    /// Expressions of the types that integers of ranges have.
+    types: Vec<Opaque>,
+    /// Whether the items of the sequence that is read next are indices.
+    items_are_indices: bool,
     running: HashMap<LoopId, Ident>,
     externals: Vec<Method>,
     /// The parameters that derivatives are taken by, by their names, as far as they were read.
@@ -440,6 +446,8 @@ impl<'i> Reader<'i> {
             parameters: Vec::new(),
             parameter_ids: HashMap::new(),
             own_integers: HashMap::new(),
+            types: Vec::new(),
+            items_are_indices: false,
             running: HashMap::new(),
             externals: Vec::new(),
             sensitive: HashMap::new(),
@@ -629,6 +637,11 @@ impl<'i> Reader<'i> {
 
     /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.
     fn parameter(&mut self, text: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
+        self.parameter_shown(text.clone(), text, kind, loops)
+    }
+
+    /// The same, with another text where it is shown to people.
+    fn parameter_shown(&mut self, text: TokenStream, shown: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
         let otherwise = match kind {
             "condition" => quote!(false),
             "integer" => quote!(0),
@@ -636,7 +649,7 @@ impl<'i> Reader<'i> {
         };
         let own = text;
         self.check_sensitive(&own);
-        let (shown, _) = self.in_arms(own.clone(), loops, &otherwise);
+        let (shown, _) = self.in_arms(shown, loops, &otherwise);
         let (text, loops) = self.in_arms(self.by_value(own.clone(), kind), loops, &otherwise);
         let text = self.guarded_text(text, kind, loops, &otherwise);
         let text = standing_alone(text, &self.uses);

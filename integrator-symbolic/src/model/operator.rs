@@ -2,6 +2,8 @@
 
 use super::{
     NOT_SEPARABLE, Reader,
+    integer::Own,
+    joint::Joint,
     statement::simple_name,
     text::{mentions_item, referent},
     types::is_collected,
@@ -24,6 +26,10 @@ impl Reader<'_> {
             }
             UnOp::Neg(_) => match self.operand_of_own_type(&unary.expr)?.into_place() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(-#text), loops })),
+                Value::Joint(Joint { number, own: Opaque { text, loops } }) => {
+                    let number = self.graph.neg(number);
+                    Some(Self::joint(number, Some(Opaque { text: quote!(-#text), loops })))
+                }
                 Value::Integer(index) => {
                     let zero = self.literal_index(0);
                     Some(Value::Integer(self.graph.loops.intern(Index::Minus(zero, index))))
@@ -33,7 +39,7 @@ impl Reader<'_> {
                     Some(Value::Real(self.graph.neg(number)))
                 }
             },
-            UnOp::Not(_) => match self.expression(&unary.expr)?.into_place() {
+            UnOp::Not(_) => match self.expression(&unary.expr)?.into_place().into_own() {
                 Value::Opaque(Opaque { text, loops }) => Some(Value::Opaque(Opaque { text: quote!(!#text), loops })),
                 value => match self.condition(&value) {
                     Some(condition) => Some(Value::Condition(self.graph.not(condition))),
@@ -78,7 +84,7 @@ impl Reader<'_> {
 
     /// Notes where a value stands that is added or subtracted, for what is said of a part without an exact flow.
     pub(super) fn note_addend(&mut self, value: &Value, place: &Expr) {
-        if let Value::Real(addend) = value
+        if let Value::Real(addend) | Value::Joint(Joint { number: addend, .. }) = value
             && self.may_mix
         {
             let addend = self.graph.without_sign(*addend);
@@ -103,10 +109,11 @@ impl Reader<'_> {
         right_place: &Expr,
         whole: &Expr,
     ) -> Option<Value> {
-        let (mut left, mut right) = (left.into_place(), right.into_place());
-        if !matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_)) {
-            if self.own_text(&left).is_some() && self.own_text(&right).is_some() {
-                [left, right] = [left, right].map(|value| self.of_own_type(value));
+        let is_arithmetic = matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_));
+        let [mut left, mut right] = Self::sides(left.into_place(), right.into_place(), is_arithmetic);
+        if !is_arithmetic {
+            if self.own_types(&left, &right) {
+                [left, right] = [left, right].map(|value| self.opaque(&value).map_or(value, Value::Opaque));
             }
             let literals =
                 matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
@@ -118,24 +125,8 @@ impl Reader<'_> {
         }
         let literal_only = |value: &Value| matches!(value, Value::Real(_));
         match (&left, &right) {
-            // An integer of the system has the type of the one that it is combined with.
-            (Value::Integer(index), Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(index))
-                if self.graph.loops.cast_type(*index).is_some_and(|kind| !kind.is_usize())
-                    && let (Some(a), Some(b)) = (self.opaque(&left), self.opaque(&right))
-                    && (a.loops.is_subset(b.loops) || b.loops.is_subset(a.loops)) =>
-            {
-                return Some(Value::Opaque(joined(&a, op, &b)));
-            }
             (Value::Integer(_), Value::Integer(_) | Value::Opaque(_)) | (Value::Opaque(_), Value::Integer(_)) => {
-                let own = self.own_text(&left).zip(self.own_text(&right)).map(|(a, b)| joined(&a, op, &b));
-                let (a, b) = (self.integer(&left)?, self.integer(&right)?);
-                let index = self.integer_operation(op, a, b);
-                if let Some(Opaque { text, loops }) = own
-                    && self.graph.loops.literal(index).is_none()
-                {
-                    self.own_integers.insert(index, Opaque { text: quote!((#text)), loops });
-                }
-                return Some(Value::Integer(index));
+                return self.of_integers(op, &left, &right);
             }
             // Text of parameters stays text, unless it would join the indices of different loops into one table.
             _ if !(literal_only(&left) && literal_only(&right)) => {
@@ -147,6 +138,10 @@ impl Reader<'_> {
             }
             _ => {}
         }
+        let own = match [&left, &right].map(|side| matches!(side, Value::Opaque(_) | Value::Joint(_))) {
+            [true, true] => self.own_of(&left).zip(self.own_of(&right)).map(|(a, b)| joined(&a, op, &b)),
+            _ => None,
+        };
         let (a, b) = (self.operand(&left, left_place), self.operand(&right, right_place));
         let (a, b) = (a?, b?);
         let mixes = match op {
@@ -159,13 +154,14 @@ impl Reader<'_> {
             self.not_separable(whole);
             return None;
         }
-        Some(Value::Real(match op {
+        let number = match op {
             BinOp::Add(_) => self.graph.add(a, b),
             BinOp::Sub(_) => self.graph.sub(a, b),
             BinOp::Mul(_) => self.graph.mul(a, b),
             BinOp::Div(_) => self.graph.div(a, b),
             _ => self.graph.call_two("remainder", a, b),
-        }))
+        };
+        Some(Self::joint(number, own))
     }
 
     fn operand_of_own_type(&mut self, operand: &Expr) -> Option<Value> {
@@ -173,14 +169,35 @@ impl Reader<'_> {
         Some(self.of_own_type(value))
     }
 
-    /// The text of an integer that is one of the system, or a literal beside one.
-    fn own_text(&self, value: &Value) -> Option<Opaque> {
-        match value {
-            Value::Integer(index) if self.graph.loops.literal(*index).is_none() => {
-                self.own_integers.get(index).cloned()
-            }
-            value => self.opaque(value),
+    /// An operation on two integers, one of which may be text.
+    fn of_integers(&mut self, op: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+        let own = self.own_types(left, right).then(|| self.opaque(left).zip(self.opaque(right)));
+        let own = own.flatten().map(|(a, b)| joined(&a, op, &b));
+        // What has a type that a cast names is no index: it is one where another cast makes it one.
+        let is_named = |value: &Value| matches!(self.type_of(value), Own::Named(_));
+        if (is_named(left) || is_named(right))
+            && let Some(own) = own
+        {
+            return Some(Value::Opaque(own));
         }
+        let (a, b) = (self.integer(left)?, self.integer(right)?);
+        let index = self.integer_operation(op, a, b);
+        if let Some(Opaque { text, loops }) = own
+            && self.graph.loops.literal(index).is_none()
+        {
+            self.own_integers.insert(index, Opaque { text: quote!((#text)), loops });
+        }
+        Some(Value::Integer(index))
+    }
+
+    /// Whether the system gives the type of one of two integers, and with it that of both.
+    fn own_types(&self, left: &Value, right: &Value) -> bool {
+        let is_own = |value: &Value| match value {
+            Value::Integer(index) => self.own_integers.contains_key(index),
+            value => matches!(value, Value::Opaque(_)),
+        };
+        let is_usize = |value: &Value| matches!(self.type_of(value), Own::Usize);
+        (is_own(left) || is_own(right)) && !is_usize(left) && !is_usize(right)
     }
 
     /// An integer that is made of those of the system and of literals, as text: where it is no index, it has the type that the
@@ -230,7 +247,7 @@ impl Reader<'_> {
     }
 
     pub(super) fn cast(&mut self, cast: &ExprCast) -> Option<Value> {
-        let value = self.operand_of_own_type(&cast.expr)?;
+        let value = self.operand_of_own_type(&cast.expr)?.into_own();
         let to_float = super::shape::is_f64(&cast.ty);
         match value {
             Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),

@@ -40,7 +40,7 @@ impl Reader<'_> {
         let mut text = quote!(#value);
         for (inner, by) in loops.into_iter().rev().enumerate() {
             let range = self.graph.loops.get(by);
-            let (name, from, to) = (running_index(by), self.index_text(range.from), self.index_text(range.to));
+            let (name, from, to) = (running_index(by), self.bound_text(range.from), self.bound_text(range.to));
             let adaptor = if inner == 0 { quote!(map) } else { quote!(flat_map) };
             text = quote!(::core::iter::Iterator::#adaptor(#from..#to, move |#name: usize| #text));
         }

@@ -2,7 +2,7 @@
 
 use super::{
     Frame, Reader, Target, escape::continue_further_inside, expression::CONTINUE, fill::indexed_loop,
-    flatten::nested_loop, sequence::Sequence, statement::Assigned, value::Value,
+    flatten::nested_loop, range::indexes, sequence::Sequence, statement::Assigned, value::Value,
 };
 use crate::graph::{
     Comparison, NodeId,
@@ -56,6 +56,7 @@ impl Reader<'_> {
         if let Some(loops) = self.gathered(repeat) {
             return loops.iter().try_fold(Value::Unit, |_, own| self.repeat(own));
         }
+        self.items_are_indices = indexes(&repeat.pat, &repeat.body);
         let sequence = self.sequence_of(&repeat.expr, Some(&repeat.pat))?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);

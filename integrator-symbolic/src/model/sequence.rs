@@ -6,6 +6,7 @@ pub(super) mod tests;
 use super::{
     Reader,
     adaptor::is_adaptor,
+    range::{indexes, keeps_items},
     repeat::FEW,
     statement::Assigned,
     text::{self, referent},
@@ -44,10 +45,15 @@ impl Sequence {
 
     /// The same sequence with something done to the value of every item.
     pub(super) fn with(self, change: fn(Value) -> Value) -> Self {
+        self.changed(move |_, value| change(value))
+    }
+
+    /// The same by means of the reader.
+    pub(super) fn changed(self, change: impl Fn(&mut Reader<'_>, Value) -> Value + 'static) -> Self {
         let Self { at, .. } = self;
         let at = move |reader: &mut Reader<'_>, index| {
             let Item { value, condition } = at(reader, index)?;
-            Some(Item { value: change(value), condition })
+            Some(Item { value: change(reader, value), condition })
         };
         Self { at: Rc::new(at), ..self }
     }
@@ -102,24 +108,25 @@ fn is_iterator(expression: &Expr) -> bool {
 impl Reader<'_> {
     /// The sequence that an expression is; notes a mistake if it is none.
     pub(super) fn sequence(&mut self, expression: &Expr) -> Option<Sequence> {
+        let is_indexed = std::mem::take(&mut self.items_are_indices);
         match expression {
-            Expr::Paren(inner) => self.sequence(&inner.expr),
-            Expr::Reference(inner) => self.sequence(&inner.expr).map(Sequence::of_references),
-            Expr::Range(range) => {
-                let (Some(start), Some(end)) = (&range.start, &range.end) else {
-                    self.errors.at(range, "the range of a loop needs both bounds: write `a..b` or `a..=b`");
-                    return None;
-                };
-                let (from, to) = (self.bound(start), self.bound(end));
-                let (from, mut to) = (from?, to?);
-                if matches!(range.limits, RangeLimits::Closed(_)) {
-                    to = self.offset(to, 1);
-                }
-                Some(self.integers(from, to))
+            Expr::Paren(inner) => {
+                self.items_are_indices = is_indexed;
+                self.sequence(&inner.expr)
             }
+            Expr::Reference(inner) => self.sequence(&inner.expr).map(Sequence::of_references),
+            Expr::Range(range) => self.range(range, is_indexed),
             Expr::MethodCall(call)
                 if is_adaptor(call) && !(call.method == "chunks" && self.verbatim(expression).is_some()) =>
             {
+                self.items_are_indices = match call.args.first() {
+                    Some(Expr::Closure(closure))
+                        if closure.inputs.first().is_some_and(|item| indexes(item, &closure.body)) =>
+                    {
+                        true
+                    }
+                    _ => is_indexed && keeps_items(call),
+                };
                 self.adapted(call)
             }
             Expr::Call(call) if let Some(zipped) = zipped(call) => self.sequence(&zipped),
@@ -157,30 +164,6 @@ impl Reader<'_> {
             let from = start.map(|start| self.graph.loops.intern(Index::Add(base.from, start)));
             Some(Sequence { from: from.unwrap_or(base.from), to: to.unwrap_or(base.to), ..base })
         }))
-    }
-
-    /// The integers in `from..to`; those that may begin below zero are counted from the first one.
-    pub(super) fn integers(&mut self, from: IndexId, to: IndexId) -> Sequence {
-        let loops = &mut self.graph.loops;
-        let count = loops.span(from, to);
-        if loops.is_signed(from) {
-            let zero = loops.intern(Index::Literal(0));
-            return Sequence::new(zero, count, move |reader, index| {
-                Some(Value::Integer(reader.graph.loops.intern(Index::Add(from, index))))
-            });
-        }
-        let [from, to] = [from, to].map(|bound| loops.ending(bound));
-        Sequence::new(from, to, |_, index| Some(Value::Integer(index)))
-    }
-
-    pub(super) fn bound(&mut self, bound: &Expr) -> Option<IndexId> {
-        let value = self.expression(bound)?;
-        let index = self.integer(&value);
-        if index.is_none() {
-            let message = format!("this bound is {}: the range of a loop is made of integers", value.describe());
-            self.errors.at(bound, message);
-        }
-        index
     }
 
     pub(super) fn literal_index(&mut self, value: u64) -> IndexId {

@@ -88,7 +88,9 @@ impl Reader<'_> {
         let ids: Vec<BindingId> = names.iter().filter_map(|name| self.lookup(name)).collect();
         let values: Vec<Value> = ids.iter().map(|id| self.bindings[id.0].value.clone()).collect();
         let here = |id: &BindingId| self.bindings[id.0].depth == self.frames.len();
-        if !ids.iter().all(here) || !values.iter().all(|value| matches!(value, Value::Real(_) | Value::Opaque(_))) {
+        if !ids.iter().all(here)
+            || !values.iter().all(|value| matches!(value, Value::Real(_) | Value::Joint(_) | Value::Opaque(_)))
+        {
             return Some(None);
         }
         let variables: Vec<Ident> = names.iter().map(|name| format_ident!("{name}")).collect();

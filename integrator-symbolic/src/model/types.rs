@@ -2,7 +2,7 @@
 //! it goes along; and a reference is read where the function reads through it.
 
 use super::{
-    Reader,
+    Length, Reader,
     adaptor::is_adaptor,
     elementary::is_elementary,
     fill::array_from_function,
@@ -11,7 +11,7 @@ use super::{
 };
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{Expr, ExprCall, ExprMethodCall, PathArguments, ReturnType, Stmt, Type};
+use syn::{Expr, ExprCall, ExprMethodCall, ImplItem, PathArguments, ReturnType, Stmt, Type};
 
 /// Methods of iterators whose result has the type that is asked for, which they take in angle brackets.
 const ASKED: [&str; 3] = ["collect", "product", "sum"];
@@ -30,7 +30,7 @@ impl Reader<'_> {
 
     /// The value of a place that has a type.
     pub(super) fn of_type(&self, value: Value, kind: &Type) -> Value {
-        match (value, kind) {
+        match (value.where_typed(kind), kind) {
             (Value::Opaque(Opaque { text, loops }), kind) => {
                 Value::Opaque(Opaque { text: self.text_of_type(text, kind), loops })
             }
@@ -96,6 +96,37 @@ impl Reader<'_> {
     /// Whether an expression may give a reference, as far as its own tokens and this impl tell.
     pub(super) fn may_refer(&self, expression: &Expr) -> bool {
         self.is_open(expression) || self.gives_reference(expression)
+    }
+
+    /// Whether the tokens of an integer tell that its type is `usize`.
+    pub(super) fn is_usize(&self, text: &TokenStream) -> bool {
+        let Ok(expression) = syn::parse2::<Expr>(text.clone()) else { return false };
+        let is = |kind: &Type| matches!(kind, Type::Path(path) if path.path.is_ident("usize"));
+        match within(&expression) {
+            Expr::Cast(cast) => is(&cast.ty),
+            Expr::MethodCall(call) => {
+                let own = self.own(call).is_some_and(|output| matches!(output, ReturnType::Type(_, kind) if is(kind)));
+                own || call.method == "len" || call.method == "count"
+            }
+            Expr::Call(call) => call.func.to_token_stream().to_string().ends_with("identity :: < usize >"),
+            Expr::Path(path) => self.is_constant_of_usize(&path.to_token_stream().to_string()),
+            _ => false,
+        }
+    }
+
+    /// Whether a path is a constant of this impl that is a `usize`, or the length of an array of coordinates.
+    fn is_constant_of_usize(&self, path: &str) -> bool {
+        let is = |kind: &Type| kind.to_token_stream().to_string() == "usize";
+        let generic = self.input.item.generics.const_params().any(|known| known.ident == path && is(&known.ty));
+        let own = self.input.item.items.iter().any(|item| match item {
+            ImplItem::Const(known) => {
+                path.strip_prefix("Self :: ").is_some_and(|name| known.ident == name) && is(&known.ty)
+            }
+            _ => false,
+        });
+        let is_length = |length: &Length| matches!(length, Length::Constant(length) if length.to_token_stream().to_string() == path);
+        let lengths = self.shape.iter().flat_map(|shape| std::iter::once(&shape.length).chain(&shape.inner));
+        generic || own || lengths.into_iter().any(is_length)
     }
 
     /// Whether only the surroundings of an expression may tell its type.

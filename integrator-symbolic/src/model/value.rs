@@ -2,7 +2,7 @@
 
 use super::{
     closure::Callable,
-    integer::operand,
+    joint::Joint,
     sequence::Sequence,
     text::{place, reference_to, referent},
 };
@@ -32,6 +32,8 @@ pub(crate) enum Value {
     Tuple(Vec<Value>),
     /// What depends on parameters (and loop indices) alone, kept as the user's own expression.
     Opaque(Opaque),
+    /// Arithmetic of parameters of different loops.
+    Joint(Joint),
     /// A closure.
     Closure(Rc<Callable>),
     /// A variable that the present loop sums up; it has no value before the loop ends.
@@ -57,14 +59,6 @@ pub(crate) struct Opaque {
 }
 
 impl Value {
-    /// The same value, whose text stands for one operand wherever it is put.
-    pub(super) fn into_operand(self) -> Self {
-        match self {
-            Value::Opaque(Opaque { text, loops }) => Value::Opaque(Opaque { text: operand(text), loops }),
-            other => other,
-        }
-    }
-
     /// A reference to the value, which only the text of parameters tells from the value itself.
     pub(super) fn into_reference(self) -> Self {
         match self {
@@ -86,7 +80,7 @@ impl Value {
     /// What it is, for a message.
     pub(crate) fn describe(&self) -> &'static str {
         match self {
-            Value::Real(_) => "a number",
+            Value::Real(_) | Value::Joint(_) => "a number",
             Value::Integer(_) => "an integer",
             Value::Condition(_) => "a condition",
             Value::View(view) if view.at.is_empty() => "the whole array of coordinates",

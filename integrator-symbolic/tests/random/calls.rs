@@ -22,6 +22,11 @@ fn kind_of(name: &str) -> Option<Kind> {
     }
 }
 
+/// A number of integers.
+fn counted(value: i128) -> Value {
+    Integer { value: value.max(0), of: Some(USIZE) }.into()
+}
+
 impl Machine<'_> {
     pub(crate) fn path(&mut self, path: &syn::Path) -> Outcome<Value> {
         if let Some(name) = path.get_ident()
@@ -100,6 +105,19 @@ impl Machine<'_> {
             ("f64", "from", [Value::Integer(integer)]) => Ok(Value::plain(integer.value as f64)),
             ("f64", "from", [value @ Value::Number(_)]) => Ok(value.clone()),
             ("Box" | "Arc" | "Rc", "new", [value]) => Ok(value.clone()),
+            (_, "like", [Value::Integer(other), Value::Integer(integer)]) => {
+                let value = other.of.map_or(integer.value, |of| of.wrapped(integer.value));
+                Ok(Integer { value, of: other.of }.into())
+            }
+            (_, "bound", [Value::Integer(end)]) => Ok(counted(end.value)),
+            (_, "bound_through", [Value::Integer(last)]) => Ok(counted(last.value + 1)),
+            (_, "span", [Value::Integer(first), Value::Integer(end)]) => Ok(counted(end.value - first.value)),
+            (_, "span_through", [Value::Integer(first), Value::Integer(last)]) => {
+                Ok(counted(last.value - first.value + 1))
+            }
+            (_, "wrapped", [Value::Integer(integer)]) => {
+                Ok(Integer { value: USIZE.wrapped(integer.value), of: Some(USIZE) }.into())
+            }
             ("f64" | "Ord", name, [receiver, rest @ ..]) => self.method_of(receiver.clone(), name, rest.to_vec()),
             (of, "from", [Value::Integer(integer)]) if IntegerType::named(of).is_some() => {
                 Ok(Integer { of: IntegerType::named(of), ..*integer }.into())

@@ -176,6 +176,10 @@ impl Printer<'_> {
             return quote!((#row) * (#sites) + (#site));
         }
         match known.operands() {
+            Some([parameter, _]) if self.graph.loops.is_wrapped(id) => {
+                let parameter = operand(self.index(fields, parameter));
+                quote!((#parameter as isize as i64))
+            }
             Some(both) => {
                 let [a, b] = both.map(|id| {
                     let signed = self.signed_index(fields, id);

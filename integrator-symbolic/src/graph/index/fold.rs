@@ -56,6 +56,13 @@ impl Loops {
                 self.index(both)
             }
             (_, Index::Minus(x, t), _) if a == x => self.index(t),
+            // a - (0 - t) == a + t
+            (_, Index::Minus(zero, t), _)
+                if self.literal(zero) == Some(0) && !self.is_signed(a) && !self.is_signed(t) =>
+            {
+                let both = self.intern(Index::Add(a, t));
+                self.index(both)
+            }
             _ if self.is_signed(a) || self.is_signed(b) => Index::Monus(a, b),
             (known, _, Some(0)) => known,
             (Index::Literal(0), ..) => Index::Literal(0),

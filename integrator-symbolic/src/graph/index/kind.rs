@@ -9,25 +9,32 @@ pub(crate) struct IntegerType {
     /// The number of bits; `usize` and `isize` have 64 here.
     pub(super) bits: u32,
     pub(crate) signed: bool,
+    /// The number of an expression whose type it is, where nothing names it.
+    pub(crate) like: Option<u32>,
 }
 
 impl IntegerType {
-    const I64: Self = Self { name: "i64", bits: 64, signed: true };
+    const I64: Self = Self { name: "i64", bits: 64, signed: true, like: None };
     const ALL: [Self; 10] = [
-        Self { name: "usize", bits: 64, signed: false },
-        Self { name: "u64", bits: 64, signed: false },
-        Self { name: "u32", bits: 32, signed: false },
-        Self { name: "u16", bits: 16, signed: false },
-        Self { name: "u8", bits: 8, signed: false },
-        Self { name: "isize", bits: 64, signed: true },
+        Self { name: "usize", bits: 64, signed: false, like: None },
+        Self { name: "u64", bits: 64, signed: false, like: None },
+        Self { name: "u32", bits: 32, signed: false, like: None },
+        Self { name: "u16", bits: 16, signed: false, like: None },
+        Self { name: "u8", bits: 8, signed: false, like: None },
+        Self { name: "isize", bits: 64, signed: true, like: None },
         Self::I64,
-        Self { name: "i32", bits: 32, signed: true },
-        Self { name: "i16", bits: 16, signed: true },
-        Self { name: "i8", bits: 8, signed: true },
+        Self { name: "i32", bits: 32, signed: true, like: None },
+        Self { name: "i16", bits: 16, signed: true, like: None },
+        Self { name: "i8", bits: 8, signed: true, like: None },
     ];
 
     pub(crate) fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|known| known.name == name)
+    }
+
+    /// The type of an expression of the system. It may have a sign.
+    pub(crate) fn like(expression: u32) -> Self {
+        Self { name: "", bits: 64, signed: true, like: Some(expression) }
     }
 
     pub(crate) fn is_usize(self) -> bool {
@@ -102,6 +109,8 @@ impl Loops {
     pub(crate) fn unsigned(&mut self, id: IndexId) -> IndexId {
         let index = self.index(id);
         match (index, index.operands()) {
+            // What may have a sign elsewhere has none here.
+            (Index::Wrapped(kind, a), _) if kind.signed => self.unsigned(a),
             (Index::Wrapped(..), _) | (_, None) => id,
             (Index::Typed(_, a), _) => self.unsigned(a),
             (_, Some(both)) => {
@@ -111,6 +120,29 @@ impl Loops {
                     (_, both) => self.intern(index.with_operands(both)),
                 }
             }
+        }
+    }
+
+    /// An integer of the system as one that may be below zero.
+    pub(crate) fn signed(&mut self, id: IndexId) -> IndexId {
+        self.intern(Index::Wrapped(IntegerType::I64, id))
+    }
+
+    /// Whether an integer is one of [`Loops::signed`], which comes in the bits of `isize`.
+    pub(crate) fn is_wrapped(&self, id: IndexId) -> bool {
+        matches!(self.index(id), Index::Wrapped(IntegerType::I64, a) if matches!(self.index(a), Index::Parameter(_)))
+    }
+
+    /// An integer without the types that the system gives, which only text needs.
+    pub(crate) fn plain(&mut self, id: IndexId) -> IndexId {
+        let index = self.index(id);
+        match (index, index.operands()) {
+            (Index::Typed(kind, a), _) if kind.like.is_some() => self.plain(a),
+            (_, Some(both)) => {
+                let both = both.map(|operand| self.plain(operand));
+                self.intern(index.with_operands(both))
+            }
+            (_, None) => id,
         }
     }
 

@@ -33,7 +33,10 @@ impl Grammar {
         let known: Vec<&str> = scope.indices.iter().map(String::as_str).collect();
         let i = self.choices.of(&known).to_owned();
         let n = self.length_text(scope);
-        match self.choices.below(12) {
+        let j = self.choices.of(&known).to_owned();
+        match self.choices.below(14) {
+            12 => format!("(self.index[{i}] + self.index[{j}]) % {n}"),
+            13 => format!("(self.index[{i}] * {n} + self.index[{j}]) / {n}"),
             0 => format!("({i} + {}) % {n}", 1 + self.choices.below(3)),
             1 => format!("{n} - 1 - {i}"),
             2 => format!("self.index[{i}]"),
@@ -102,6 +105,14 @@ impl Grammar {
                 [format!("(({i} - 2) as f64)"), format!("((({i} - 1 + 3) % 3) as f64)"), format!("({i} as f64)")];
             return texts[self.choices.below(3)].clone();
         }
+        let others: Vec<&str> = scope.indices.iter().map(String::as_str).collect();
+        if PARTS.integers && !others.is_empty() && self.choices.percent(40) {
+            let (i, j) = (self.choices.of(&others).to_owned(), self.choices.of(&others).to_owned());
+            return self.of_lists(&i, &j);
+        }
+        if i.starts_with("byte") {
+            return self.choices.of(&["(BYTE as f64)", "f64::from(BYTE % 2)"]).replace("BYTE", &i);
+        }
         match self.choices.below(if PARTS.integers { 10 } else { 0 }) {
             0 if PARTS.integers => format!("(({i} as i32 - 2) as f64)"),
             1 => format!("(({i} as u8) as f64)"),
@@ -111,6 +122,23 @@ impl Grammar {
             5 => format!("f64::from({i} as i32)"),
             _ => format!("({i} as f64)"),
         }
+    }
+
+    /// Integers of lists at two indices as a number.
+    fn of_lists(&mut self, i: &str, j: &str) -> String {
+        let texts = [
+            "((self.kinds[I] + self.kinds[J]) as f64)",
+            "f64::from(self.kinds[I] * self.kinds[J])",
+            "((self.kinds[I] - 2 * self.kinds[J]) as f64)",
+            "((self.kinds[I] * 3 / 2 + self.kinds[J] % 2) as f64)",
+            "(((self.kinds[I] - self.kinds[J]) / 2) as f64)",
+            "((self.kinds[I] - self.kinds[J]).abs() as f64)",
+            "(self.kinds[I].max(self.kinds[J]) as f64)",
+            "((self.bytes[I] as i32 - self.kinds[J]) as f64)",
+            "(I as i32 - self.kmax) as f64",
+            "((I as i32 * self.kinds[J] - self.power) as f64)",
+        ];
+        self.choices.of(&texts).replace('I', i).replace('J', j)
     }
 
     /// Something between -1 and 1.
@@ -183,6 +211,11 @@ impl Grammar {
                 let name = self.choices.of(&["asin", "acos", "atanh"]);
                 format!("(0.5 * {}).{name}()", self.bounded(scope, depth))
             }
+            8 if PARTS.integers && !scope.indices.is_empty() && self.choices.percent(30) => {
+                let known: Vec<&str> = scope.indices.iter().map(String::as_str).collect();
+                let (i, j) = (self.choices.of(&known).to_owned(), self.choices.of(&known).to_owned());
+                format!("{}.powi(self.kinds[{i}] - self.kinds[{j}])", self.positive(scope, depth))
+            }
             8 => format!("({}).powi({})", self.number(scope, depth), self.choices.below(5)),
             9 => format!("{}.powi(-{})", self.positive(scope, depth), 1 + self.choices.below(3)),
             10 => {
@@ -219,6 +252,18 @@ impl Grammar {
             4 | 5 if !scope.indices.is_empty() => {
                 let i = index(self);
                 format!("{i} % {} == {}", 2 + self.choices.below(2), self.choices.below(2))
+            }
+            11 if PARTS.integers && !scope.indices.is_empty() => {
+                let (i, j) = (index(self), index(self));
+                let texts = [
+                    "self.kinds[I] * self.kinds[J] < 0",
+                    "(self.kinds[I] - self.kinds[J]).abs() > 1",
+                    "(self.kinds[I] + self.kinds[J]) % 2 == 0",
+                    "self.kinds[I] + self.kinds[J] < self.kmax",
+                    "I < self.n",
+                    "self.bytes[I] + 1 == self.bytes[J]",
+                ];
+                self.choices.of(&texts).replace('I', &i).replace('J', &j)
             }
             6 | 7 if scope.indices.len() > 1 => {
                 let (i, j) = (index(self), index(self));

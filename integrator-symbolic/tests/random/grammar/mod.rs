@@ -225,6 +225,8 @@ impl Grammar {
         let bonds = Value::list((0..count).map(|_| Value::tuple([place(), place()])));
         let springs = Value::list((0..count).map(|_| Value::tuple([place(), place(), Value::plain(0.75)])));
         let int = |value, of| Value::Integer(Integer { value, of: IntegerType::named(of) });
+        let kinds = Value::list((0..length).map(|_| int(choices.below(5) as i128 - 2, "i32")));
+        let bytes = Value::list((0..length).map(|_| int(choices.below(4) as i128, "u8")));
         let numbers = ["a", "b", "c"].map(|name| (name, Value::plain(choices.between(-2.0, 2.0))));
         let optional = choices.percent(50).then(|| Rc::new(Value::plain(1.25)));
         let others = [
@@ -239,6 +241,10 @@ impl Grammar {
             ("springs", springs),
             ("flag", Value::Bool(choices.percent(50))),
             ("power", int(choices.below(7) as i128 - 2, "i32")),
+            ("kinds", kinds),
+            ("bytes", bytes),
+            ("kmax", int(choices.below(4) as i128 - 1, "i32")),
+            ("lmax", int(choices.below(4) as i128, "u8")),
             ("n", int(choices.below(length + 1) as i128, "usize")),
             ("optional", Value::Option(optional)),
         ];

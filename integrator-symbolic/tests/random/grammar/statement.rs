@@ -140,6 +140,23 @@ impl Grammar {
         scope.numbers.extend(numbers.filter(|_| PARTS.guards));
     }
 
+    /// The head of a loop over integers of a type that the system gives.
+    fn typed_head(&mut self, scope: &mut Scope) -> String {
+        let outer = scope.integers.iter().rev().find(|name| name.starts_with("signed_k")).cloned();
+        let (name, range) = match (self.choices.below(6), outer) {
+            (0, Some(outer)) => ("signed_k", format!("-{outer}..={outer}")),
+            (1, Some(outer)) => ("signed_k", format!("{outer}..=self.kmax")),
+            (0 | 1, None) => ("signed_k", "0..=self.kmax".to_owned()),
+            (2, _) => ("signed_k", "-self.kmax..=self.kmax".to_owned()),
+            (3, _) => ("signed_k", "self.kmax - 2..self.power".to_owned()),
+            (4, _) => ("byte", "1..=self.lmax".to_owned()),
+            _ => ("signed_k", "0..self.kmax + 1".to_owned()),
+        };
+        let name = self.fresh(name);
+        scope.integers.push(name.clone());
+        format!("{name} in {range}")
+    }
+
     /// The head of a loop; its names enter the scope.
     fn head(&mut self, scope: &mut Scope) -> String {
         scope.loops += 1;
@@ -157,6 +174,9 @@ impl Grammar {
                 2 => format!("{i} in 0..={outer}"),
                 _ => format!("{i} in (0..{outer}).rev()"),
             };
+        }
+        if PARTS.integers && self.choices.percent(12) {
+            return self.typed_head(scope);
         }
         let range = match self.choices.below(18) {
             0..=4 => format!("0..{n}"),
