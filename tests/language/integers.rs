@@ -218,4 +218,22 @@ linear! {
         }
         v
     }
+
+    guards_at_the_upper_end {
+        let mut v = 0.0;
+        for i in 0..4 { if i != 3 { v += q[i + 1]; } }
+        for i in 0..4 { if i == q.len() - 1 { v += 2.0 * q[0]; } else { v += 3.0 * q[i + 1] - q[i]; } }
+        for i in 0..4 { v += self.weights[i] * if i == 3 { q[0] } else { q[i + 1] }; }
+        for i in 0..4 { if i == 3 { continue; } v += self.weights[i] * q[i + 1]; }
+        for i in 0..4 { if i > 2 { continue; } v += 4.0 * q[i + 1]; }
+        for i in 0..4 { match i { 3 => { v += q[0]; } _ => { v += 5.0 * q[i + 1]; } } }
+        for i in 0..4 { match i { 2 | 3 => {} _ => { v += 6.0 * q[i + 2]; } } }
+        for i in 0..4 { if i % 2 == 0 { v += 7.0 * q[i + 1]; } }
+        for i in 0..4 { for j in 0..4 { if i + j < 4 { v += q[i + j]; } if j > i { v += q[i + 1]; } } }
+        for i in 0..4 { let next = if i == 3 { 0 } else { i + 1 }; v += self.weights[i] * q[next]; }
+        for i in 0..4 { let far = if i < 2 { i + 2 } else { i - 2 }; v += self.weights[i] * q[far]; }
+        for i in 0..4 { if i != 3 && i != 2 { v += 8.0 * q[i + 2]; } }
+        v + (0..4).filter(|&i| i != 3).map(|i| self.weights[i] * q[i + 1]).sum::<f64>()
+            + (0..4).filter(|i| *i < 3).map(|i| q[i + 1] - q[i]).sum::<f64>()
+    }
 }

@@ -250,6 +250,7 @@ rows! {
     largest { q.iter().fold(-1.0, |top: f64, x| top.max(*x)) } => [a, b, c, d].map(|x| if x == a.max(b).max(c).max(d) { 1.0 } else { 0.0 });
     paths_of_functions { let square = |x: f64| x * x; q.into_iter().map(f64::sin).sum::<f64>() + q.into_iter().map(square).sum::<f64>() } => [a, b, c, d].map(|x| x.cos() + 2.0 * x);
     kept_in_bounds { let mut v = 0.0; for i in 0..4 { if i + 1 < 4 { v += q[i] * q[i + 1]; } if i >= 2 { continue; } v += q[i + 2]; } v } => [b, a + c, b + d + 1.0, c + 1.0];
+    kept_below_the_end { let mut v = 0.0; for i in 0..4 { if i != 3 { v += q[i] * q[i + 1]; } match i { 2 | 3 => {} _ => v += q[i + 2] } } v + (0..4).filter(|&i| i != q.len() - 1).map(|i| q[i + 1]).sum::<f64>() } => [b, a + c + 1.0, b + d + 2.0, c + 2.0];
     factors { q.iter().map(|x| 1.0 + x * x).product::<f64>() } => [a, b, c, d].map(|x| 2.0 * x / (1.0 + x * x) * (1.0 + a * a) * (1.0 + b * b) * (1.0 + c * c) * (1.0 + d * d));
     filtered { (0..4).filter(|i| i % 2 == 0).map(|i| q[i] * q[i]).sum::<f64>() } => [2.0 * a, 0.0, 2.0 * c, 0.0];
     adaptors { q.iter().skip(1).take(2).map(|x| x * x).sum::<f64>() + q.iter().rev().step_by(2).sum::<f64>() } => [0.0, 2.0 * b + 1.0, 2.0 * c, 1.0];

@@ -7,6 +7,7 @@ mod bounds;
 mod fold;
 mod kind;
 mod span;
+mod values;
 
 use super::{Element, ParameterId};
 pub(super) use bounds::DEEPEST;

@@ -362,6 +362,14 @@ impl Reader<'_> {
             let before = loops.intern(Index::Add(left, at_edge));
             return Some(loops.intern(Index::Rem(before, size)));
         }
+        // `if i == n - 1 { 0 } else { i + 1 }`
+        if let Index::Running(by) = loops.index(left)
+            && loops.literal(at_edge) == Some(0)
+            && loops.index(inside) == Index::Add(left, one)
+        {
+            let size = loops.get(by).to;
+            return (loops.intern(Index::Sub(size, one)) == right).then(|| loops.intern(Index::Rem(inside, size)));
+        }
         let Index::Add(base, step) = loops.index(left) else { return None };
         let Index::Running(by) = loops.index(base) else { return None };
         let fits = step == one && inside == left && loops.literal(at_edge) == Some(0) && loops.get(by).to == right;

@@ -299,6 +299,7 @@ impl Reader<'_> {
             && upper >= length
             && !self.is_empty_loop(position)
             && !self.is_kept_below(position, length)
+            && !self.stays_below(position, length)
         {
             let message = format!(
                 "index {upper} is out of bounds: the coordinates are `{}`, the last index here is {}",

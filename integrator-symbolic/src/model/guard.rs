@@ -14,8 +14,8 @@ use quote::quote;
 /// A condition around what is being read, and whether it holds there.
 #[derive(Clone, Copy)]
 pub(super) struct Condition {
-    node: NodeId,
-    holds: bool,
+    pub(super) node: NodeId,
+    pub(super) holds: bool,
     /// How many loops are around it.
     depth: usize,
 }
@@ -174,6 +174,13 @@ impl Reader<'_> {
                     open.extend([(a, holds), (b, holds)]);
                     false
                 }
+                (Node::CompareIndex(Comparison::Equal, a, b), false) => {
+                    [(a, b), (b, a)].into_iter().any(|(index, last)| {
+                        let is_last =
+                            self.last_of(index).is_some() && self.last_of(index) == self.graph.loops.literal(last);
+                        is_last && self.is_below((index, last, 0), position, length)
+                    })
+                }
                 (Node::CompareIndex(comparison, a, b), _) => {
                     ordered(comparison, a, b, holds).iter().any(|order| self.is_below(*order, position, length))
                 }
@@ -187,9 +194,14 @@ impl Reader<'_> {
         false
     }
 
+    /// The greatest value of an integer, if it is a number.
+    fn last_of(&mut self, index: IndexId) -> Option<u64> {
+        self.graph.loops.upper(index).and_then(|last| self.graph.loops.literal(last))
+    }
+
     /// Whether an order of two integers says that an index is below a length.
     fn is_below(&mut self, (less, end, closed): Order, position: IndexId, length: u64) -> bool {
-        let end = self.graph.loops.upper(end).and_then(|end| self.graph.loops.literal(end));
+        let end = self.last_of(end);
         let ((base, further), (own, offset)) = (self.with_offset(less), self.with_offset(position));
         // less < end, so that position = less - further + offset is below end - further + offset.
         base == own && end.is_some_and(|end| end.saturating_add(closed + offset) <= length.saturating_add(further))
@@ -210,7 +222,7 @@ impl Reader<'_> {
             Node::CompareIndex(comparison, a, b) => {
                 let (loops, sign) = (&self.graph.loops, sign(comparison));
                 let both = loops.of_index(a).union(loops.of_index(b));
-                let (a, b) = (self.signed_text(a), self.signed_text(b));
+                let [a, b] = self.compared_texts([a, b]);
                 of(quote!((#a) #sign (#b)), both)
             }
             Node::Flag(parameter) => {

@@ -128,7 +128,7 @@ impl Reader<'_> {
     /// An integer as text of the type of indices.
     pub(super) fn place_text(&self, value: &Value) -> Option<Opaque> {
         match value {
-            Value::Integer(index) if !self.own_integers.contains_key(index) => {
+            Value::Integer(index) if !self.own_integers.contains_key(index) || self.graph.loops.runs(*index) => {
                 Some(Opaque { text: self.index_text(*index), loops: self.graph.loops.of_index(*index) })
             }
             value => self.opaque(value),
@@ -215,6 +215,14 @@ impl Reader<'_> {
     /// An integer as text of a type that holds it below zero, too, where it may be.
     pub(super) fn signed_text(&self, id: IndexId) -> TokenStream {
         self.typed_text(id, self.graph.loops.type_of(id).filter(|kind| !kind.is_usize()))
+    }
+
+    /// Two integers that are compared as text of one type.
+    pub(super) fn compared_texts(&self, both: [IndexId; 2]) -> [TokenStream; 2] {
+        let loops = &self.graph.loops;
+        let named = both.into_iter().find_map(|id| loops.cast_type(id));
+        let kind = named.or_else(|| both.into_iter().find_map(|id| loops.type_of(id)));
+        both.map(|id| self.typed_text(id, kind.filter(|kind| !kind.is_usize())))
     }
 
     /// A bound of a loop as text.

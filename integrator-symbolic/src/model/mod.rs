@@ -36,6 +36,7 @@ mod prepared;
 mod presence;
 mod ragged;
 mod range;
+mod reach;
 mod repeat;
 mod running_index;
 mod scatter;

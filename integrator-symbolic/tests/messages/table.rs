@@ -370,6 +370,10 @@ pub(crate) const BODIES: &[Row] = &[
         "let mut v = 0.0; for i in 0..2 { v += q[i + 1]; } v",
         &["2:40 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1"],
     ),
+    (
+        "let mut v = 0.0; for i in 0..2 { if i != 0 { v += q[i + 1]; } } v",
+        &["2:52 index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1"],
+    ),
     ("q", &["2:0 `potential` has to end in a number, the energy; this is the whole array of coordinates"]),
     ("q[0];", &["2:0 `potential` has to end in a number, the energy; this is nothing"]),
     ("2", &["2:0 `potential` has to end in a number, the energy; this is an integer"]),

@@ -128,6 +128,14 @@ impl Loops {
         self.intern(Index::Wrapped(IntegerType::I64, id))
     }
 
+    /// Whether an integer is made of an index of a loop, other than by way of a list.
+    pub(crate) fn runs(&self, id: IndexId) -> bool {
+        let index = self.index(id);
+        let operands = index.operands();
+        matches!(index, Index::Running(_))
+            || operands.is_some_and(|both| both.iter().any(|operand| self.runs(*operand)))
+    }
+
     /// Whether an integer is one of [`Loops::signed`], which comes in the bits of `isize`.
     pub(crate) fn is_wrapped(&self, id: IndexId) -> bool {
         matches!(self.index(id), Index::Wrapped(IntegerType::I64, a) if matches!(self.index(a), Index::Parameter(_)))

@@ -301,7 +301,10 @@ impl Grammar {
             true => grammar.coordinate_at(&index),
             false => format!("self.long[{index}]"),
         };
-        match self.choices.below(9) {
+        match self.choices.below(12) {
+            9 => (format!("{i} != {n} - 1"), at(self, format!("{i} + 1"))),
+            10 => (format!("!({i} == {n} - 1)"), at(self, format!("{i} + 1"))),
+            11 => (format!("{i} + 1 != {n} && {i} > 0"), at(self, format!("{i} + 1"))),
             // No coordinate is so large, and not all lists are so long.
             8 if scope.has_coordinates => {
                 let element = self.choices.of(&["self.k[self.n - 1 - i]", "self.long[i + self.n]", "self.k[3]"]);

@@ -243,8 +243,8 @@ impl Grammar {
             ("power", int(choices.below(7) as i128 - 2, "i32")),
             ("kinds", kinds),
             ("bytes", bytes),
-            ("kmax", int(choices.below(4) as i128 - 1, "i32")),
-            ("lmax", int(choices.below(4) as i128, "u8")),
+            ("kmax", int(choices.below(3) as i128, "i32")),
+            ("lmax", int(choices.below(3) as i128 + 1, "u8")),
             ("n", int(choices.below(length + 1) as i128, "usize")),
             ("optional", Value::Option(optional)),
         ];

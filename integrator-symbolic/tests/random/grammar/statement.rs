@@ -148,7 +148,7 @@ impl Grammar {
             (1, Some(outer)) => ("signed_k", format!("{outer}..=self.kmax")),
             (0 | 1, None) => ("signed_k", "0..=self.kmax".to_owned()),
             (2, _) => ("signed_k", "-self.kmax..=self.kmax".to_owned()),
-            (3, _) => ("signed_k", "self.kmax - 2..self.power".to_owned()),
+            (3, _) => ("signed_k", "self.kmax - 2..=self.kmax".to_owned()),
             (4, _) => ("byte", "1..=self.lmax".to_owned()),
             _ => ("signed_k", "0..self.kmax + 1".to_owned()),
         };
