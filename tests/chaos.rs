@@ -8,7 +8,7 @@ mod instruction_sets;
 use comet::Comet;
 use integrator_core::{
     Differentiable,
-    chaos::{self, Indicator, Spectrum, Verdict},
+    chaos::{self, End, Indicator, Spectrum, Verdict},
     check::{CheckError, monodromy},
     prelude::*,
 };
@@ -332,7 +332,8 @@ fn methods_with_a_time_of_their_own_tell_the_growth_at_equal_times() {
         ] {
             assert!((own - other).abs() < 1e-6, "{name}: {of} is {own}, and {other} in equal steps");
         }
-        assert_eq!(report.verdict, Verdict::Regular, "{name}: {report}");
+        // Some revolutions may be too few for a verdict.
+        assert_ne!(report.verdict, Verdict::Chaotic, "{name}: {report}");
     }
     holds("logarithmic", Logarithmic(SofroniouSpaletta8), 0.05);
     holds("a pace", Paced(SofroniouSpaletta8), 0.05);
@@ -355,4 +356,151 @@ fn orbits_that_tell_nothing_are_refused() {
     assert!(error.to_string().starts_with("member 1: the start is not finite"), "{error}");
     let none: [Phase<[f64; 2]>; 0] = [];
     assert_eq!(chaos::map(&HenonHeiles, Verlet, none, 0.1, 100, Indicator::Fli), Ok(vec![]));
+}
+
+/// A saddle whose step is exact however long it is.
+struct Exact;
+
+#[hamiltonian(split = quadratic + rest)]
+impl Exact {
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0] - 0.5 * q[0] * q[0] + 0.0 * q[0].powi(4)
+    }
+}
+
+/// The exponents are 1 and -1, or the error that says that a step is too long: never other numbers.
+#[test]
+fn exponents_of_a_long_step_are_right_or_refused() {
+    for h in [0.1, 1.0, 5.0, 10.0, 12.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0, 20.0, 24.0, 30.0, 100.0, 300.0] {
+        match chaos::lyapunov_spectrum(&Exact, Verlet, Phase::new([0.0], [0.0]), h, 1_600) {
+            Ok(Spectrum { exponents, .. }) => {
+                // The shorter vector has a relative error of e^2h roundings, up to a thousandth, in each of its steps.
+                let allowed = 1e-3 / h + 1e-9;
+                let errors = [exponents[0] - 1.0, exponents[1] + 1.0];
+                assert!(h < 16.0 && errors.iter().all(|error| error.abs() < allowed), "h = {h}: {exponents:?}");
+            }
+            Err(CheckError::LongForExponents { step, factor, shorter }) => {
+                assert!(h > 12.0 && step == h && factor > 1e12, "{factor} at {h}");
+                assert!(
+                    chaos::lyapunov_spectrum(&Exact, Verlet, Phase::new([0.0], [0.0]), shorter.min(5.0), 1_600).is_ok()
+                );
+            }
+            Err(error) => panic!("h = {h}: {error}"),
+        }
+    }
+}
+
+#[test]
+fn a_verdict_needs_enough_time() {
+    // The exponents are 0.3 and about 0.045: at a mean MEGNO of 4, after some 27 and 180 units of time.
+    for (steps, expected) in
+        [(16, Verdict::Undecided), (400, Verdict::Undecided), (1_000, Verdict::Undecided), (6_000, Verdict::Chaotic)]
+    {
+        let found =
+            chaos::indicators(&Saddle, Verlet, Phase::new([0.0, 0.0], [0.0, 0.0]), 0.01, steps).expect("an orbit");
+        assert_eq!(found.verdict, expected, "{steps}: {found}");
+    }
+    for steps in [16, 100, 300, 1_000, 10_000] {
+        let found = chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, on_section(-0.016, 0.0), 0.2, steps);
+        let found = found.expect("an orbit");
+        let expected = if steps < 1_000 { Verdict::Undecided } else { Verdict::Chaotic };
+        assert!(
+            found.verdict == expected || (steps == 1_000 && found.verdict == Verdict::Undecided),
+            "{steps}: {found}"
+        );
+        assert!(found.to_string().starts_with(if found.verdict == Verdict::Chaotic { "chaotic" } else { "undecided" }));
+    }
+}
+
+/// A density on a half line: left of zero, forces are finite and energies are not numbers.
+#[derive(Clone)]
+struct Gamma {
+    shape: f64,
+}
+
+#[hamiltonian]
+impl Gamma {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0] - self.shape * q[0].ln()
+    }
+}
+
+#[test]
+fn an_orbit_without_an_energy_is_named() {
+    let start = |p: f64| Phase::new([0.02], [p]);
+    let gamma = Gamma { shape: 0.1 };
+    let refused = chaos::indicators(&gamma, Verlet, start(-3.0), 0.1, 64);
+    assert!(matches!(&refused, Err(CheckError::Run(Error::NoEnergy { energy, .. })) if energy.is_nan()), "{refused:?}");
+    let starts = [-3.0, 0.01, -3.0].map(|p| Phase::new([if p < 0.0 { 0.02 } else { 0.1 }], [p]));
+    let found = chaos::map(&gamma, Verlet, starts, 0.01, 640, Indicator::Megno).expect("starts");
+    let followed = chaos::map_while(&gamma, Verlet, starts, 0.01, 640, Indicator::Megno, |_| true).expect("starts");
+    assert_eq!(found.iter().map(|value: &f64| value.is_nan()).collect::<Vec<_>>(), [true, false, true]);
+    let ends: Vec<_> = followed.iter().map(|orbit| orbit.end.clone()).collect();
+    assert_eq!(ends, [End::NoEnergy, End::Followed, End::NoEnergy]);
+    assert_eq!(followed[1].value, found[1]);
+}
+
+/// A ring of magnets, out of which particles are lost.
+struct Ring;
+
+#[hamiltonian]
+impl Ring {
+    fn kinetic(&self, p: [f64; 3]) -> f64 {
+        p[2] - ((1.0 + p[2]).powi(2) - p[0] * p[0] - p[1] * p[1]).sqrt()
+    }
+    fn potential(&self, q: [f64; 3]) -> f64 {
+        0.2 * (q[0] * q[0] + q[1] * q[1]) + (q[0].powi(3) - 3.0 * q[0] * q[1] * q[1]) / 6.0 + 0.0 * q[2]
+    }
+}
+
+/// A map names the orbits that are lost, ejected or refused, whoever shares their lanes; the others have the bits of a map without
+/// them.
+#[test]
+fn what_is_lost_from_a_map_is_told_from_what_is_regular() {
+    let start =
+        |i: u32| Phase::new([0.05 * f64::from(i), 0.02, 0.0], [0.0, 0.01, if i == 3 { f64::NAN } else { 1e-4 }]);
+    let (h, steps) = (0.2, 2_000);
+    let within = |state: &Phase<[f64; 3]>| state.q[0].hypot(state.q[1]) < 1.5;
+    let found =
+        chaos::map_while(&Ring, Yoshida4, (0..37).map(start), h, steps, Indicator::Megno, within).expect("a step");
+    let open =
+        chaos::map_while(&Ring, Yoshida4, (0..37).map(start), h, steps, Indicator::Megno, |_| true).expect("a step");
+    let regular = (0..37).filter(|i| matches!(found[*i as usize].end, End::Followed)).map(start);
+    let alone = chaos::map(&Ring, Yoshida4, regular, h, steps, Indicator::Megno).expect("starts");
+    let mut alone = alone.into_iter();
+    let mut counts = [0; 3];
+    for (i, (orbit, open)) in (0..).zip(found.iter().zip(&open)) {
+        if i == 3 {
+            assert!(matches!(orbit.end, End::Refused(Error::Start { .. })) && orbit.value.is_nan(), "{orbit:?}");
+            continue;
+        }
+        let mut run = Ring.run_with(Yoshida4, start(i), h).expect("a start");
+        let goes_on = run.advance(steps).is_ok();
+        assert_eq!(matches!(open.end, End::Followed), goes_on, "{i}: {open:?}");
+        match &orbit.end {
+            End::Followed => {
+                assert!(goes_on && orbit.time == h * steps as f64, "{i}: {orbit:?}");
+                assert_eq!(Some(orbit.value), alone.next(), "{i}");
+                assert_eq!(orbit.value, open.value, "{i}");
+                counts[0] += 1;
+            }
+            // Steps of a time that is shorter than that in which a particle moves by its distance.
+            End::Gone => {
+                assert!(orbit.time < h * steps as f64, "{i}: {orbit:?}");
+                counts[1] += 1;
+            }
+            end => {
+                assert_eq!(*end, End::Lost, "{i}");
+                assert!(!goes_on);
+                counts[2] += 1;
+            }
+        }
+    }
+    assert!(counts[0] > 5 && counts[1] > 0 && counts[2] > 5, "{counts:?}");
+    let refused = chaos::map(&Ring, Yoshida4, [3, 1, 3, 2].map(start), h, steps, Indicator::Megno);
+    let Err(CheckError::Run(Error::Members { members, count: 4 })) = refused else { panic!("{refused:?}") };
+    assert_eq!(members.iter().map(|(member, _)| *member).collect::<Vec<_>>(), [0, 2]);
 }

@@ -189,6 +189,17 @@ pub enum Error {
         /// together.
         bound: f64,
     },
+    /// The energy is not finite along an orbit whose forces are.
+    #[error(
+        "the energy is {energy} at t = {time}, where forces are finite: a step led over the edge of where H has a value. A smaller \
+         step helps"
+    )]
+    NoEnergy {
+        /// The time.
+        time: f64,
+        /// The energy there.
+        energy: f64,
+    },
     /// The bound of a watch is not above zero.
     #[error(
         "the energy is to stay within {bound} of the sizes of its parts, |T| + |V|: the bound has to be above zero, for \
@@ -287,9 +298,39 @@ pub enum Error {
         /// Why.
         error: Box<Error>,
     },
+    /// Several members of an ensemble are refused, and others are not.
+    #[error("{} members of {count} are refused ({}); {}", members.len(), numbers_of(members), first_of(members))]
+    Members {
+        /// Those members, counted from 0 and in order, each with the reason.
+        members: Vec<(usize, Error)>,
+        /// How many members there are.
+        count: usize,
+    },
     /// Members of an ensemble left the finite numbers.
     #[error(transparent)]
     Lost(#[from] Lost),
+    /// The energies of members of an ensemble left the bound of its watch. They stay one step before; the others have gone on.
+    #[error(
+        "{} members left the bound on their energy or the finite numbers ({}); the others went on; {}",
+        members.len(), numbers_of(members), first_of(members)
+    )]
+    Strayed {
+        /// Those members in order, each with [`Error::EnergyStrayed`], or with [`Error::Diverged`] if it left the finite numbers in
+        /// the same call.
+        members: Vec<(usize, Error)>,
+    },
+}
+
+/// The numbers of members, the first ones of many.
+fn numbers_of<T>(members: &[(usize, T)]) -> String {
+    let names: Vec<String> = members.iter().take(8).map(|(member, _)| member.to_string()).collect();
+    let more = if members.len() > names.len() { ", ..." } else { "" };
+    format!("members {}{more}", names.join(", "))
+}
+
+/// The first member with what is wrong with it.
+fn first_of<T: core::fmt::Display>(members: &[(usize, T)]) -> String {
+    members.first().map(|(member, reason)| format!("member {member}: {reason}")).unwrap_or_default()
 }
 
 /// What is wrong with a deviation vector.
@@ -548,14 +589,8 @@ pub struct Lost {
 
 impl Lost {
     fn text(&self) -> String {
-        let first = self.members.first().map(|(member, divergence)| format!("; member {member}: {divergence}"));
-        let names: Vec<String> = self.members.iter().take(8).map(|(member, _)| member.to_string()).collect();
-        let more = if self.members.len() > names.len() { ", ..." } else { "" };
-        format!(
-            "{} members left the finite numbers (members {}{more}); the others went on{}",
-            self.members.len(),
-            names.join(", "),
-            first.unwrap_or_default()
-        )
+        let (count, numbers, first) = (self.members.len(), numbers_of(&self.members), first_of(&self.members));
+        let first = if first.is_empty() { first } else { format!("; {first}") };
+        format!("{count} members left the finite numbers ({numbers}); the others went on{first}")
     }
 }

@@ -145,6 +145,10 @@ impl From<Failure> for Outcome {
             Failure::Core { error: CoreError::Member { member, error }, first } => {
                 Self::Refused { member: first + member, what: error.to_string() }
             }
+            Failure::Core { error: CoreError::Members { mut members, .. }, first } if !members.is_empty() => {
+                let (member, error) = members.swap_remove(0);
+                Self::Refused { member: first + member, what: error.to_string() }
+            }
             Failure::Core { error: CoreError::Lost(lost), first } => Self::Lost(
                 lost.members
                     .into_iter()

@@ -259,6 +259,126 @@ fn members_of_any_precision_and_size_are_the_runs_that_they_would_be_alone() {
     members_are_alone!(Well, |x: f64| Phase::compensated([0.1, 0.01 * x, 0.3], [0.0, 0.2, -0.1]));
 }
 
+/// Left of zero, forces are finite and energies are not numbers.
+#[derive(Clone)]
+struct Gamma {
+    shape: f64,
+}
+
+#[hamiltonian]
+impl Gamma {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        0.5 * p[0] * p[0]
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0] - self.shape * q[0].ln()
+    }
+}
+
+/// A watched member ends at the step at which a watched run of its own does, with the same error and state, in any portions.
+#[test]
+fn watched_members_are_watched_runs() {
+    fn same<
+        H: Hamiltonian<Coords = [f64; N]> + Clone,
+        X: integrator_core::Method<H> + integrator_core::InLanes<H>,
+        const N: usize,
+    >(
+        method: X,
+        bound: f64,
+        member: impl Fn(usize) -> (H, Phase<[f64; N]>),
+        h: f64,
+    ) -> usize {
+        let mut ended = 0;
+        for portions in [&[100][..], &[1, 60, 39]] {
+            let mut swarm = Ensemble::new(method, (0..MANY).map(&member), h).expect("an ensemble");
+            swarm.watch_energy(bound).expect("energies");
+            let mut errors = vec![None; MANY];
+            for steps in portions {
+                match swarm.advance(*steps) {
+                    Ok(()) => {}
+                    Err(Error::Strayed { members }) => {
+                        members.into_iter().for_each(|(member, error)| errors[member] = Some(error))
+                    }
+                    Err(error) => panic!("{error}"),
+                }
+            }
+            ended = errors.iter().flatten().count();
+            assert_eq!((swarm.steps(), swarm.active()), (100, MANY - ended));
+            for (number, error) in errors.iter().enumerate() {
+                let (system, start) = member(number);
+                let mut alone = system.run_with(method, start, h).expect("a run");
+                alone.watch_energy(bound).expect("an energy");
+                // As text, since NaN is unequal to itself.
+                assert_eq!(
+                    format!("{:?}", error.as_ref()),
+                    format!("{:?}", alone.advance(100).err()),
+                    "member {number}"
+                );
+                assert_eq!(swarm.state(number), Some(alone.state()), "member {number}");
+                assert_eq!(swarm.steps_of(number), Some(alone.steps()));
+                assert_eq!(swarm.time_of(number), Some(alone.time()));
+            }
+        }
+        ended
+    }
+    let gamma = |member: usize| (Gamma { shape: 0.1 }, Phase::new([0.5], [0.1 * member as f64 - 3.0]));
+    let unwatched = {
+        let mut swarm = Ensemble::new(Verlet, (0..MANY).map(gamma), 0.1).expect("an ensemble");
+        swarm.advance(100).expect("forces are finite");
+        (0..MANY).filter(|member| !swarm.energy(*member).is_some_and(f64::is_finite)).count()
+    };
+    assert!(unwatched > 10, "{unwatched} go on without an energy");
+    let ended = same(Verlet, f64::INFINITY, gamma, 0.1);
+    assert!(ended >= unwatched && ended < MANY, "{ended}");
+    let ended = same(Yoshida4, 1e-6, pendulum, 0.05);
+    assert!(ended > 10 && ended < MANY, "{ended}");
+}
+
+#[test]
+fn a_watch_on_an_ensemble_is_refused_as_that_of_a_run() {
+    let mut swarm = Ensemble::new(Yoshida4, (0..3).map(pendulum), 0.01).expect("an ensemble");
+    assert!(matches!(swarm.watch_energy(0.0), Err(Error::WatchBound { .. })));
+    assert!(matches!(swarm.watch_energy(f64::NAN), Err(Error::WatchBound { .. })));
+    // From a changed state on, its energy counts.
+    swarm.watch_energy(1e-3).expect("energies");
+    swarm.map_states(|_, state| state.p[0] += 5.0).expect("states");
+    swarm.advance(100).expect("within the bound");
+}
+
+#[test]
+fn all_that_are_refused_are_named_and_the_others_go_on_where_that_is_asked_for() {
+    let start = |member: usize| match member {
+        2 => (Gamma { shape: 0.1 }, Phase::new([f64::NAN], [0.0])),
+        // The potential has no value there.
+        5 | 7 => (Gamma { shape: 0.1 }, Phase::new([-1.0], [0.0])),
+        _ => (Gamma { shape: 0.1 }, Phase::new([1.0 + member as f64], [0.0])),
+    };
+    let refused = Ensemble::new(Verlet, (0..9).map(start), 0.01).expect_err("three are refused");
+    let text = refused.to_string();
+    let Error::Members { members, count: 9 } = refused else { panic!("{text}") };
+    assert_eq!(members.iter().map(|(member, _)| *member).collect::<Vec<_>>(), [2, 5, 7]);
+    assert!(
+        text.starts_with("3 members of 9 are refused (members 2, 5, 7); member 2: the start is not finite"),
+        "{text}"
+    );
+    let (mut swarm, others) = Ensemble::of_admissible(Verlet, (0..9).map(start), 0.01).expect("six are not");
+    // As text, since NaN is unequal to itself.
+    assert_eq!(format!("{members:?}"), format!("{others:?}"));
+    swarm.advance(100).expect("finite");
+    let left: Vec<_> = (0..9).filter(|member| ![2, 5, 7].contains(member)).collect();
+    assert_eq!(swarm.len(), left.len());
+    for (number, member) in left.into_iter().enumerate() {
+        let (system, start) = start(member);
+        let mut alone = system.run(start, 0.01).expect("a run");
+        alone.advance(100).expect("finite");
+        assert_eq!(swarm.state(number), Some(alone.state()));
+    }
+    let all = Ensemble::of_admissible(Verlet, [start(5), start(2)], 0.01);
+    assert!(matches!(all, Err(Error::Member { member: 0, .. })), "{all:?}");
+    let one = Ensemble::new(Verlet, [start(0), start(5)], 0.01);
+    assert!(matches!(one, Err(Error::Member { member: 1, .. })), "{one:?}");
+}
+
 #[test]
 fn bad_members_are_refused() {
     let none: [(HenonHeiles, Phase<[f64; 2]>); 0] = [];

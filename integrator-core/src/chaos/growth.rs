@@ -12,7 +12,10 @@ use crate::{
     trajectory::tangent::{BETWEEN_SCALES, numbers, square},
 };
 use nalgebra::DMatrix;
-use std::{f64::consts::LN_2, marker::PhantomData};
+use std::{
+    f64::consts::{LN_2, TAU},
+    marker::PhantomData,
+};
 
 /// How many samples an orbit has, where these are not sparser than vectors are divided. The integral of a logarithm that swings
 /// is off by its amplitude over the root of their number.
@@ -37,13 +40,15 @@ pub(super) struct Growth {
     /// MEGNO, and its integral over time.
     megno: f64,
     over_time: f64,
+    /// By how much the vector has changed in all, in units of its length: radians where it turns.
+    changed: f64,
 }
 
 impl Growth {
     /// A vector at the start with this logarithm of its length.
     pub(super) fn new(logarithm: f64) -> Self {
         let (first, last, highest) = (logarithm, logarithm, logarithm);
-        Self { first, last, highest, time: 0.0, weighted: 0.0, megno: 0.0, over_time: 0.0 }
+        Self { first, last, highest, time: 0.0, weighted: 0.0, megno: 0.0, over_time: 0.0, changed: 0.0 }
     }
 
     /// The vector after a time since the start.
@@ -83,8 +88,18 @@ impl Growth {
         self.time
     }
 
+    /// The vector has changed by so much more, in units of its length.
+    pub(super) fn change(&mut self, by: f64) {
+        self.changed += by;
+    }
+
+    /// What the mean of MEGNO says, once a chaotic orbit would have shown itself.
     pub(super) fn verdict(&self) -> Verdict {
-        Verdict::of_megno(self.mean_megno())
+        let is_long_enough = self.changed >= CHANGED || self.fli() >= GROWN;
+        match Verdict::of_megno(self.mean_megno()) {
+            Verdict::Regular if !is_long_enough => Verdict::Undecided,
+            verdict => verdict,
+        }
     }
 
     /// An indicator that one vector tells.
@@ -104,6 +119,23 @@ impl Growth {
 /// periodic ones; on chaotic ones it grows like half of the exponent times the time.
 pub(super) const REGULAR_BELOW: f64 = 2.5;
 pub(super) const CHAOTIC_ABOVE: f64 = 4.0;
+
+/// What it takes to call an orbit regular. Either its vector has changed by 64 turns: the mean MEGNO of a chaotic orbit with an
+/// exponent of a fiftieth of its frequency is 4 by then. Or it has grown by the exponential of 6: by exponential growth the
+/// mean MEGNO, half of this logarithm, would be 3.
+const CHANGED: f64 = 64.0 * TAU;
+const GROWN: f64 = 6.0;
+
+/// By how much a vector has changed from another one, in units of the length of this.
+pub(super) fn relative_change<C: Coords>(before: &Phase<C>, after: &Phase<C>, exponents: i64) -> f64 {
+    let scale = largest(numbers(before));
+    let (mut change, mut length) = (0.0, 0.0);
+    for (before, after) in numbers(before).zip(numbers(after)) {
+        change += ((after * 2.0_f64.powf(exponents as f64) - before) / scale).powi(2);
+        length += (before / scale).powi(2);
+    }
+    (change / length).sqrt()
+}
 
 /// The logarithm of the length of a vector times a power of two. Where squares leave the numbers, the length is that of
 /// the vector over its largest number.
@@ -234,6 +266,37 @@ mod tests {
         let exact = 2.0 * (512.0 - 513.0_f64.ln()) / 512.0;
         assert!(within(linear.megno() - exact, 1e-3), "{} is not {exact}", linear.megno());
         assert_eq!(linear.verdict(), Verdict::Regular);
+    }
+
+    #[test]
+    fn an_orbit_is_regular_only_after_enough_time() {
+        // A vector that turns once in a unit of time, and one that grows by e.
+        for (turns, verdict) in [(0.2, Verdict::Undecided), (20.0, Verdict::Undecided), (65.0, Verdict::Regular)] {
+            let mut bounded = Growth::new(0.0);
+            for _ in 0..100 {
+                bounded.change(turns * TAU / 100.0);
+                bounded.sample(bounded.time() + turns / 100.0, 0.0);
+            }
+            assert_eq!(bounded.verdict(), verdict, "{turns} turns");
+        }
+        for (time, verdict) in
+            [(0.16, Verdict::Undecided), (4.0, Verdict::Undecided), (7.0, Verdict::Undecided), (9.0, Verdict::Chaotic)]
+        {
+            let mut growing = Growth::new(0.0);
+            for sample in 1..=100 {
+                growing.change(time / 100.0);
+                growing.sample(time * f64::from(sample) / 100.0, time * f64::from(sample) / 100.0);
+            }
+            assert_eq!(growing.verdict(), verdict, "after {time}");
+        }
+    }
+
+    #[test]
+    fn changes_are_told_in_units_of_the_length() {
+        let (before, after) = (Phase::new([3e200], [4e200]), Phase::new([3e190], [4e200]));
+        assert!(within(relative_change(&before, &after, 0) - 0.6, 1e-9));
+        let halved = Phase::new([1.5e200], [2e200]);
+        assert_eq!(relative_change(&before, &halved, 1), 0.0);
     }
 
     #[test]

@@ -2,10 +2,11 @@
 
 use crate::{
     chaos::growth::{
-        CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, orthogonal_part, smaller_alignment_index,
-        steps_between_samples,
+        CHAOTIC_ABOVE, Growth, REGULAR_BELOW, alignment_indices, logarithm, orthogonal_part, relative_change,
+        smaller_alignment_index, steps_between_samples,
     },
     check::{CheckError, IntoStart, Start},
+    error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -23,12 +24,14 @@ pub enum Verdict {
     Regular,
     /// They leave it exponentially.
     Chaotic,
-    /// The orbit was not followed long enough to tell.
+    /// The orbit was not followed long enough to tell: the mean of MEGNO is between both, or so few turns were followed that a
+    /// chaotic orbit would not have shown itself.
     Undecided,
 }
 
 impl Verdict {
-    /// What the mean of MEGNO says, such as that of a [map](crate::chaos::map()): regular below 2.5, chaotic above 4.
+    /// What the mean of MEGNO says, such as that of a [map](crate::chaos::map()): regular below 2.5, chaotic above 4. It does not
+    /// know for how long the orbit was followed; the verdict of [`indicators()`] does.
     pub fn of_megno(mean: f64) -> Self {
         match mean {
             mean if mean < REGULAR_BELOW => Self::Regular,
@@ -62,7 +65,7 @@ pub struct Indicators {
     pub gali: Vec<f64>,
     /// For how long the orbit was followed.
     pub time: f64,
-    /// What the mean of MEGNO says.
+    /// What the mean of MEGNO says. An orbit is regular only after 64 turns of its vector, or after a growth by e^6.
     pub verdict: Verdict,
 }
 
@@ -120,7 +123,7 @@ impl fmt::Display for Indicators {
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`CheckError::TooFewSteps`].
+/// [`Error::NoEnergy`], where the orbit passes a state in which `H` has no value; [`CheckError::TooFewSteps`].
 pub fn indicators<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     system: &H,
     method: X,
@@ -174,7 +177,16 @@ fn of_tangent<C: Coords>(
     let (mut growth, mut highest) = (Growth::new(length), first);
     let every = steps_between_samples(steps);
     while tangent.steps() < steps {
-        tangent.advance(every.min(steps - tangent.steps()))?;
+        let portion = every.min(steps - tangent.steps());
+        tangent.advance(portion - 1)?;
+        let (before, exponent) = (tangent.vector(0), tangent.exponents()[0]);
+        tangent.advance(1)?;
+        let change = relative_change(&before, &tangent.vector(0), tangent.exponents()[0] - exponent);
+        growth.change(portion as f64 * change);
+        let (energy, time) = (tangent.energy(), tangent.time());
+        if !energy.is_finite() {
+            return Err(Error::NoEnergy { time, energy }.into());
+        }
         let [length, orthogonal] = lengths(&tangent);
         growth.sample(tangent.time() - begin, length);
         highest = highest.max(orthogonal);

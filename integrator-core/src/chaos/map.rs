@@ -6,7 +6,7 @@ use crate::{
         indicators::{LEAST, generic_directions},
     },
     check::CheckError,
-    ensemble::{in_lanes, lane_scalars::LaneScalars, member},
+    ensemble::{in_lanes, lane_scalars::LaneScalars, member, members::refusal},
     error::Error,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::exact::power_of_two,
@@ -43,11 +43,13 @@ pub enum Indicator {
 /// An indicator of the orbit from each of the starts, in their order: of `steps` steps of `h`, from time 0.
 ///
 /// An orbit that leaves the finite numbers, or whose deviation vector does, has the indicator that it had at the sample
-/// before: NaN where there is none. The
-/// others have the bits that they have alone, whoever shares their lanes, on any number of threads.
+/// before: NaN where there is none. One that passes a state without an energy, as left of the zero of a logarithm, has NaN. The
+/// others have the bits that they have alone, whoever shares their lanes, on any number of threads. [`map_while`] says which
+/// orbits were lost, and lets them end where they are ejected.
 ///
 /// # Errors
-/// [`Error::Member`], naming the first start that no run would begin with; [`CheckError::TooFewSteps`].
+/// [`Error::Member`], naming the start that no run would begin with, or [`Error::Members`], naming all of them where there are
+/// others; [`CheckError::TooFewSteps`].
 pub fn map<H, X, K>(
     system: &H,
     method: X,
@@ -61,36 +63,167 @@ where
     X: Memoryless<H>,
     K: LaneScalars,
 {
+    let starts: Vec<_> = starts.into_iter().collect();
+    let found = followed::<H, X, K>(system, method, &starts, (h, steps), indicator, &|_| true)?;
+    let (mut indicators, mut members) = (Vec::with_capacity(found.len()), Vec::new());
+    for (member, Mapped { value, end, .. }) in found.into_iter().enumerate() {
+        match end {
+            End::Refused(error) => members.push((member, error)),
+            End::NoEnergy => indicators.push(f64::NAN),
+            End::Followed | End::Gone | End::Lost => indicators.push(value),
+        }
+    }
+    if members.is_empty() { Ok(indicators) } else { Err(refusal(members, starts.len()).into()) }
+}
+
+/// What a map shows of one orbit.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Mapped {
+    /// The indicator at the end, or at the sample before an earlier end: NaN where there is none.
+    pub value: f64,
+    /// For how long the orbit was followed.
+    pub time: f64,
+    /// How it ended.
+    pub end: End,
+}
+
+/// How an orbit of a map ended.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum End {
+    /// It was followed for all steps.
+    Followed,
+    /// The condition of [`map_while`] no longer held: it was ejected, or it hit something.
+    Gone,
+    /// It left the finite numbers, or its deviation vector did, or a step could not be solved.
+    Lost,
+    /// Its energy was not finite, where forces are: a step led over the edge of where `H` has a value.
+    NoEnergy,
+    /// No run would begin there.
+    Refused(Error),
+}
+
+/// As [`map`], and each orbit ends where it no longer `stays`, such as within a distance from the centre. Starts that no run
+/// would begin with are marked, and all others are followed.
+///
+/// States are tested where the indicator is sampled: about a hundred times in all, and every 64 steps at least. Energies are
+/// read at every eighth sample and at the end. What is ejected, lost or without an energy has a small indicator, as regular
+/// orbits have: [`Mapped::end`] tells these apart.
+///
+/// ```
+/// use integrator_core::{chaos::{self, End, Indicator}, check::CheckError, prelude::*};
+///
+/// struct HenonHeiles;
+///
+/// #[hamiltonian]
+/// impl HenonHeiles {
+///     fn kinetic(&self, [px, py]: [f64; 2]) -> f64 {
+///         (px * px + py * py) / 2.0
+///     }
+///     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
+///         (x * x + y * y) / 2.0 + x * x * y - y.powi(3) / 3.0
+///     }
+/// }
+///
+/// // The third one escapes over a saddle.
+/// let starts = [0.1, 0.2, 0.7].map(|p| Phase::new([0.0, 0.1], [p, 0.1]));
+/// let within = |state: &Phase<[f64; 2]>| state.q[0].hypot(state.q[1]) < 2.0;
+/// let found = chaos::map_while(&HenonHeiles, Yoshida4, starts, 0.2, 1_000, Indicator::Megno, within)?;
+/// let ends: Vec<_> = found.iter().map(|orbit| &orbit.end).collect();
+/// assert_eq!(ends, [&End::Followed, &End::Followed, &End::Gone]);
+/// assert!(found[2].time < 200.0);
+/// # Ok::<(), CheckError>(())
+/// ```
+///
+/// # Errors
+/// [`CheckError::TooFewSteps`]; [`CheckError::Run`] for a step that no run takes.
+pub fn map_while<H, X, K>(
+    system: &H,
+    method: X,
+    starts: impl IntoIterator<Item = Phase<Shaped<H, K>>, IntoIter: Iterator<Item: StartOf<Shaped<H, K>, Leaf = K>>>,
+    h: f64,
+    steps: u64,
+    indicator: Indicator,
+    stays: impl Fn(&Phase<Shaped<H, K>>) -> bool + Sync,
+) -> Result<Vec<Mapped>, CheckError>
+where
+    H: Hamiltonian,
+    X: Memoryless<H>,
+    K: LaneScalars,
+{
+    let starts: Vec<_> = starts.into_iter().collect();
+    followed::<H, X, K>(system, method, &starts, (h, steps), indicator, &stays)
+}
+
+/// The orbits from all starts.
+fn followed<H, X, K>(
+    system: &H,
+    method: X,
+    starts: &[Phase<Shaped<H, K>>],
+    (h, steps): (f64, u64),
+    indicator: Indicator,
+    stays: &Stays<Shaped<H, K>>,
+) -> Result<Vec<Mapped>, CheckError>
+where
+    H: Hamiltonian,
+    X: Memoryless<H>,
+    K: LaneScalars,
+{
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
-    let starts: Vec<_> = starts.into_iter().collect();
-    for (member, start) in starts.iter().enumerate() {
-        admissible_start::<H, X, K>(system, method, start, h)
-            .map_err(|error| Error::Member { member, error: Box::new(error) })?;
-    }
+    let mut found: Vec<Option<Mapped>> = starts
+        .iter()
+        .map(|start| admissible_start::<H, X, K>(system, method, start, h).err())
+        .map(|refused| Some(Mapped { value: f64::NAN, time: 0.0, end: End::Refused(refused?) }))
+        .collect();
     let clock = Clock { t0: 0.0, h, steps: 0 };
-    clock.end(steps)?;
-    let mut indicators = vec![f64::NAN; starts.len()];
+    if found.iter().any(Option::is_none) {
+        clock.end(steps)?;
+    }
     // Constants may depend on the number of bodies: starts of different sizes do not share them.
     let mut lengths: Vec<_> = starts.iter().map(|start| start.q.length()).collect();
     lengths.sort_unstable();
     lengths.dedup();
     for length in lengths {
-        let members: Vec<_> = (0..starts.len()).filter(|member| starts[*member].q.length() == length).collect();
-        let constants = Arc::new(vec![method.constants(Arc::new(system.parameters(length)))]);
+        let is_of_group = |member: &usize| starts[*member].q.length() == length && found[*member].is_none();
+        let members: Vec<_> = (0..starts.len()).filter(is_of_group).collect();
+        if members.is_empty() {
+            continue;
+        }
+        let parameters = Arc::new(system.parameters(length));
+        let constants = Arc::new(vec![method.constants(parameters.clone())]);
         let like = in_lanes::<H, X, K, Deviations<1>>(constants);
         let group = like.lanes() * like.together() / LANES_OF_ORBIT;
+        let look = Look { stays, energy: &|state, time| energy::<H, K>(&parameters, state, time, None).total };
         let follow = |members: &[usize]| {
             let starts = members.iter().map(|member| starts[*member].clone()).collect();
-            Batch::new(&*like, starts).follow(clock, steps, indicator)
+            Batch::new(&*like, starts).follow(clock, steps, indicator, look)
         };
-        for (member, value) in side_by_side(&members, group, &follow) {
-            indicators[member] = value;
+        for (member, mapped) in side_by_side(&members, group, &follow) {
+            found[member] = Some(mapped);
         }
     }
-    Ok(indicators)
+    Ok(found.into_iter().flatten().collect())
 }
+
+/// Whether an orbit goes on from a state.
+type Stays<'s, C> = dyn Fn(&Phase<C>) -> bool + Sync + 's;
+
+/// What is asked of the state of an orbit.
+struct Look<'l, C> {
+    stays: &'l Stays<'l, C>,
+    energy: &'l (dyn Fn(&Phase<C>, f64) -> f64 + Sync),
+}
+
+impl<C> Clone for Look<'_, C> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<C> Copy for Look<'_, C> {}
 
 /// Whether a run with a vector would begin at a start.
 fn admissible_start<H, X, K>(system: &H, method: X, start: &Phase<Shaped<H, K>>, h: f64) -> Result<(), Error>
@@ -113,7 +246,11 @@ const GROUPS: usize = 4;
 
 /// The values of all members, some groups of so many at once, on all threads. Whoever is free takes the next ones; no value
 /// depends on who that is.
-fn side_by_side(members: &[usize], group: usize, follow: &(dyn Fn(&[usize]) -> Vec<f64> + Sync)) -> Vec<(usize, f64)> {
+fn side_by_side(
+    members: &[usize],
+    group: usize,
+    follow: &(dyn Fn(&[usize]) -> Vec<Mapped> + Sync),
+) -> Vec<(usize, Mapped)> {
     let groups = members.len().div_ceil(group);
     let together = groups.div_ceil(all_threads()).min(GROUPS) * group;
     let batches = Mutex::new(members.chunks(together));
@@ -145,15 +282,18 @@ struct Orbit {
     growth: Growth,
     /// The power of two by which its vector was divided.
     exponent: i64,
-    /// Whether it left the finite numbers, and another orbit goes on in its lanes.
-    lost: bool,
+    /// How it ended, if it has: another orbit goes on in its lanes.
+    end: Option<End>,
 }
+
+/// Every so many samples energies are read, which takes about as long as a step without a vector.
+const BETWEEN_ENERGIES: u64 = 8;
 
 impl<C: Coords> Batch<C> {
     /// The orbits from some starts; there is one at least.
     fn new(like: &dyn Motions, starts: Vec<Phase<C>>) -> Self {
         let vectors: Vec<_> = starts.iter().flat_map(|start| generic_directions(start, 1)).collect();
-        let orbit = |vector| Orbit { growth: Growth::new(logarithm(vector, 0)), exponent: 0, lost: false };
+        let orbit = |vector| Orbit { growth: Growth::new(logarithm(vector, 0)), exponent: 0, end: None };
         let orbits = vectors.iter().map(orbit).collect();
         let lanes: Vec<_> = starts.into_iter().zip(vectors).flat_map(|(start, vector)| [start, vector]).collect();
         let count = lanes.len().next_multiple_of(like.lanes() * like.together());
@@ -167,9 +307,9 @@ impl<C: Coords> Batch<C> {
     }
 
     /// What an indicator is after so many steps.
-    fn follow(mut self, mut clock: Clock, steps: u64, indicator: Indicator) -> Vec<f64> {
+    fn follow(mut self, mut clock: Clock, steps: u64, indicator: Indicator, look: Look<'_, C>) -> Vec<Mapped> {
         let every = steps_between_samples(steps);
-        while clock.steps < steps && self.orbits.iter().any(|orbit| !orbit.lost) {
+        while clock.steps < steps && self.orbits.iter().any(|orbit| orbit.end.is_none()) {
             let end = (clock.steps + every).min(steps);
             while clock.steps < end {
                 let mut taken = 0;
@@ -179,9 +319,37 @@ impl<C: Coords> Batch<C> {
                     break;
                 }
             }
+            let reads_energies = clock.steps == steps || (end / every).is_multiple_of(BETWEEN_ENERGIES);
+            let has_ended = self.look(clock, look, reads_energies);
             self.sample(clock);
+            if has_ended && !self.replace_ended() {
+                break;
+            }
         }
-        self.orbits.iter().map(|orbit| orbit.growth.indicator(indicator)).collect()
+        let mapped = |Orbit { growth, end, .. }: Orbit| Mapped {
+            value: growth.indicator(indicator),
+            time: growth.time(),
+            end: end.unwrap_or(End::Followed),
+        };
+        self.orbits.into_iter().map(mapped).collect()
+    }
+
+    /// Ends orbits that do not stay, or have no energy; whether there are any.
+    fn look(&mut self, clock: Clock, look: Look<'_, C>, reads_energies: bool) -> bool {
+        let (mut point, time, orbits) = (self.shape.clone(), clock.at(clock.steps), &mut self.orbits);
+        let mut has_ended = false;
+        self.engine.read(clock, |completed, shown| {
+            for (number, orbit) in orbits.iter_mut().enumerate().filter(|(_, orbit)| orbit.end.is_none()) {
+                show(completed, shown, LANES_OF_ORBIT * number, &mut point);
+                if reads_energies && !(look.energy)(&point, time).is_finite() {
+                    orbit.end = Some(End::NoEnergy);
+                } else if !(look.stays)(&point) {
+                    orbit.end = Some(End::Gone);
+                }
+                has_ended |= orbit.end.is_some();
+            }
+        });
+        has_ended
     }
 
     /// Reads all vectors, and divides those by powers of two that are far from one.
@@ -193,7 +361,7 @@ impl<C: Coords> Batch<C> {
         let vector = |number| vector(engine, clock, number, &self.shape);
         let known = self.squares.iter().zip(&self.logarithms);
         for ((number, orbit), (square, of_square)) in self.orbits.iter_mut().enumerate().zip(known) {
-            if !orbit.lost {
+            if orbit.end.is_none() {
                 let length = of_length(*square, *of_square, orbit.exponent, || vector(number));
                 orbit.growth.sample(time, length);
             }
@@ -221,7 +389,7 @@ impl<C: Coords> Batch<C> {
     /// Divides vectors by powers of two that are far from one.
     fn scale(&mut self, clock: Clock) {
         let exponent = |(number, orbit): (usize, &Orbit)| {
-            let far = !orbit.lost && may_be_far(&self.shape, self.squares[number]);
+            let far = orbit.end.is_none() && may_be_far(&self.shape, self.squares[number]);
             if far { far_exponent(&vector(&self.engine, clock, number, &self.shape)) } else { 0 }
         };
         let exponents: Vec<_> = self.orbits.iter().enumerate().map(exponent).collect();
@@ -237,23 +405,30 @@ impl<C: Coords> Batch<C> {
         self.go_on(&lanes);
     }
 
-    /// Lets an orbit that goes on take the lanes of those that cannot take the next step; `false`, if there is none.
+    /// Ends orbits that cannot take the next step, and replaces them; `false`, if no other goes on.
     fn replace_lost(&mut self) -> bool {
         let (mut point, mut found) = (self.shape.clone(), false);
-        for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| !orbit.lost) {
-            for lane in LANES_OF_ORBIT * number..LANES_OF_ORBIT * (number + 1) {
+        for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| orbit.end.is_none()) {
+            let lanes = LANES_OF_ORBIT * number..LANES_OF_ORBIT * (number + 1);
+            let is_lost = lanes.into_iter().any(|lane| {
                 self.engine.completed.store(lane, &mut point);
-                orbit.lost |= !point.is_finite() || self.engine.completed.unsolved(lane).is_some();
-            }
-            found |= orbit.lost;
+                !point.is_finite() || self.engine.completed.unsolved(lane).is_some()
+            });
+            orbit.end = is_lost.then_some(End::Lost);
+            found |= is_lost;
         }
         if !found {
             // Whatever keeps them, none of them goes on.
-            self.orbits.iter_mut().for_each(|orbit| orbit.lost = true);
+            self.orbits.iter_mut().for_each(|orbit| _ = orbit.end.get_or_insert(End::Lost));
         }
-        let Some(goes_on) = self.orbits.iter().position(|orbit| !orbit.lost) else { return false };
+        self.replace_ended()
+    }
+
+    /// Lets an orbit that goes on take the lanes of those that have ended; `false`, if there is none.
+    fn replace_ended(&mut self) -> bool {
+        let Some(goes_on) = self.orbits.iter().position(|orbit| orbit.end.is_none()) else { return false };
         let mut lanes = self.lanes();
-        for (number, _) in self.orbits.iter().enumerate().filter(|(_, orbit)| orbit.lost) {
+        for (number, _) in self.orbits.iter().enumerate().filter(|(_, orbit)| orbit.end.is_some()) {
             for lane in 0..LANES_OF_ORBIT {
                 lanes[LANES_OF_ORBIT * number + lane] = lanes[LANES_OF_ORBIT * goes_on + lane].clone();
             }

@@ -11,6 +11,7 @@
 //! | [`indicators()`] | one orbit: the largest exponent, MEGNO, FLI, SALI, GALI, and a verdict |
 //! | [`lyapunov_spectrum()`] | all exponents of one orbit |
 //! | [`map()`] | one indicator of many orbits, in lanes and on threads |
+//! | [`map_while()`] | the same, and which orbits were ejected or lost |
 //! | [`monodromy()`](crate::check::monodromy) | a periodic orbit: multipliers and stability |
 //!
 //! Lengths of vectors are Euclidean over all coordinates in the units of the system. Another choice of units changes
@@ -22,5 +23,5 @@ mod map;
 mod spectrum;
 
 pub use indicators::{Indicators, Verdict, indicators};
-pub use map::{Indicator, map};
+pub use map::{End, Indicator, Mapped, map, map_while};
 pub use spectrum::{Spectrum, lyapunov_spectrum};

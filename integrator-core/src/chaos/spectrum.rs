@@ -20,6 +20,12 @@ const SPANS: u64 = 16;
 /// has lost.
 const MOST_APART: f64 = 8.0;
 
+/// The part of the length of the shortest vector that may be rounding after one step.
+const LEFT: f64 = 1.0 / (1_u64 << 10) as f64;
+
+/// The logarithm of the factor that a double can show between two lengths: whatever is farther apart looks like this.
+const ALL_DIGITS: f64 = 52.0 * LN_2;
+
 /// The Lyapunov exponents of an orbit, by the method of Benettin and others (1980, Meccanica 15, 9 and 21).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -54,7 +60,8 @@ impl Spectrum {
 ///
 /// # Errors
 /// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`CheckError::TooFewSteps`].
+/// [`CheckError::TooFewSteps`]; [`CheckError::LongForExponents`], where one step stretches some directions so much more than
+/// others that no digits of the latter are left.
 pub fn lyapunov_spectrum<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,
@@ -74,6 +81,7 @@ fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum
     }
     let begin = tangent.time();
     let count = tangent.exponents().len();
+    let most_digits = (LEFT / C::Leaf::EPSILON.max(f64::EPSILON)).ln();
     // The growth of each vector in each span.
     let mut of_spans = Vec::new();
     let mut every = 1;
@@ -90,6 +98,14 @@ fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum
                 // The vectors are nearly one: again, with half of the steps.
                 (tangent, every) = (before, portion / 2);
                 continue;
+            }
+            if portion == 1 && apart.is_nan() | (apart > most_digits) {
+                let (step, known) = (tangent.step(), apart.min(ALL_DIGITS));
+                return Err(CheckError::LongForExponents {
+                    step,
+                    factor: apart.exp(),
+                    shorter: step * MOST_APART / known,
+                });
             }
             if 4.0 * apart < MOST_APART {
                 every = (2 * every).min(BETWEEN_SCALES);

@@ -121,6 +121,19 @@ pub enum CheckError {
         /// The number that is needed.
         needed: u64,
     },
+    /// One step parts deviation vectors by more than numbers have digits.
+    #[error(
+        "neighbours part by a factor of {factor:.1e} within one step of {step}, more than numbers have digits, so that the smaller \
+         exponents are lost: take a step of {shorter:.2e} or less"
+    )]
+    LongForExponents {
+        /// The step.
+        step: f64,
+        /// How much more the most stretched direction grows than the least stretched one, as far as digits show it.
+        factor: f64,
+        /// A step that shows them.
+        shorter: f64,
+    },
     /// The exact motion is not known well enough to hold a run against it.
     #[error(
         "over a time of {span} the exact motion is known to {uncertainty} of the way it goes, at best: it leads into a \

@@ -6,8 +6,8 @@
 #[cfg(feature = "checkpoint")]
 use crate::{ensemble::members::Finished, trajectory::motions::load_own};
 use crate::{
-    ensemble::request::AdvanceRequest,
-    error::Divergence,
+    ensemble::request::{AdvanceRequest, Ended},
+    error::{Divergence, Error},
     state::{
         clock::{Clock, durations, time_after},
         point::Point,
@@ -201,29 +201,61 @@ impl Batch {
         }
     }
 
+    /// Finishes the members whose energies have strayed in the step from `before`, where it began; `completed` holds the ends of
+    /// their steps, `snapshot` the beginnings.
+    fn strayed(&mut self, request: &AdvanceRequest, before: Clock) -> Vec<(usize, Error)> {
+        let Some(strays) = request.strays else { return Vec::new() };
+        let after = Clock { steps: before.steps + 1, ..before };
+        let completed = &*self.engine.completed;
+        let shown_after = shown(completed, self.since_opened(after));
+        let mut found = Vec::new();
+        for (lane, index) in self.lanes.iter().enumerate().filter(|(_, index)| self.finished[**index].is_none()) {
+            show(completed, shown_after.as_deref(), lane, &mut *self.sample);
+            let time = self.time(*index, after, elapsed(completed, shown_after.as_deref(), lane));
+            let error = strays(self.first + index, &*self.sample, after.steps, time);
+            found.extend(error.map(|error| (lane, *index, error)));
+        }
+        let mut strayed = Vec::with_capacity(found.len());
+        for (lane, index, error) in found {
+            let mut motion = self.gather(vec![self.lane(&*self.engine.snapshot, lane)]);
+            motion.complete(self.since_opened(before), Some(1));
+            let shown_before = shown(&*motion, self.since_opened(before));
+            let mut state = self.sample.boxed_clone();
+            show(&*motion, shown_before.as_deref(), 0, &mut *state);
+            let time = self.time(index, before, elapsed(&*motion, shown_before.as_deref(), 0));
+            self.finished[index] = Some(Finish { steps: before.steps, time, state });
+            strayed.push((self.first + index, error));
+        }
+        strayed
+    }
+
     /// The number of the first member.
     pub(crate) fn first(&self) -> usize {
         self.first
     }
 
-    /// Advances the members that are under way, and returns those that diverge.
-    pub(crate) fn advance(&mut self, request: &AdvanceRequest) -> Vec<(usize, Divergence)> {
-        let (mut done, mut lost) = (0, Vec::new());
+    /// Advances the members that are under way, and returns those that diverge or whose energies stray.
+    pub(crate) fn advance(&mut self, request: &AdvanceRequest) -> Ended {
+        let (mut done, mut ended) = (0, Ended::default());
         while done < request.steps && !self.lanes.is_empty() {
             let block = request.block(done);
             let (before, since) = (request.clock_after(done), self.since_opened(request.clock_after(done)));
             done += block;
             match request.panics.attempt(|| self.engine.take_steps(since, block)) {
-                Some(true) => {}
-                Some(false) => lost.extend(self.lost(before, block, request.panics)),
-                None => lost.extend(self.one_by_one(before, block, request.panics)),
+                Some(true) => ended.strayed.extend(self.strayed(request, before)),
+                Some(false) => {
+                    ended.lost.extend(self.lost(before, block, request.panics));
+                    ended.strayed.extend(self.strayed(request, before));
+                }
+                // Where the others began is not kept: the next step looks at them.
+                None => ended.lost.extend(self.one_by_one(before, block, request.panics)),
             }
             if request.tests_after(done) {
                 self.test(request, request.clock_after(done));
             }
             self.compact_lanes();
         }
-        lost
+        ended
     }
 
     /// The number of members under way.

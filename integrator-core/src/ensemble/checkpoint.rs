@@ -5,7 +5,12 @@
 //! ```
 
 use crate::{
-    ensemble::{Ensemble, in_lanes::ResumableInLanes, lane_scalars::LaneScalars, members::Finished},
+    ensemble::{
+        Ensemble,
+        in_lanes::ResumableInLanes,
+        lane_scalars::LaneScalars,
+        members::{Finished, refusal},
+    },
     error::Error,
     hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
@@ -158,7 +163,12 @@ impl<C: Coords> Ensemble<C> {
             states.push(Phase { q, p });
         }
         let starts = systems.into_iter().zip(states.iter().cloned());
-        let mut resumed = Self::from_starts::<H, X>(method, starts, h)?;
+        let mut refused = Vec::new();
+        let resumed = Self::from_starts::<H, X>(method, starts, h, false, &mut refused);
+        if !refused.is_empty() {
+            return Err(refusal(refused, members.len()).into());
+        }
+        let mut resumed = resumed?;
         resumed.origin.hold_comparable()?;
         for (member, (stored, asked)) in members.iter().zip(&resumed.parameters).enumerate() {
             if stored.parameters != *asked || formulas != H::FINGERPRINT {

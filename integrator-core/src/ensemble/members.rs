@@ -5,12 +5,12 @@ use crate::{
         batch::{Batch, States},
         energies::EnergiesOfMembers,
         physical_time::Between,
-        request::AdvanceRequest,
+        request::{AdvanceRequest, Ended},
     },
-    error::{Divergence, Error, Lost},
+    error::{Error, Lost},
     state::{clock::Clock, point::Point},
     threads::{all_threads, on_threads},
-    trajectory::panics::Panics,
+    trajectory::{panics::Panics, watch::Watch},
 };
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -41,6 +41,8 @@ pub(crate) struct Members {
     starts_unchecked: bool,
     /// Where members are shown while the ensemble stands at the steps of all.
     pub(super) between: Option<Between>,
+    /// A bound on the energy of each member.
+    pub(super) watches: Option<Vec<Watch>>,
     pub(crate) threads: usize,
 }
 
@@ -61,6 +63,7 @@ impl Members {
             clock,
             starts_unchecked: true,
             between: None,
+            watches: None,
             threads: all_threads(),
         }
     }
@@ -83,6 +86,11 @@ impl Members {
             self.starts_unchecked = false;
         }
         Ok(())
+    }
+
+    /// The energies of the starts were checked one by one.
+    pub(crate) fn starts_are_checked(&mut self) {
+        self.starts_unchecked = false;
     }
 
     /// Whether a member has an energy in a state.
@@ -158,28 +166,41 @@ impl Members {
         self.check_starts()?;
         self.between = None;
         let panics = Panics::default();
-        let request = AdvanceRequest { clock: self.clock, steps, interval, stays, panics: &panics };
-        let mut lost = self.advance_batches(&request);
+        let (watches, energies) = (self.watches.take(), self.energies.clone());
+        let strays = watches.as_ref().map(|watches| {
+            move |member: usize, state: &dyn Point, step: u64, time: f64| {
+                watches[member].strayed(energies.parts(member, state, time).total, step, time)
+            }
+        });
+        let strays = strays.as_ref().map(|strays| strays as &_);
+        let request = AdvanceRequest { clock: self.clock, steps, interval, stays, strays, panics: &panics };
+        let Ended { mut lost, mut strayed } = self.advance_batches(&request);
+        self.watches = watches;
         self.clock.steps = end;
         panics.resume();
         lost.sort_unstable_by_key(|(member, _)| *member);
+        if !strayed.is_empty() {
+            strayed.extend(lost.into_iter().map(|(member, divergence)| (member, divergence.into())));
+            strayed.sort_unstable_by_key(|(member, _)| *member);
+            return Err(Error::Strayed { members: strayed });
+        }
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
-    /// Carries on all batches, on as many threads as are worth it, and returns the members that are lost.
-    fn advance_batches(&mut self, request: &AdvanceRequest) -> Vec<(usize, Divergence)> {
+    /// Carries on all batches, on as many threads as are worth it, and returns the members that do not go on.
+    fn advance_batches(&mut self, request: &AdvanceRequest) -> Ended {
         let threads = self.threads_for(request.steps).min(self.batches.len());
         // Whoever is free takes the next batch; no result depends on who that is.
         let batches = Mutex::new(self.batches.iter_mut());
         let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
-        let lost = Mutex::new(Vec::new());
+        let ended = Mutex::new(Ended::default());
         on_threads(threads, &|| {
             while let Some(batch) = next() {
                 let of_batch = batch.advance(request);
-                lost.lock().unwrap_or_else(PoisonError::into_inner).extend(of_batch);
+                ended.lock().unwrap_or_else(PoisonError::into_inner).extend(of_batch);
             }
         });
-        lost.into_inner().unwrap_or_else(PoisonError::into_inner)
+        ended.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// How many threads so many steps of all members are worth.
@@ -282,4 +303,13 @@ impl Members {
 /// The error of an ensemble for an error of a member.
 pub(crate) fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
     move |error| Error::Member { member, error: Box::new(error) }
+}
+
+/// The error for some members of so many that are refused: the first one, where it is the only one or all of them are.
+pub(crate) fn refusal(mut members: Vec<(usize, Error)>, count: usize) -> Error {
+    if members.len() > 1 && members.len() < count {
+        return Error::Members { members, count };
+    }
+    let (member, error) = members.swap_remove(0);
+    of_member(member)(error)
 }

@@ -19,6 +19,7 @@ pub(crate) mod lane_scalars;
 pub(crate) mod members;
 pub(crate) mod physical_time;
 pub(crate) mod request;
+pub(crate) mod watch;
 
 #[cfg(debug_assertions)]
 use crate::system::user_energies::hold_at_start;
@@ -30,7 +31,7 @@ use crate::{
         energies::energies_of_members,
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
-        members::{Members, of_member},
+        members::{Members, of_member, refusal},
     },
     error::{Error, Lost},
     hamiltonian::{Hamiltonian, Shaped},
@@ -114,8 +115,9 @@ impl<C: Coords> Ensemble<C> {
     /// or with [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
     ///
     /// # Errors
-    /// [`Error::NoMembers`] without members; [`Error::Member`] naming the first member whose start or step is refused,
-    /// for the reasons of [`Hamiltonian::run`].
+    /// [`Error::NoMembers`] without members; [`Error::Member`] naming the member whose start or step is refused, for the
+    /// reasons of [`Hamiltonian::run`], or [`Error::Members`] naming all of them where others are not.
+    /// [`Ensemble::of_admissible`] leaves them out.
     pub fn new<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
@@ -123,15 +125,73 @@ impl<C: Coords> Ensemble<C> {
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let mut ensemble = Self::from_starts::<H, X>(method, members, h)?;
-        if H::AUTONOMOUS {
-            ensemble.members.check_starts()?;
+        let mut refused = Vec::new();
+        let ensemble = Self::from_starts::<H, X>(method, members, h, H::AUTONOMOUS, &mut refused);
+        if refused.is_empty() {
+            return ensemble;
         }
-        Ok(ensemble)
+        let admitted = ensemble.map_or(0, |ensemble| ensemble.len());
+        let count = admitted + refused.len();
+        Err(refusal(refused, count))
     }
 
-    /// The same without a look at the energies of the starts.
-    fn from_starts<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
+    /// The ensemble of those `(system, start)` pairs that [`Ensemble::new`] takes, in their order, and all others by their
+    /// numbers among the pairs, each with the reason.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Rotor;
+    ///
+    /// #[hamiltonian]
+    /// impl Rotor {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    /// }
+    ///
+    /// let members = [0.0, f64::NAN, 1.0].map(|p| (Rotor, Phase::new([0.0], [p])));
+    /// let (mut rotors, refused) = Ensemble::of_admissible(Verlet, members, 0.01)?;
+    /// assert_eq!((rotors.len(), refused[0].0), (2, 1));
+    /// println!("member 1 is left out: {}", refused[0].1);
+    /// rotors.advance(100)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::NoMembers`] without pairs; [`Error::Member`] naming the first one, if none is taken.
+    pub fn of_admissible<H, X>(
+        method: X,
+        members: impl IntoIterator<Item = (H, Phase<C>)>,
+        h: f64,
+    ) -> Result<(Self, Vec<(usize, Error)>), Error>
+    where
+        H: Hamiltonian,
+        X: InLanes<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        let mut refused = Vec::new();
+        match Self::from_starts::<H, X>(method, members, h, H::AUTONOMOUS, &mut refused) {
+            Ok(ensemble) => Ok((ensemble, refused)),
+            Err(error) if refused.is_empty() => Err(error),
+            Err(_) => {
+                let count = refused.len();
+                Err(refusal(refused, count))
+            }
+        }
+    }
+
+    /// An ensemble of those starts that are not refused, with a look at their energies where it is asked for.
+    ///
+    /// # Errors
+    /// [`Error::NoMembers`]
+    fn from_starts<H, X>(
+        method: X,
+        members: impl IntoIterator<Item = (H, Phase<C>)>,
+        h: f64,
+        with_energies: bool,
+        refused: &mut Vec<(usize, Error)>,
+    ) -> Result<Self, Error>
     where
         H: Hamiltonian,
         X: InLanes<H>,
@@ -140,8 +200,20 @@ impl<C: Coords> Ensemble<C> {
     {
         let (mut parameters, mut constants, mut states) = (Vec::new(), Vec::new(), Vec::new());
         let mut coordinates = 0;
-        for (system, state) in members {
-            let member = member::<H, C::Leaf, X>(&system, method, &state, h).map_err(of_member(states.len()))?;
+        for (number, (system, state)) in members.into_iter().enumerate() {
+            let admitted = member::<H, C::Leaf, X>(&system, method, &state, h).and_then(|member| {
+                if with_energies {
+                    energy::<H, C::Leaf>(&member, &state, 0.0, None).admissible(0.0)?;
+                }
+                Ok(member)
+            });
+            let member = match admitted {
+                Ok(member) => member,
+                Err(error) => {
+                    refused.push((number, error));
+                    continue;
+                }
+            };
             coordinates += state.q.flat().len() as u64;
             constants.push(method.constants(member.clone()));
             parameters.push(member);
@@ -166,8 +238,12 @@ impl<C: Coords> Ensemble<C> {
         #[cfg(feature = "checkpoint")]
         let origins: Vec<_> = parameters.iter().map(|parameters| Origin::of::<H>(method.facts(), parameters)).collect();
         let energies = energies_of_members::<H, C::Leaf>(parameters);
+        let mut members = Members::new(batches, energies, states.len(), coordinates, h);
+        if with_energies {
+            members.starts_are_checked();
+        }
         Ok(Self {
-            members: Members::new(batches, energies, states.len(), coordinates, h),
+            members,
             kind: Kind { autonomous: H::AUTONOMOUS, method: method.facts().name, forces: method.forces() },
             #[cfg(feature = "checkpoint")]
             origin: origins[0],
@@ -317,6 +393,8 @@ impl<C: Coords> Ensemble<C> {
             change(state, self.members.clock.h, |state| map(member, state)).map_err(of_member(member))?;
             self.members.changed(member, state)?;
         }
+        let under_way = self.members.under_way();
+        self.members.watch_anew(&under_way, &|member| &states[member]);
         self.members.restart(&|member| &states[member]);
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! A request to advance an ensemble: how many steps its members take, and which of them leave before.
 
 use crate::{
+    error::{Divergence, Error},
     state::{clock::Clock, point::Point},
     trajectory::{engine::BLOCK, panics::Panics},
 };
@@ -15,14 +16,36 @@ pub(crate) struct AdvanceRequest<'a> {
     pub(crate) interval: u64,
     /// Whether the member of this number goes on from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
+    /// Why the member of this number may not go on from this state after so many steps, where a watch looks at all of them.
+    pub(crate) strays: Option<&'a Strays<'a>>,
     /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go
     /// on.
     pub(crate) panics: &'a Panics,
 }
 
+/// The error of a member in a state after a step at a time, if its energy has strayed.
+pub(crate) type Strays<'a> = dyn Fn(usize, &dyn Point, u64, f64) -> Option<Error> + Sync + 'a;
+
+/// The members that did not take all steps of a request, but for those that left.
+#[derive(Default)]
+pub(crate) struct Ended {
+    pub(crate) lost: Vec<(usize, Divergence)>,
+    pub(crate) strayed: Vec<(usize, Error)>,
+}
+
+impl Ended {
+    pub(crate) fn extend(&mut self, other: Self) {
+        self.lost.extend(other.lost);
+        self.strayed.extend(other.strayed);
+    }
+}
+
 impl AdvanceRequest<'_> {
     /// The length of the block of steps after the first `done` ones.
     pub(crate) fn block(&self, done: u64) -> u64 {
+        if self.strays.is_some() {
+            return 1;
+        }
         let to_next_test = self.interval - done % self.interval;
         BLOCK.min(self.steps - done).min(to_next_test)
     }

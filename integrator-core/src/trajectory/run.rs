@@ -259,11 +259,10 @@ impl<C: Coords> Run<C> {
         while self.clock.steps < end {
             self.take_steps_to(self.clock.steps + 1)?;
             let (step, time, energy) = (self.clock.steps, self.time(), self.energy());
-            if !watch.admits(energy) {
+            if let Some(strayed) = watch.strayed(energy, step, time) {
                 self.engine.undo();
                 self.clock.steps -= 1;
-                let Watch { bound, energy: before, .. } = watch;
-                return Err(Error::EnergyStrayed { step, time, energy, before, bound });
+                return Err(strayed);
             }
         }
         Ok(())

@@ -24,6 +24,26 @@ impl Watch {
     }
 }
 
+impl Watch {
+    /// The error of a step to this energy, if it may not be taken.
+    pub(crate) fn strayed(&self, energy: f64, step: u64, time: f64) -> Option<Error> {
+        let Self { bound, energy: before, .. } = *self;
+        (!self.admits(energy)).then_some(Error::EnergyStrayed { step, time, energy, before, bound })
+    }
+}
+
+/// Whether a watch may have a bound.
+///
+/// # Errors
+/// [`Error::WatchBound`]; [`Error::NotConserved`].
+pub(crate) fn check_bound(bound: f64, autonomous: bool) -> Result<(), Error> {
+    match bound {
+        _ if !autonomous => Err(Error::NotConserved),
+        bound if bound.is_nan() || bound <= 0.0 => Err(Error::WatchBound { bound }),
+        _ => Ok(()),
+    }
+}
+
 impl<C: Coords> Run<C> {
     /// Makes [`Run::advance`] stop where the energy leaves a bound: it looks after every step, and takes no step whose
     /// energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from `H₀`, or is not a number. `H₀`, `T₀`
@@ -58,12 +78,7 @@ impl<C: Coords> Run<C> {
     /// [`Error::WatchBound`] for a bound that is not above zero; [`Error::NotConserved`] where `H` reads the time;
     /// [`Error::Energy`] where it has no value at this state.
     pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
-        if !self.autonomous {
-            return Err(Error::NotConserved);
-        }
-        if relative_bound.is_nan() || relative_bound <= 0.0 {
-            return Err(Error::WatchBound { bound: relative_bound });
-        }
+        check_bound(relative_bound, self.autonomous)?;
         let parts = self.parts();
         parts.admissible(self.time())?;
         self.watch = Some(Watch::new(relative_bound, parts));
