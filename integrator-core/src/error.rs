@@ -22,6 +22,20 @@ macro_rules! debug_as_display {
 #[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
 pub(crate) use debug_as_display;
 
+/// A number in a message: with an exponent where it is below 1e-5 or from 1e6 on, so that no message is a row of zeros.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Number(pub(crate) f64);
+
+impl core::fmt::Display for Number {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self(number) = *self;
+        match number == 0.0 || !number.is_finite() || (1e-5..1e6).contains(&number.abs()) {
+            true => write!(f, "{number}"),
+            false => write!(f, "{number:e}"),
+        }
+    }
+}
+
 debug_as_display!(Error, VectorFault, Unsolved, NotFinite, Misread, Divergence, Lost);
 
 /// Why a run could not start or go on. Displays what is wrong, where, and what to do.
@@ -29,13 +43,13 @@ debug_as_display!(Error, VectorFault, Unsolved, NotFinite, Misread, Divergence, 
 #[non_exhaustive]
 pub enum Error {
     /// The step is zero or not finite.
-    #[error("the step h is {h}: it has to be finite and not zero (negative steps run backwards)")]
+    #[error("the step h is {h}: it has to be finite and not zero (negative steps run backwards)", h = Number(*h))]
     Step {
         /// The step that was asked for.
         h: f64,
     },
     /// A coordinate of the start is not finite.
-    #[error("the start is not finite: {coordinate}[{index}] is {value} (coordinates counted one after the other)")]
+    #[error("the start is not finite: {coordinate}[{index}] is {value} (coordinates counted one after the other)", value = Number(*value))]
     Start {
         /// `q` or `p`.
         coordinate: &'static str,
@@ -59,7 +73,7 @@ pub enum Error {
         bodies: usize,
     },
     /// A mass with which no Jacobi coordinates are made.
-    #[error("the mass of body {body} is {mass}: {reason}")]
+    #[error("the mass of body {body} is {mass}: {reason}", mass = Number(*mass))]
     Mass {
         /// Which body, counted from 0.
         body: usize,
@@ -72,8 +86,7 @@ pub enum Error {
     /// pole or where a logarithm or a root has no value.
     #[error(
         "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
-         parameters"
-    )]
+         parameters", value = Number(*value), time = Number(*time))]
     Energy {
         /// `kinetic` or `potential`; where parts of H have names, that of the first one, or of the other one.
         function: &'static str,
@@ -102,8 +115,7 @@ pub enum Error {
     /// A coordinate of a reversible start is beyond the range of its grid.
     #[error(
         "{coordinate}[{index}] is {value}, but a grid with the spacing {spacing} reaches to ±{limit} only: choose a \
-         coarser grid or smaller units"
-    )]
+         coarser grid or smaller units", value = Number(*value), spacing = Number(*spacing), limit = Number(*limit))]
     GridRange {
         /// `q` or `p`.
         coordinate: &'static str,
@@ -134,7 +146,7 @@ pub enum Error {
         momenta: usize,
     },
     /// The time of a start, or one to go to, is not finite.
-    #[error("the time {time} is not finite, and no run starts or arrives there")]
+    #[error("the time {time} is not finite, and no run starts or arrives there", time = Number(*time))]
     Time {
         /// The time that was asked for.
         time: f64,
@@ -142,8 +154,7 @@ pub enum Error {
     /// The step is too short for the clock: it adds nothing to the time that it begins or ends at.
     #[error(
         "the clock would stand still: t + h is t again at t = {time} for the step h = {h}. Start the clock nearer to 0, \
-         or take another unit of time"
-    )]
+         or take another unit of time", h = Number(*h), time = Number(*time))]
     Clock {
         /// The step.
         h: f64,
@@ -163,8 +174,16 @@ pub enum Error {
         "an interval of 0 between samples would stay at one point for ever: ask for one every 1 or more steps, or after a time"
     )]
     SampleInterval,
+    /// Samples after intervals of time that no run with these steps can take.
+    #[error("samples after every {} of time: {}", Number(*interval), interval_for(*interval, *h))]
+    Interval {
+        /// The interval that was asked for.
+        interval: f64,
+        /// The step of the run.
+        h: f64,
+    },
     /// The function whose zeros are looked for has no value at a state of the run.
-    #[error("the function whose zeros are looked for is {value} at t = {time}: it has to be finite along the run")]
+    #[error("the function whose zeros are looked for is {value} at t = {time}: it has to be finite along the run", time = Number(*time), value = Number(*value))]
     Crossing {
         /// The time of that state.
         time: f64,
@@ -174,8 +193,7 @@ pub enum Error {
     /// The energy of a run left the bound of its watch.
     #[error(
         "the energy after step {step} (t = {time}) is {energy}, and was {before} when the watch began: it strays by more \
-         than {bound} of the sizes of its parts, |T| + |V|. The run stays one step before; a smaller step helps"
-    )]
+         than {bound} of the sizes of its parts, |T| + |V|. The run stays one step before; a smaller step helps", time = Number(*time), energy = Number(*energy), before = Number(*before), bound = Number(*bound))]
     EnergyStrayed {
         /// The step that was not taken.
         step: u64,
@@ -192,8 +210,7 @@ pub enum Error {
     /// The energy is not finite along an orbit whose forces are.
     #[error(
         "the energy is {energy} at t = {time}, where forces are finite: a step led over the edge of where H has a value. A smaller \
-         step helps"
-    )]
+         step helps", time = Number(*time), energy = Number(*energy))]
     NoEnergy {
         /// The time.
         time: f64,
@@ -203,8 +220,7 @@ pub enum Error {
     /// The bound of a watch is not above zero.
     #[error(
         "the energy is to stay within {bound} of the sizes of its parts, |T| + |V|: the bound has to be above zero, for \
-         example 1e-3"
-    )]
+         example 1e-3", bound = Number(*bound))]
     WatchBound {
         /// The bound that was asked for.
         bound: f64,
@@ -244,13 +260,13 @@ pub enum Error {
         reason: Unsolved,
     },
     /// The exponent of a time transformation is zero or not finite.
-    #[error("the exponent of `Power` is {exponent}: it has to be finite and not zero, for example 0.5")]
+    #[error("the exponent of `Power` is {exponent}: it has to be finite and not zero, for example 0.5", exponent = Number(*exponent))]
     Exponent {
         /// The exponent that was asked for.
         exponent: f64,
     },
     /// A run cannot go back to a time before its last step.
-    #[error("the run is at t = {present} and steps away from t = {time}: take steps of `-h` from there")]
+    #[error("the run is at t = {present} and steps away from t = {time}: take steps of `-h` from there", time = Number(*time), present = Number(*present))]
     Passed {
         /// The time that was asked for.
         time: f64,
@@ -258,7 +274,7 @@ pub enum Error {
         present: f64,
     },
     /// The tolerance of an adaptive method is not a positive number.
-    #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9")]
+    #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9", tolerance = Number(*tolerance))]
     Tolerance {
         /// The name of the method.
         method: &'static str,
@@ -321,6 +337,21 @@ pub enum Error {
     },
 }
 
+/// What is wrong with an interval of time between samples, and what to write.
+fn interval_for(interval: f64, h: f64) -> String {
+    match interval.is_finite() {
+        true => format!(
+            "the steps of this run are {} and lead the other way; write `samples_at({})`",
+            Number(h),
+            Number(-interval)
+        ),
+        false => format!(
+            "the interval has to be finite; write one of some steps, such as `samples_at({})`",
+            Number(10.0 * h)
+        ),
+    }
+}
+
 /// The numbers of members, the first ones of many.
 fn numbers_of<T>(members: &[(usize, T)]) -> String {
     let names: Vec<String> = members.iter().take(8).map(|(member, _)| member.to_string()).collect();
@@ -354,8 +385,7 @@ pub enum VectorFault {
     /// It left the finite numbers, though the state did not.
     #[error(
         "leaves the finite numbers in step {step} (to t = {time}): H has no second derivative there, or the vector grew too \
-         fast for its precision. The last step is kept"
-    )]
+         fast for its precision. The last step is kept", time = Number(*time))]
     Lost {
         /// The step that was not taken.
         step: u64,
@@ -391,7 +421,7 @@ pub enum Unsolved {
         update: f64,
     },
     /// The motion comes near a singularity, and the steps of the Taylor method are too short for the clock.
-    #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock")]
+    #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock", time = Number(*time))]
     Singular {
         /// About where.
         time: f64,
@@ -401,8 +431,7 @@ pub enum Unsolved {
     /// The orbit of a Kepler part could not be followed.
     #[error(
         "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \
-         it meets the centre, or time or place have no digits left; a smaller step helps"
-    )]
+         it meets the centre, or time or place have no digits left; a smaller step helps", duration = Number(*duration))]
     Kepler {
         /// Which body, counted from 0.
         body: usize,
@@ -414,14 +443,13 @@ pub enum Unsolved {
     /// A time transformation left its domain.
     #[error(
         "a time transformation needs V < 0 all along the motion, but -V, or T - H(start), which is -V but for the errors \
-         of the steps, is {value}: subtract a constant in `potential`, or take shorter steps where it is far from zero"
-    )]
+         of the steps, is {value}: subtract a constant in `potential`, or take shorter steps where it is far from zero", value = Number(*value))]
     Domain {
         /// The energy that is not positive.
         value: f64,
     },
     /// A pace that is not positive.
-    #[error("the pace by `rate`, or what follows it along the motion, is {value}: it has to be above zero everywhere")]
+    #[error("the pace by `rate`, or what follows it along the motion, is {value}: it has to be above zero everywhere", value = Number(*value))]
     Rate {
         /// The pace.
         value: f64,
@@ -429,8 +457,7 @@ pub enum Unsolved {
     /// A step of a time transformation leapt over an edge of the domain, or is far too long.
     #[error(
         "the step is too long for a time transformation: T - H(start) is {followed}, -V is {value}, and they are equal but for \
-         the errors of the steps; take shorter steps, or subtract a constant in `potential` so that V stays far from zero"
-    )]
+         the errors of the steps; take shorter steps, or subtract a constant in `potential` so that V stays far from zero", followed = Number(*followed), value = Number(*value))]
     EnergiesApart {
         /// `T - H(start)` after a kick.
         followed: f64,
@@ -440,8 +467,7 @@ pub enum Unsolved {
     /// A step by a pace leapt over an edge of the domain, or is far too long.
     #[error(
         "the step is too long for the pace: what follows `rate` along the motion is {followed}, `rate` is {value}, and they \
-         are equal but for the errors of the steps; take shorter steps, or a `rate` that varies less"
-    )]
+         are equal but for the errors of the steps; take shorter steps, or a `rate` that varies less", followed = Number(*followed), value = Number(*value))]
     RatesApart {
         /// What follows the pace, after a kick.
         followed: f64,
@@ -455,7 +481,7 @@ pub enum Unsolved {
 
 /// A number that is made of parameters alone, evaluated once per run, and not finite.
 #[derive(Clone, PartialEq, thiserror::Error)]
-#[error("`{formula}` is {value}{}", self.place())]
+#[error("`{formula}` is {value}{}", self.place(), value = Number(*value))]
 pub struct NotFinite {
     /// How it is made, in the words of `kinetic` and `potential`, without `self`.
     pub formula: &'static str,
@@ -489,8 +515,7 @@ fn listed(constants: &[NotFinite]) -> String {
 #[error(
     "`{function}` is misread: where it gives {stated}, the generated code gives {generated}, and rounding explains a \
      difference of {rounding:.1e} (t = {time}, {}). This is a mistake of `#[hamiltonian]`: please report the function, and \
-     write it in other words until it is mended", self.place()
-)]
+     write it in other words until it is mended", self.place(), stated = Number(*stated), generated = Number(*generated), time = Number(*time))]
 pub struct Misread {
     /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
     pub function: &'static str,
@@ -552,8 +577,9 @@ impl Divergence {
     }
 
     fn text(&self) -> String {
-        let Self { step, time, limit, q, p, .. } = self;
-        let (fault, last, helps) = if limit.is_finite() {
+        let Self { step, q, p, .. } = self;
+        let (time, limit) = (Number(self.time), Number(self.limit));
+        let (fault, last, helps) = if self.limit.is_finite() {
             (format!("has a coordinate beyond ±{limit}, the range of its grid"), "one within it", "coarser grid")
         } else {
             ("is not finite".to_owned(), "finite one", "smaller step")
@@ -592,5 +618,38 @@ impl Lost {
         let (count, numbers, first) = (self.members.len(), numbers_of(&self.members), first_of(&self.members));
         let first = if first.is_empty() { first } else { format!("; {first}") };
         format!("{count} members left the finite numbers ({numbers}); the others went on{first}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// No message has a row of zeros, whatever number it shows.
+    #[test]
+    fn numbers_of_any_size_are_short_and_read_back() {
+        let mut numbers =
+            Vec::from([0.0, 1.0, -0.5, 1e-5, 9.9e-6, 999_999.5, 1e6, f64::MAX, f64::MIN_POSITIVE, 5e-324]);
+        numbers.extend((-320..308).map(|exponent| 1.694573084669179 * 10.0_f64.powi(exponent)));
+        for number in numbers.into_iter().flat_map(|number| [number, -number]) {
+            let text = Number(number).to_string();
+            assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(number.to_bits()), "{text}");
+            assert!(text.len() <= 24 && !text.contains("000000"), "{text}");
+            let errors = [
+                Error::Step { h: number },
+                Error::Time { time: number },
+                Error::Energy { function: "potential", value: number, time: number },
+                Error::Clock { h: number, time: number },
+                Error::Crossing { time: number, value: number },
+                Error::EnergyStrayed { step: 1, time: number, energy: number, before: number, bound: number },
+                Error::Passed { time: number, present: number },
+                Error::Interval { interval: number, h: number },
+            ];
+            let diverged =
+                Divergence { step: 1, time: number, limit: number, coordinate: None, q: Vec::new(), p: Vec::new() };
+            for text in errors.iter().map(Error::to_string).chain([diverged.to_string()]) {
+                assert!(!text.contains("000000"), "{text}");
+            }
+        }
     }
 }

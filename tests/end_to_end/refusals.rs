@@ -55,15 +55,39 @@ fn samples_that_stay_where_they_are() {
         "an interval of 0 between samples would stay at one point for ever: ask for one every 1 or more steps, or after a time"
     );
     assert!(samples.next().is_none());
-    for (interval, error) in [(0.0, Some(Error::SampleInterval)), (f64::NAN, None), (f64::INFINITY, None)] {
-        let mut samples = HenonHeiles.run(start(), 0.1).expect("an admissible start").samples_at(interval);
+    let first = |interval: f64, h: f64| {
+        let mut samples = HenonHeiles.run(start(), h).expect("an admissible start").samples_at(interval);
         let found = samples.next().expect("an error").expect_err("no time between samples");
-        match error {
-            Some(error) => assert_eq!(found, error),
-            None => assert!(matches!(found, Error::Time { time } if time.is_nan()), "{found}"),
-        }
         assert!(samples.next().is_none());
+        found
+    };
+    assert_eq!(first(0.0, 0.1), Error::SampleInterval);
+    for (interval, h, text) in [
+        (
+            f64::NAN,
+            0.1,
+            "samples after every NaN of time: the interval has to be finite; write one of some steps, such as `samples_at(1)`",
+        ),
+        (
+            f64::INFINITY,
+            0.1,
+            "samples after every inf of time: the interval has to be finite; write one of some steps, such as `samples_at(1)`",
+        ),
+        (
+            0.37,
+            -0.1,
+            "samples after every 0.37 of time: the steps of this run are -0.1 and lead the other way; write `samples_at(-0.37)`",
+        ),
+        (
+            -0.37,
+            0.1,
+            "samples after every -0.37 of time: the steps of this run are 0.1 and lead the other way; write `samples_at(0.37)`",
+        ),
+    ] {
+        assert_eq!(first(interval, h).to_string(), text);
     }
+    let mut back = HenonHeiles.run(start(), -0.1).expect("an admissible start").samples_at(-0.37);
+    assert!(back.by_ref().take(5).all(|sample| sample.is_ok()));
 }
 
 #[test]

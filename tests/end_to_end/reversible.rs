@@ -144,7 +144,7 @@ fn grids_that_are_none() {
     assert_eq!(
         refused(0.1, -128.0, GRID),
         format!(
-            "p[0] is -128, but a grid with the spacing {GRID} reaches to ±128 only: choose a coarser grid or smaller units"
+            "p[0] is -128, but a grid with the spacing {GRID:e} reaches to ±128 only: choose a coarser grid or smaller units"
         )
     );
     let start = Phase::reversible([0.0, 0.1], [0.0, 0.0], GRID);
@@ -162,4 +162,27 @@ fn what_runs_on_a_grid_is_certified() {
     let start = Phase::reversible(problem.start.0, problem.start.1, GRID);
     let certificate = certify(&problem.system, Yoshida4, start, 0.01).expect("it is right");
     assert_eq!(certificate.reversibility.to_bits(), 0, "the very bits");
+}
+
+/// Momenta turned around lead back, in steps of the same sign.
+#[test]
+fn turned_around_a_run_returns_to_its_start() {
+    fn turned<K: std::ops::Neg<Output = K>>(state: Phase<[K; 2]>) -> Phase<[K; 2]> {
+        Phase { q: state.q, p: state.p.map(|p| -p) }
+    }
+    let (q, p) = henon_heiles().start;
+    let start = Phase::reversible(q, p, GRID);
+    let mut there = HenonHeiles.run(start, 0.1).expect("a start");
+    there.advance(1_000).expect("in range");
+    let mut back = HenonHeiles.run(turned(there.state()), 0.1).expect("a start");
+    back.advance(1_000).expect("in range");
+    assert_eq!(turned(back.state()), start);
+    let mut carried = HenonHeiles.run(turned(Phase::compensated(q, p)), 0.1).expect("a start");
+    carried.advance(10).expect("finite");
+    // A kick by hand is rounded to the grid and undone to the bit, as those of steps are.
+    let (mut kicked, kick) = (start, 0.1_f64);
+    kicked.p[0] += kick;
+    assert!((f64::from(kicked.p[0]) - (p[0] + kick)).abs() <= GRID);
+    kicked.p[0] -= kick;
+    assert_eq!(kicked, start);
 }

@@ -6,7 +6,7 @@ use crate::{
         smaller_alignment_index, steps_between_samples,
     },
     check::{CheckError, IntoStart, Start},
-    error::Error,
+    error::{Error, Number},
     hamiltonian::{Hamiltonian, Shaped},
     methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -71,7 +71,8 @@ pub struct Indicators {
 
 impl fmt::Display for Indicators {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { mean_megno, exponent, time, .. } = self;
+        let Self { mean_megno, exponent, .. } = self;
+        let time = Number(self.time);
         match self.verdict {
             Verdict::Regular => {
                 write!(f, "regular: the mean MEGNO is {mean_megno:.3} after a time of {time}, below {REGULAR_BELOW}")

@@ -1,6 +1,6 @@
 //! Why a check could not be carried out.
 
-use crate::error::{Error, debug_as_display};
+use crate::error::{Error, Number, debug_as_display};
 
 debug_as_display!(CheckError);
 
@@ -27,8 +27,7 @@ pub enum CheckError {
     /// However short the time, halving the step changes the result by more than a tenth of the motion.
     #[error(
         "no step size down to {finest} follows the motion from this start: it is singular, or the flows do not \
-         belong to one Hamiltonian"
-    )]
+         belong to one Hamiltonian", finest = Number(*finest))]
     NotSmooth {
         /// The finest step size that was tried.
         finest: f64,
@@ -36,8 +35,7 @@ pub enum CheckError {
     /// A condition on the time changes inside of a step.
     #[error(
         "the Hamiltonian changes its formula at t = {time}, inside of a step of {h}, which costs the order: choose a step that \
-         ends there"
-    )]
+         ends there", time = Number(*time), h = Number(*h))]
     EdgeInside {
         /// When.
         time: f64,
@@ -124,8 +122,7 @@ pub enum CheckError {
     /// One step parts deviation vectors by more than numbers have digits.
     #[error(
         "neighbours part by a factor of {factor:.1e} within one step of {step}, more than numbers have digits, so that the smaller \
-         exponents are lost: take a step of {shorter:.2e} or less"
-    )]
+         exponents are lost: take a step of {shorter:.2e} or less", step = Number(*step))]
     LongForExponents {
         /// The step.
         step: f64,
@@ -138,8 +135,7 @@ pub enum CheckError {
     #[error(
         "over a time of {span} the exact motion is known to {uncertainty} of the way it goes, at best: it leads into a \
          singularity, or for too long; shorten the time, or let `#[hamiltonian(taylor)]` write recurrences for a better \
-         reference"
-    )]
+         reference", span = Number(*span), uncertainty = Number(*uncertainty))]
     NoReference {
         /// The time.
         span: f64,

@@ -10,6 +10,7 @@ use crate::{
     },
     state::precision::{Precision, Slot},
 };
+use core::ops::{AddAssign, Neg, SubAssign};
 
 /// A number together with the rounding error that its updates have left behind.
 ///
@@ -28,6 +29,30 @@ pub struct Compensated<F> {
 impl From<Compensated<f64>> for f64 {
     fn from(number: Compensated<f64>) -> Self {
         number.value + number.carried
+    }
+}
+
+/// The opposite number, with the opposite of what it carries.
+impl Neg for Compensated<f64> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { value: -self.value, carried: -self.carried }
+    }
+}
+
+/// Adds an increment as a step does, and carries the rounding error.
+impl AddAssign<f64> for Compensated<f64> {
+    fn add_assign(&mut self, increment: f64) {
+        let [value, carried] = fast_two_sum(self.value, increment + self.carried);
+        *self = Self { value, carried };
+    }
+}
+
+/// Subtracts an increment as a step does, and carries the rounding error.
+impl SubAssign<f64> for Compensated<f64> {
+    fn sub_assign(&mut self, increment: f64) {
+        *self += -increment;
     }
 }
 

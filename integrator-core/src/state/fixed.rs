@@ -11,6 +11,7 @@ use crate::{
     },
     state::precision::{Precision, Slot},
 };
+use core::ops::{AddAssign, Neg, SubAssign};
 
 /// 1.5 · 2^52: a double of this many grid spacings has neighbours one spacing apart, on both sides for 2^51 of them.
 const ANCHOR: f64 = 6_755_399_441_055_744.0;
@@ -46,6 +47,35 @@ impl Fixed<f64> {
     /// The spacing of the grid.
     pub fn spacing(self) -> f64 {
         self.spacing
+    }
+}
+
+/// The same point on the other side of zero.
+impl Neg for Fixed<f64> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+/// Adds an increment as a step does: rounded to the grid.
+impl AddAssign<f64> for Fixed<f64> {
+    fn add_assign(&mut self, increment: f64) {
+        Slot::add(self, increment);
+    }
+}
+
+/// Subtracts an increment as a step does: rounded to the grid.
+impl SubAssign<f64> for Fixed<f64> {
+    fn sub_assign(&mut self, increment: f64) {
+        Slot::add(self, -increment);
+    }
+}
+
+impl From<Fixed<f64>> for f64 {
+    fn from(number: Fixed<f64>) -> Self {
+        number.value
     }
 }
 

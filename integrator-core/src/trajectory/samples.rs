@@ -78,6 +78,11 @@ impl<C: Coords, R: BorrowMut<Run<C>>> SamplesAt<C, R> {
         Self { begin: run.borrow().time(), run, interval, taken: Some(0), shape: PhantomData }
     }
 
+    /// Whether times at this interval are finite and lie where steps of `h` lead.
+    fn leads_along(&self, h: f64) -> bool {
+        self.interval.is_finite() && (self.interval < 0.0) == (h < 0.0)
+    }
+
     /// The run, where the last sample left it.
     pub fn into_run(self) -> R {
         self.run
@@ -89,10 +94,12 @@ impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for SamplesAt<C, R> {
 
     fn next(&mut self) -> Option<Self::Item> {
         let taken = self.taken.take()?;
-        let time = self.begin + taken as f64 * self.interval;
+        let time = if taken == 0 { self.begin } else { self.begin + taken as f64 * self.interval };
+        let leads_along = self.leads_along(self.run.borrow().step());
         let run = self.run.borrow_mut();
         let outcome = match taken {
             _ if self.interval == 0.0 => Err(Error::SampleInterval),
+            0 if !leads_along => Err(Error::Interval { interval: self.interval, h: run.step() }),
             _ if !time.is_finite() => Err(Error::Time { time }),
             0 => run.check_clock(),
             _ => run.advance_to(time),
@@ -111,7 +118,11 @@ impl<C: Coords> Run<C> {
     }
 
     /// An iterator over the states at the present time and then after every `interval` of time, each as
-    /// [`Run::advance_to`] gives it.
+    /// [`Run::advance_to`] gives it. The interval of a run with negative steps is negative.
+    ///
+    /// # Errors
+    /// Items are errors where [`Run::advance_to`] has one; the first one is [`Error::Interval`] for an interval that is not finite or
+    /// leads against the steps.
     pub fn samples_at(self, interval: f64) -> SamplesAt<C> {
         SamplesAt::new(self, interval)
     }
