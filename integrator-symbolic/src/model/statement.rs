@@ -328,7 +328,10 @@ impl Reader<'_> {
         for name in assigned.names {
             if let Some(id) = self.lookup(&name)
                 && !held.iter().any(|(known, _)| *known == id)
-                && !matches!(self.bindings[id.0], Binding { value: Value::View(_), mutable: false, .. })
+                && !matches!(
+                    self.bindings[id.0],
+                    Binding { value: Value::View(_), mutable: false, .. } | Binding { value: Value::Unknown, .. }
+                )
             {
                 held.push((id, std::mem::replace(&mut self.bindings[id.0].value, Value::Accumulating)));
             }

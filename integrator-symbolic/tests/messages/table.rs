@@ -445,6 +445,13 @@ pub(crate) const BODIES: &[Row] = &[
     ),
     ("assert!(q[0] > 0.0); q[0]", &[]),
     ("q[0] = 1.0; q[0]", &["2:0 `q` are coordinates: the functions only read them"]),
+    (
+        "let mut v = [0.0; N]; v[0] = 1.0; for n in 1..N { v[n] = q[0] * v[n - 1]; } v[N - 1]",
+        &[
+            "2:22 how long this array is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
+    ("const N: usize = 3; let mut v = [0.0; N]; v[0] = 1.0; for n in 1..N { v[n] = q[0] * v[n - 1]; } v[N - 1]", &[]),
     // What other languages write.
     ("sqrt(q[0])", &["2:0 there is no function `sqrt` in Rust: write `q[0].sqrt()`"]),
     ("exp(-q[0] * q[0])", &["2:0 there is no function `exp` in Rust: write `(-q[0] * q[0]).exp()`"]),
