@@ -273,6 +273,17 @@ pub enum Error {
         /// The time at the end of the last step.
         present: f64,
     },
+    /// The state of a run that shows a time within a step cannot be changed.
+    #[error(
+        "the run shows t = {time}, within the step from t = {present}: states are changed at the ends of steps. Start a run \
+         from this state, with `at_time({time})`, or change the state by `on_crossing`"
+    )]
+    WithinStep {
+        /// The time that is shown.
+        time: f64,
+        /// The time at the end of the last whole step.
+        present: f64,
+    },
     /// The tolerance of an adaptive method is not a positive number.
     #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9", tolerance = Number(*tolerance))]
     Tolerance {

@@ -260,3 +260,18 @@ fn a_divergence_names_the_coordinate_and_shows_few_numbers() {
     assert!(lost.members.iter().all(|(_, each)| *each == divergence), "{lost}");
     assert_eq!(format!("{:?}", Error::from(lost.clone())), lost.to_string(), "what `main` shows is the sentence");
 }
+
+/// A change between two steps would have been made at the step before, in silence.
+#[test]
+fn states_within_a_step_are_not_changed() {
+    let start = Phase::new([1.0, 0.5], [0.0, 0.2]);
+    let mut run = Driven.run_with(Verlet, start, 0.125).expect("a good start");
+    run.advance_to(1.0).expect("bounded");
+    run.map_state(|state| state.p[1] *= 1.5).expect("the end of a step");
+    run.advance_to(1.1).expect("bounded");
+    let shown = run.state();
+    assert_eq!(run.map_state(|state| state.p[1] *= 1.5), Err(Error::WithinStep { time: 1.1, present: 1.0 }));
+    assert_eq!((run.state(), run.time()), (shown, 1.1));
+    run.advance(1).expect("bounded");
+    run.map_state(|state| state.p[1] *= 1.5).expect("the end of a step");
+}

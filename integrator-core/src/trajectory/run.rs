@@ -490,11 +490,13 @@ impl<C: Coords> Run<C> {
     }
 
     /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
-    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on. After [`Run::advance_to`], this is the
-    /// state at the end of the last whole step.
+    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
     ///
-    /// From there, the run has the bits of a new one that starts from this state [at this time](Run::at_time). A
+    /// From there, the run has the bits of a new one that starts from the changed state [at this time](Run::at_time). In
+    /// Jacobi coordinates, [`Run::state`] may differ from the changed state by roundings, as at a start. A
     /// [watch](Run::watch_energy) goes on with the energy of this state.
+    ///
+    /// [`Run::on_crossing`] changes states within steps.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -517,8 +519,12 @@ impl<C: Coords> Run<C> {
     ///
     /// # Errors
     /// What a run from the new state would be refused for, such as [`Error::Start`] where it is not finite, and
-    /// [`Error::Resized`] if it has another number of coordinates; the run stays as it was.
+    /// [`Error::Resized`] if it has another number of coordinates; [`Error::WithinStep`] after [`Run::advance_to`] a time that
+    /// is not the end of a step. The run stays as it was.
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
+        if let Some((time, _)) = self.between {
+            return Err(Error::WithinStep { time, present: self.time_at_step() });
+        }
         let mut state = self.state_at_step();
         change(&mut state, self.clock.h, map)?;
         let time = self.time_at_step();
