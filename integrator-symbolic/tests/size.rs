@@ -298,6 +298,6 @@ fn orders_are_unrolled_while_they_are_short() {
         unrolled += usize::from(is_unrolled);
         longest = longest.max(products);
     }
-    assert!(unrolled > 3 && unrolled < systems.len() - 3, "{unrolled} of {}", systems.len());
-    assert!(longest > 1_000, "{longest}");
+    assert!(unrolled > 1 && unrolled < systems.len() - 1, "{unrolled} of {}", systems.len());
+    assert!(longest > 500, "{longest}");
 }
