@@ -52,9 +52,10 @@ const EMIT: MayKnow = (
     "integrator-symbolic/src/emit",
     &[
         ("fingerprint", &[]),
+        ("read_by_methods", &[]),
         ("prose", &[]),
         ("printer", &[]),
-        ("flow", &["printer", "prose"]),
+        ("flow", &["printer", "prose", "read_by_methods"]),
         ("taylor", &["printer"]),
     ],
 );

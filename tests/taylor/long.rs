@@ -32,11 +32,11 @@ impl Bar {
 
 #[test]
 fn a_long_potential_moves_as_compositions_do() {
-    assert!(const { <Bar as Recurrences>::ROLLED });
+    const { assert!(<Bar as Recurrences>::ROLLED) };
     // The bar is so long that the motion stays within it: forces are smooth.
     let bar = Bar { speed: 0.7, length: 20.0 };
     let start = Phase::new([0.5, 0.1], [0.1, 0.6]);
-    let mut run = bar.run_with(Taylor::tolerance(FINE), start.clone(), 0.25).expect("a start");
+    let mut run = bar.run_with(Taylor::tolerance(FINE), start, 0.25).expect("a start");
     let mut reference = bar.run_with(KahanLi8, start, 1.0 / 512.0).expect("a start");
     run.advance(16).expect("a regular motion");
     reference.advance(2048).expect("a regular motion");

@@ -74,11 +74,11 @@ fn whole_exponents_are_those_of_products() {
     for n in 0..8 {
         for h in [0.125, -0.125] {
             let start = Phase::new([0.0], [0.8]);
-            let mut whole = Whole { n }.run_with(Taylor::tolerance(FINE), start.clone(), h).expect("a start");
+            let mut whole = Whole { n }.run_with(Taylor::tolerance(FINE), start, h).expect("a start");
             let mut any = Any { x: n.into() }.run_with(Taylor::tolerance(FINE), start, h).expect("a start");
             let expected = by_products(n, 8.0 * h);
             whole.advance(8).unwrap_or_else(|error| panic!("q^{n}: {error}"));
-            assert_eq!(any.advance(8).map(|()| any.state().clone()), Ok(whole.state().clone()), "q^{n}");
+            assert_eq!(any.advance(8).map(|()| any.state()), Ok(whole.state()), "q^{n}");
             for (found, expected) in [whole.state().q[0], whole.state().p[0]].into_iter().zip(expected) {
                 // Truncation of the reference, and 4,096 roundings of numbers below one.
                 assert!((found - expected).abs() < 1e-12, "q^{n}, h = {h}: {found} and {expected}");

@@ -78,7 +78,7 @@ mod tests {
                 assert_eq!(span(first, end), (first..end).count(), "{first}..{end}");
                 assert_eq!(span_through(&first, &end), (first..=end).count(), "{first}..={end}");
                 assert_eq!(bound(end), (0..end).count(), "0..{end}");
-                assert_eq!(bound_through(&end), (0..=end).count(), "0..={end}");
+                assert_eq!(bound_through(end), (0..=end).count(), "0..={end}");
             }
         }
         assert_eq!(span(-2, 3_u8), 5);

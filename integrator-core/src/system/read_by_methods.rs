@@ -85,7 +85,7 @@ impl<T: ?Sized> Unknown for Field<'_, T> {
 #[cfg(all(test, feature = "std"))]
 mod tests {
     use super::*;
-    use alloc::{borrow::ToOwned, boxed::Box, string::String, sync::Arc, vec, vec::Vec};
+    use alloc::{borrow::ToOwned, boxed::Box, string::String, sync::Arc, vec};
     use std::collections::{BTreeMap, HashMap, VecDeque};
 
     /// The fingerprint of the value of a field, or its name where there is none.
