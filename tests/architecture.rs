@@ -52,9 +52,9 @@ const EMIT: MayKnow = (
     "integrator-symbolic/src/emit",
     &[
         ("fingerprint", &[]),
-        ("read_by_methods", &[]),
         ("prose", &[]),
         ("printer", &[]),
+        ("read_by_methods", &["printer"]),
         ("flow", &["printer", "prose", "read_by_methods"]),
         ("taylor", &["printer"]),
     ],

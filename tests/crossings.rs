@@ -308,7 +308,8 @@ fn an_action_may_leave_the_state_on_either_side() {
     let rotor = || Pendulum.run_with(KahanLi8, Phase::new([0.3], [2.5]), 0.25).expect("a start");
     let sine = |state: &Phase<[f64; 1]>, _: f64| state.q[0].sin();
     let undisturbed = all(rotor().crossings(2_000, Direction::Either, sine));
-    let actions: [(&str, fn(&mut Phase<[f64; 1]>)); 4] = [
+    type Action = fn(&mut Phase<[f64; 1]>);
+    let actions: [(&str, Action); 4] = [
         ("nothing", |_| {}),
         ("wrapped", |state| state.q[0] = state.q[0].rem_euclid(std::f64::consts::TAU)),
         ("back", |state| state.q[0] -= 4e-16 * state.q[0].abs().max(1.0)),
