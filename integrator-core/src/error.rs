@@ -439,6 +439,24 @@ pub enum Unsolved {
         /// The length of the last step.
         reach: f64,
     },
+    /// The crossings of the edges of a formula could not be told apart, at which the steps of the Taylor method have to end.
+    #[error(
+        "after t = {time}, the conditions of the Hamiltonian change too often for steps of the Taylor method, or cannot be \
+         bounded: use a composition, or write the condition without functions that are singular there"
+    )]
+    Edges {
+        /// The time of the last step's beginning.
+        time: f64,
+    },
+    /// The force jumps at an edge, so that the deviation vectors of a motion across it are unknown.
+    #[error(
+        "at t = {time} the motion crosses an edge at which the force jumps: neighbouring orbits cross it at different \
+         times, which the derivative of a step does not contain; make the force continuous there"
+    )]
+    Jump {
+        /// The time of the crossing.
+        time: f64,
+    },
     /// The orbit of a Kepler part could not be followed.
     #[error(
         "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \

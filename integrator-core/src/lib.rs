@@ -210,6 +210,7 @@ pub mod __private {
         methods::pace::{NODES, PlainMotion, Rated, TimeTransformed},
         methods::taylor::{
             Recurrences, RecurrencesVisitor,
+            edges::{Level, Watch},
             inverse_mass::InverseMass,
             iterations::{Iterations, Target, splat},
             line::{Bundle, Ends, Few, Line},

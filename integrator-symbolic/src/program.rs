@@ -40,6 +40,19 @@ pub(crate) enum Sink {
     SecondDerivative(Element, Element),
     /// It is what the function returns.
     Return,
+    /// It is shown to what watches the edges of the formula.
+    Watch(Watched),
+}
+
+/// What a value tells of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Watched {
+    /// It is a comparison, which is shown where it is computed.
+    Side,
+    /// It is the argument of the function of this name, which returns whole numbers.
+    Level(&'static str),
+    /// It is the radicand of a root.
+    Root,
 }
 
 /// A store: a value, its destination, and the scopes around it, outermost first.

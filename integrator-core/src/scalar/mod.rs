@@ -11,6 +11,7 @@ pub(crate) mod exact;
 pub(crate) mod fma;
 pub(crate) mod functions;
 pub(crate) mod instruction_set;
+pub(crate) mod interval;
 pub(crate) mod real;
 pub(crate) mod simd;
 #[cfg(feature = "check")]

@@ -13,9 +13,9 @@ mod taylor;
 
 use crate::{
     differentiate::{Contribution, gradient},
-    graph::Part,
+    graph::{NodeId, Part},
     model::{Length, Model},
-    pattern::recognise,
+    pattern::{Pattern, recognise},
     scheme::{Class, InPlace},
     syntax::{Compose, Gpu, Input},
 };
@@ -37,7 +37,10 @@ pub(crate) use prose::{equations, parts, ranges};
 use quote::{quote, quote_spanned};
 use read_by_methods::ReadByMethods;
 use syn::spanned::Spanned;
-use taylor::orders::{Orders, orders};
+use taylor::{
+    edges,
+    orders::{Orders, orders},
+};
 
 /// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
@@ -101,9 +104,15 @@ fn refusal_of_pairs(sequence: &InPlace) -> Option<String> {
 
 /// The gradient of H by the momenta and by the positions.
 pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
-    let by = [(Part::Momentum, model.kinetic), (Part::Position, model.potential)];
+    let energies = [model.kinetic, model.potential];
+    gradients_of(model, energies)
+}
+
+/// The same of an H with these energies.
+fn gradients_of(model: &mut Model, [kinetic, potential]: [NodeId; 2]) -> [Vec<Contribution>; 2] {
+    let by = [(Part::Momentum, kinetic), (Part::Position, potential)];
     let is_separable = model.is_separable();
-    let whole = model.graph.add(model.kinetic, model.potential);
+    let whole = model.graph.add(kinetic, potential);
     by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
 }
 
@@ -162,7 +171,7 @@ struct Stepper<'i> {
 
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> Self {
-        let energies = [model.kinetic, model.potential];
+        let stated_energies = [model.kinetic, model.potential];
         model.choose_in_the_middle();
         let [kinetic, potential] = gradients(&mut model);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
@@ -183,13 +192,10 @@ impl<'i> Stepper<'i> {
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
         let has_field = !emitter.model.is_separable() || emitter.model.jacobi.is_some();
         let field = has_field.then(|| field::function(&mut emitter));
-        let energies = ["kinetic", "potential"].into_iter().zip(energies);
+        let energies = ["kinetic", "potential"].into_iter().zip(stated_energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
         let invariants = invariants::items(&flows, &mut emitter);
-        let taylor = input.taylor.map(|_| {
-            let Emitter { model, names, fields } = &mut emitter;
-            orders(model, fields, names, kinetic.clone(), potential.clone(), &pattern)
-        });
+        let taylor = input.taylor.map(|_| series(&mut emitter, stated_energies, [&kinetic, &potential], &pattern));
         let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
         let transformed =
             is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
@@ -340,6 +346,27 @@ impl<'i> Stepper<'i> {
             #visit_recurrences
         }
     }
+}
+
+/// The recurrences of the motion, whose flows follow from these gradients. Steps of the Taylor method end where a condition
+/// on the time changes, so that recurrences read the time there and not the middle of a step.
+fn series(
+    emitter: &mut Emitter<'_>,
+    energies: [NodeId; 2],
+    [kinetic, potential]: [&Vec<Contribution>; 2],
+    pattern: &Pattern,
+) -> Orders {
+    let is_piecewise = energies != [emitter.model.kinetic, emitter.model.potential];
+    let [kinetic, potential] = match is_piecewise {
+        true => gradients_of(emitter.model, energies),
+        false => [kinetic, potential].map(Clone::clone),
+    };
+    let edges = edges::items(emitter, [&kinetic, &potential]);
+    let stencil = pattern.stencil_of_potential().filter(|_| !is_piecewise);
+    let Emitter { model, names, fields } = emitter;
+    let mut orders = orders(model, fields, names, kinetic, potential, stencil);
+    orders.items.extend(edges);
+    orders
 }
 
 /// The names of parts, and that these are no `T` and `V`.

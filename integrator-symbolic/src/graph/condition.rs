@@ -4,6 +4,7 @@ use super::{
     Comparison, Graph, Node, NodeId, ParameterId, Scope,
     index::{Index, IndexId, Loop, LoopId},
 };
+use std::collections::HashSet;
 
 impl Graph {
     /// A condition that always holds, or never.
@@ -50,6 +51,28 @@ impl Graph {
     /// A condition of parameters alone.
     pub(crate) fn flag(&mut self, id: ParameterId) -> NodeId {
         self.intern(Node::Flag(id))
+    }
+
+    /// Whether a value changes continuously along a motion: it reads coordinates or the time, and not by conditions alone.
+    pub(crate) fn moves(&self, id: NodeId) -> bool {
+        let mut seen = HashSet::new();
+        let mut open = vec![id];
+        while let Some(id) = open.pop() {
+            let node = self.node(id);
+            if self.is_prepared(id) || node.is_condition() || !seen.insert(id) {
+                continue;
+            }
+            if node.is_read() {
+                return true;
+            }
+            open.extend(node.children());
+        }
+        false
+    }
+
+    /// Whether a comparison may change along a motion.
+    pub(crate) fn is_edge_of_motion(&self, id: NodeId) -> bool {
+        matches!(self.node(id), Node::Compare(_, a, b) if self.moves(a) || self.moves(b))
     }
 
     /// exact: !!c == c

@@ -200,8 +200,6 @@ impl<'s> Needs<'s> {
         }
         match node {
             Node::Coordinate(element) => self.reads.push((id, element)),
-            // What iterations have in common is the same at all orders, which the middle of the step is not.
-            Node::Middle => return None,
             Node::Neg(_) => return self.parts(id),
             _ if graph.is_prepared(id) && node.is_condition() => self.predicates.push(id),
             _ if graph.is_prepared(id) && graph.loops_of(id).is_empty() => self.invariants.push(id),

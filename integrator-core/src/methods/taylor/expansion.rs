@@ -6,10 +6,11 @@
 use super::{
     Recurrences, Taylor,
     half::{Half, LaneNorms},
+    limit::limit,
     segment::{Progress, Segment, digits},
     series::HIGHEST,
     states::To,
-    step_size::{step_size, too_short},
+    step_size::{step_size, step_within_radius, too_short},
     table::{FEW, Layout, SmallTable, are_always_few},
     time::Time,
 };
@@ -35,31 +36,40 @@ pub struct Constants<P> {
     pub(super) parameters: Arc<P>,
     pub(super) method: Taylor,
     pub(super) interleaved: bool,
+    /// Whether the formula of the Hamiltonian changes at edges.
+    pub(super) has_edges: bool,
 }
 
 /// The polynomials of the members and the members' progress on them.
-pub struct Expansion<R: Real, C: Coords, P, T> {
-    method: Taylor,
+pub struct Expansion<R: Real, C: Coords, P: Prepared<R>, T> {
+    pub(super) method: Taylor,
     parameters: P,
-    layout: Layout,
-    q: Half<R, C>,
-    p: Half<R, C>,
+    /// The parameters of each member, where they are needed to find edges.
+    pub(super) of_members: Vec<Arc<P::Single>>,
+    pub(super) layout: Layout,
+    pub(super) q: Half<R, C>,
+    pub(super) p: Half<R, C>,
     tape: T,
+    /// The derivatives of positions and momenta in front of the edge at which the last step ended, and their size, where the
+    /// motion has deviation vectors.
+    pub(super) rates: Vec<[f64; 2]>,
     /// The segments of the members, of which there may be fewer.
-    segments: [Segment; WIDEST],
+    pub(super) segments: [Segment; WIDEST],
 }
 
-impl<R: Real, C: Coords, P: Clone, T: Default> Clone for Expansion<R, C, P, T> {
+impl<R: Real, C: Coords, P: Prepared<R>, T: Default> Clone for Expansion<R, C, P, T> {
     /// A tape is written before it is read, and most copies are read once: their tapes are empty.
     fn clone(&self) -> Self {
         let Self { method, layout, .. } = *self;
         Self {
             method,
             parameters: self.parameters.clone(),
+            of_members: self.of_members.clone(),
             layout,
             q: self.q.clone(),
             p: self.p.clone(),
             tape: T::default(),
+            rates: self.rates.clone(),
             segments: self.segments.clone(),
         }
     }
@@ -75,17 +85,22 @@ where
 {
     fn load(constants: &[&Constants<Q>], states: &[&Phase<C>]) -> Self {
         let layout = Layout::of::<C>(states[0].q.length(), constants[0].interleaved);
-        let mut parameters = Vec::with_capacity(constants.len());
+        let (mut parameters, mut of_members) = (Vec::with_capacity(constants.len()), Vec::new());
         for constants in constants {
             parameters.push(&*constants.parameters);
+            if constants.has_edges {
+                of_members.push(constants.parameters.clone());
+            }
         }
         Self {
             method: constants[0].method,
             parameters: P::gather(&parameters),
+            of_members,
             layout,
             q: Half::at(layout, &|lane, coordinate| states[lane].q.flat()[coordinate]),
             p: Half::at(layout, &|lane, coordinate| states[lane].p.flat()[coordinate]),
             tape: T::default(),
+            rates: Vec::new(),
             segments: Default::default(),
         }
     }
@@ -101,23 +116,29 @@ where
             let (_, motion, lane) = of_lane(lane);
             (half(motion), lane)
         };
-        let mut parameters = Vec::with_capacity(R::LANES);
+        let (mut parameters, mut of_members) = (Vec::with_capacity(R::LANES), Vec::new());
         for lane in 0..R::LANES {
-            parameters.push(&*of_lane(lane).0.parameters);
+            let constants = of_lane(lane).0;
+            parameters.push(&*constants.parameters);
+            if constants.has_edges {
+                of_members.push(constants.parameters.clone());
+            }
         }
         let mut segments: [Segment; WIDEST] = Default::default();
         for (lane, segment) in segments.iter_mut().enumerate().take(R::LANES) {
             let (_, motion, lane) = of_lane(lane);
             // The expansion at the same origin gives the same polynomial.
-            *segment = Segment { step: None, ..motion.segments[lane].clone() };
+            *segment = Segment { step: None, free: 0.0, ..motion.segments[lane].clone() };
         }
         Some(Self {
             method: constants.method,
             parameters: P::gather(&parameters),
+            of_members,
             layout,
             q: Half::gathered(layout, |lane| half(lane, |motion| &motion.q)),
             p: Half::gathered(layout, |lane| half(lane, |motion| &motion.p)),
             tape: T::default(),
+            rates: Vec::new(),
             segments,
         })
     }
@@ -132,6 +153,7 @@ where
         // The tape is written before it is read.
         self.q.copy(&from.q);
         self.p.copy(&from.p);
+        self.rates.clone_from(&from.rates);
         self.segments[..R::MEMBERS].clone_from_slice(&from.segments[..R::MEMBERS]);
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
@@ -165,7 +187,7 @@ fn advance<H: Recurrences, R: Real, K: Precision>(
     _threads: Option<usize>,
 ) {
     for expansion in expansions {
-        advance_by::<H, R, K>(expansion, clock, steps);
+        advance_to::<H, R, K>(expansion, clock, Time::of(clock.steps + steps, clock.h));
     }
 }
 
@@ -181,21 +203,7 @@ fn within<H: Recurrences, R: Real, K: Precision>(
     if end.since(expansion.segments[0].origin) * clock.h <= 0.0 {
         expansion.copy_state(begin);
     }
-    expansion.begin_step::<H>(clock);
     advance_to::<H, R, K>(expansion, clock, end);
-}
-
-/// Advances the motion by so many steps. No polynomial crosses an edge in time: where there are edges, each step begins
-/// with new ones.
-fn advance_by<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, clock: Clock, steps: u64) {
-    if const { !H::PIECEWISE_IN_TIME } {
-        return advance_to::<H, R, K>(expansion, clock, Time::of(clock.steps + steps, clock.h));
-    }
-    for step in clock.steps..clock.steps + steps {
-        let clock = Clock { steps: step, ..clock };
-        expansion.begin_step::<H>(clock);
-        advance_to::<H, R, K>(expansion, clock, Time::of(step + 1, clock.h));
-    }
 }
 
 /// Advances the motion to `end`: compiled once for steps and for dense output.
@@ -205,33 +213,12 @@ fn advance_to<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
-    /// Conditions on the time are read in the middle of the step that begins at the clock.
-    fn begin_step<H: Hamiltonian>(&mut self, clock: Clock) {
-        if const { H::PIECEWISE_IN_TIME } {
-            self.parameters.begin_step(clock.at(clock.steps) + clock.h / 2.0);
-        }
-    }
-
     /// Evaluates the polynomials of both halves, by one text.
     #[inline(always)]
     fn evaluate(&mut self, layout: Layout, t: R, to: To<R>) {
         let order = self.method.order();
         for half in [&mut self.q, &mut self.p] {
             half.evaluate(layout, order, t, to);
-        }
-    }
-
-    /// Ends the segments of these lanes at `t` from their origins, in units of time: the next ones begin there, after these
-    /// durations.
-    #[inline(always)]
-    fn end(&mut self, layout: Layout, t: R, durations: &[f64; WIDEST], lanes: &[f64; WIDEST], end: Time) {
-        self.evaluate(layout, t, To::Origin { lanes: R::parameter(&|lane| lanes[lane]) });
-        for (lane, (segment, _)) in
-            self.segments.iter_mut().zip(lanes).enumerate().filter(|(_, (_, ends))| **ends > 0.0)
-        {
-            let mut steps = segment.steps;
-            steps.take(durations[lane]);
-            *segment = Segment { origin: end, steps, exponent: segment.exponent, ..Segment::default() };
         }
     }
 }
@@ -257,26 +244,34 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
                 let mut tries = [0; WIDEST];
                 loop {
                     expand::<H, R, K>(expansion, layout, [t0, h]);
-                    if choose_steps(expansion, layout, h, &mut tries, &mut steps) {
+                    if choose_steps(expansion, layout, h, H::HAS_EDGES, &mut tries, &mut steps) {
                         break;
                     }
+                }
+                if const { H::HAS_EDGES } {
+                    expansion.compare_rates(layout, [t0, h]);
                 }
             } else {
                 for (step, segment) in steps.iter_mut().zip(&expansion.segments[..R::MEMBERS]) {
                     *step = segment.step.unwrap_or(0.0);
                 }
             }
+            if const { H::HAS_EDGES } {
+                for (member, step) in steps.iter_mut().enumerate().take(R::MEMBERS) {
+                    *step = limit::<H, R, K>(expansion, member, self.clock, end);
+                }
+            }
             // Each member's duration on its polynomial, and whether this ends at the next origin.
-            let (mut durations, mut t, mut restarts) = ([0.0; WIDEST], [0.0; WIDEST], [0.0; WIDEST]);
-            let (mut restart, mut arrive, mut arrives) = (false, false, [0.0; WIDEST]);
+            let (mut units, mut t, mut restarts) = ([1.0; WIDEST], [0.0; WIDEST], [0.0; WIDEST]);
+            let (mut restart, mut arrive) = (false, false);
             for lane in 0..R::MEMBERS {
                 let unit = expansion.segments[lane].unit::<R>(h);
-                match expansion.segments[lane].proceed(steps[lane], end, t0) {
-                    Progress::Arrives(duration) => (durations[lane], arrives[lane], arrive) = (duration, 1.0, true),
-                    Progress::NextSegment(step) => (durations[lane], restarts[lane], restart) = (step, 1.0, true),
+                match expansion.segments[lane].proceed(steps[lane], end, t0, H::HAS_EDGES) {
+                    Progress::Arrives(duration) => (t[lane], arrive) = (duration / unit, true),
+                    Progress::NextSegment(step) => (t[lane], restarts[lane], restart) = (step / unit, 1.0, true),
                     Progress::Stopped => {}
                 }
-                t[lane] = durations[lane] / unit;
+                units[lane] = unit;
             }
             let to = if restart {
                 To::Origin { lanes: R::parameter(&|lane| restarts[lane]) }
@@ -285,12 +280,12 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
             } else {
                 return;
             };
+            if const { H::HAS_EDGES } && restart {
+                expansion.keep_rates(layout, t[0], units[0]);
+            }
             let t = R::parameter(&|lane| t[lane]);
             expansion.evaluate(layout, t, to);
             if let To::Current = to {
-                if const { H::PIECEWISE_IN_TIME } {
-                    expansion.end(layout, t, &durations, &arrives, end);
-                }
                 return;
             }
         }
@@ -303,10 +298,11 @@ const MOST_TRIES: u8 = 8;
 /// Chooses the steps of the new polynomials, and stores those of all lanes in `steps`. Returns false if some have to be
 /// expanded again, in a unit of time nearer to their step.
 #[inline(always)]
-fn choose_steps<R: Real, C: Coords, P, T>(
+fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
     expansion: &mut Expansion<R, C, P, T>,
     layout: Layout,
     h: f64,
+    has_edges: bool,
     tries: &mut [u8; WIDEST],
     steps: &mut [f64; WIDEST],
 ) -> bool {
@@ -327,7 +323,10 @@ fn choose_steps<R: Real, C: Coords, P, T>(
                 *norms = all.lane(lane);
             }
             let norm = |group: usize, m: usize| halves[group / groups].norm(layout, group % groups, m).lane(lane);
-            let step = step_size(order, tolerance, &norms[..2 * groups], norm);
+            let mut step = step_size(order, tolerance, &norms[..2 * groups], norm);
+            if has_edges {
+                step = step.min(step_within_radius(order, tolerance, step, 2 * groups, norm));
+            }
             let unit = segment.unit::<R>(h);
             let [near, _] = digits::<R>();
             match too_short(step, near, order, 2 * groups, norm) {

@@ -207,6 +207,11 @@ impl<R: Real, C: Coords> Half<R, C> {
         leaf::<R, C::Leaf>(&self.few.current, &self.vectors.current, lane, index)
     }
 
+    /// A coefficient of the coordinate at an index, in a lane.
+    pub(super) fn coefficient(&self, layout: Layout, order: usize, index: usize, lane: usize) -> f64 {
+        self.table.order(layout, order)[index].lane(lane)
+    }
+
     /// Whether all coordinates are finite.
     pub(super) fn finite(&self) -> bool {
         self.few.current.iter().all(|slot| slot.value().finite())

@@ -101,7 +101,7 @@ impl<H: Recurrences> Method<H> for Taylor {
     type Motion<R: Real, K: Precision> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-        Arc::new(Constants { parameters, method: self, interleaved: H::INTERLEAVED })
+        Arc::new(Constants { parameters, method: self, interleaved: H::INTERLEAVED, has_edges: H::HAS_EDGES })
     }
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
         step_functions::<H, R, K>()

@@ -10,10 +10,9 @@
 //! takes 6 to 9 s and 0.4 to 0.7 MB, since there is code for lanes of each instruction set. Checks of errors
 //! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
 //!
-//! A polynomial follows the branch that its beginning is in. Where sides of an `if` or of `abs` do not meet smoothly, a
-//! step across is as wrong as the kink is sharp, and the choice of the step does not notice. Where conditions on the
-//! time alone decide, polynomials end with each step of the run, so that none leads across an edge that lies where a
-//! step ends.
+//! A polynomial follows the branch that its beginning is in. So a step ends where the motion crosses an edge: where a
+//! condition of an `if`, `max`, `clamp` or `abs` changes, on coordinates or on the time, where `floor` jumps, or where the
+//! root of a sum of squares is zero. The next step begins on the other side.
 //!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.
@@ -42,15 +41,18 @@
 //! ```
 
 mod access_pattern;
+pub(crate) mod edges;
 mod expansion;
 mod half;
 #[cfg(feature = "std")]
 mod in_lanes;
 pub(crate) mod inverse_mass;
 pub(crate) mod iterations;
+mod limit;
 pub(crate) mod line;
 mod logarithm;
 mod method;
+mod rates;
 mod recurrences;
 mod scatter_add;
 mod schedule;

@@ -1,6 +1,6 @@
 //! The interface of generated recurrences.
 
-use super::table::Coefficients;
+use super::{edges::Watch, table::Coefficients};
 use crate::{hamiltonian::Hamiltonian, scalar::real::Real};
 
 /// A Hamiltonian with recurrences for the Taylor coefficients of its motion. Written by `#[hamiltonian(taylor)]`.
@@ -36,4 +36,19 @@ pub trait Recurrences: Hamiltonian {
         order: usize,
         time: R,
     );
+
+    /// Whether the formula changes at edges, where a step has to end.
+    const HAS_EDGES: bool = false;
+
+    /// Shows `watch` the conditions of the Hamiltonian at a state, whose coordinates are the coefficients of order 0, and
+    /// evaluates what depends on them on the sides that `watch` answers with.
+    fn edges<R: Real>(
+        _parameters: &Self::Parameters<R>,
+        _length: usize,
+        _q: &Coefficients<'_, R>,
+        _p: &Coefficients<'_, R>,
+        _time: R,
+        _watch: &mut dyn Watch<R>,
+    ) {
+    }
 }

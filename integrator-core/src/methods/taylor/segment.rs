@@ -20,6 +20,10 @@ pub(super) struct Segment {
     pub(super) exponent: Option<i32>,
     /// The step that the tolerance allows, with the sign of the run's; `None` before the polynomial is expanded.
     pub(super) step: Option<f64>,
+    /// The duration up to which the polynomial crosses no edge.
+    pub(super) free: f64,
+    /// Whether the step ends at an edge of the state, and not of the time alone.
+    pub(super) ends_at_edge: bool,
     /// The fault that keeps the motion from going on.
     pub(super) unsolved: Option<Unsolved>,
     /// The steps of the member so far.
@@ -58,9 +62,10 @@ impl Segment {
         power_of_two(self.exponent.unwrap_or_else(|| exponent(h.abs())).clamp(-most, most))
     }
 
-    /// Proceeds towards `end` on this polynomial, or to the next segment, by a clock that started at `t0`.
+    /// Proceeds towards `end` on this polynomial, or to the next segment, by a clock that started at `t0`. At edges, steps may
+    /// be too short for the nearest number of the clock, though not for its two numbers.
     #[inline(always)]
-    pub(super) fn proceed(&mut self, step: f64, end: Time, t0: f64) -> Progress {
+    pub(super) fn proceed(&mut self, step: f64, end: Time, t0: f64, has_edges: bool) -> Progress {
         if self.unsolved.is_some() {
             return Progress::Stopped;
         }
@@ -69,12 +74,14 @@ impl Segment {
             return Progress::Arrives(ahead);
         }
         let (origin, time) = (self.origin.after(step), t0 + self.origin.nearest());
-        if t0 + origin.nearest() == time || !step.is_finite() {
+        let is_still = if has_edges { origin == self.origin } else { t0 + origin.nearest() == time };
+        if is_still || !step.is_finite() {
             // The step is too short to change the time, or not finite.
             self.unsolved = Some(Unsolved::Singular { time, reach: step });
             return Progress::Stopped;
         }
-        (self.origin, self.step, self.exponent) = (origin, None, Some(exponent(step.abs())));
+        (self.origin, self.step, self.free) = (origin, None, 0.0);
+        self.exponent = Some(exponent(step.abs()));
         self.steps.take(step);
         Progress::NextSegment(step)
     }

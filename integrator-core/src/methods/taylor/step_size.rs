@@ -75,6 +75,33 @@ fn logarithms(order: usize, norm: &impl Fn(usize) -> f64) -> [Logarithm; COEFFIC
     norms
 }
 
+/// The logarithm of a step within the radius of convergence that the orders from one half of the highest on show, but for the
+/// last ones; that of infinity unless it is less than half of the step that these allow.
+///
+/// Next to an edge at which the first derivatives of the force vanish, a series has large coefficients at some orders, whose
+/// multiples it repeats, and small ones between them.
+pub(super) fn step_within_radius(
+    order: usize,
+    tolerance: f64,
+    step: Logarithm,
+    groups: usize,
+    norm: impl Fn(usize, usize) -> f64,
+) -> Logarithm {
+    let accuracy = Logarithm::of(tolerance).root(order);
+    let mut least = Logarithm::OF_INFINITY;
+    for group in 0..groups {
+        let [value, slope] = [0, 1].map(|m| Logarithm::of(norm(group, m)));
+        for m in order / 2..order - 1 {
+            let coefficient = Logarithm::of(norm(group, m));
+            if coefficient != Logarithm::OF_ZERO && value.max(slope) != Logarithm::OF_ZERO {
+                let scale = value.max(slope + (slope - coefficient).root(m - 1));
+                least = least.min((scale - coefficient).root(m) + accuracy);
+            }
+        }
+    }
+    if least < step - Logarithm::of(2.0) { least } else { Logarithm::OF_INFINITY }
+}
+
 /// The exponent of a power of two by which the unit of time is too short, if it is more than `near` binary digits from this
 /// step, so that high coefficients may overflow or underflow.
 #[inline(always)]
@@ -213,5 +240,19 @@ mod tests {
         assert_eq!(too_short(logarithm(20, 1e-13, line), 20, 20, 1, |_, m| line(m)), None);
         let singular = |m: usize| if m == 0 { 1.0 } else { f64::INFINITY };
         assert_eq!(too_short(logarithm(20, 1e-13, singular), 20, 20, 1, |_, m| singular(m)), None);
+    }
+
+    #[test]
+    fn a_series_with_large_coefficients_at_few_orders_is_cut_within_its_radius() {
+        // A wall of the power 8, entered at 1e-17 from its edge: the orders 8 and 16 are large, the last ones small.
+        let norm = |_: usize, m: usize| match m {
+            0 => 1.0,
+            m if m % 8 == 0 => 2e4_f64.powi(m as i32 / 8),
+            _ => 1e-30,
+        };
+        let step = super::Logarithm::of(0.9);
+        let found = super::step_within_radius(22, 1e-15, step, 1, norm).number();
+        let radius = 2e4_f64.powf(-1.0 / 8.0);
+        assert!(found < 0.5 * radius && found > 0.1 * radius, "{found} within {radius}");
     }
 }

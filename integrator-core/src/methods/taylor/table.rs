@@ -112,6 +112,14 @@ impl Layout {
         let nearest = |number: i64, count: usize| (number.max(0) as usize).min(count.saturating_sub(1));
         self.index(nearest(point, self.length), nearest(component, self.components))
     }
+    /// The number of coordinates.
+    pub(super) fn coordinates(self) -> usize {
+        self.length * self.components
+    }
+    /// Values of all coordinates in the order of an order slice.
+    pub(super) fn arranged<V: Copy>(self, values: &[V]) -> Vec<V> {
+        (0..self.width).map(|index| values[self.coordinate(index)]).collect()
+    }
     /// The index of a coordinate in an order slice.
     pub fn index_of(self, coordinate: usize) -> usize {
         self.index(coordinate / self.components, coordinate % self.components)
@@ -194,6 +202,13 @@ impl<R> IndexMut<usize> for Coefficients<'_, R> {
     #[inline(always)]
     fn index_mut(&mut self, order: usize) -> &mut [R] {
         &mut self.numbers[order * self.layout.width..][..self.layout.width]
+    }
+}
+
+impl<'t, R: Real> Coefficients<'t, R> {
+    /// The coefficients of order 0 alone.
+    pub(super) fn of_values(numbers: &'t mut [R], layout: Layout) -> Self {
+        Self { numbers, layout, unit: R::of(1.0) }
     }
 }
 

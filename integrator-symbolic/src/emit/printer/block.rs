@@ -13,7 +13,7 @@ use crate::{
         index::{Index, LoopId},
     },
     model::{Length, Model},
-    program::{Item, Program, Sink, Store, lists::is_over_list, results::Results, schedule},
+    program::{Constraints, Item, Program, Sink, Store, lists::is_over_list, results::Results, schedule_with},
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -29,8 +29,19 @@ pub(crate) struct Emitter<'m> {
 impl Emitter<'_> {
     /// The lines that evaluate values and store them, but for the loops over `outer`, which the caller runs.
     pub(crate) fn evaluate(&mut self, frame: &Frame<'_>, outer: &[LoopId], stores: &[Store]) -> Lines {
+        self.evaluate_with(frame, outer, stores, &Constraints::default())
+    }
+
+    /// The same under constraints on the schedule.
+    pub(crate) fn evaluate_with(
+        &mut self,
+        frame: &Frame<'_>,
+        outer: &[LoopId],
+        stores: &[Store],
+        constraints: &Constraints,
+    ) -> Lines {
         let Self { model, names, fields } = self;
-        let program = schedule(&model.graph, stores, |_, id| frame.is_leaf(model, id)).within(outer);
+        let program = schedule_with(&model.graph, stores, |_, id| frame.is_leaf(model, id), constraints).within(outer);
         let printer = Printer::new(model, names, &program, frame);
         let mut block = Block::new(printer, names);
         Lines { tokens: block.items(fields, &program.items), program }
@@ -158,6 +169,7 @@ impl<'m> Block<'m> {
                 printer.contribution(fields, *contribution, value)
             }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
+            Item::Sink(Sink::Watch(watched), value) => printer.shown(fields, *watched, *value),
             Item::Sink(Sink::Update(element), value) => self.update(fields, *element, *value),
             Item::Sink(Sink::Collect(element), value) => {
                 if let Accumulation::Lanes(results) = &mut self.accumulation {

@@ -3,8 +3,12 @@
 use super::{
     expression::{Binding, Dialect, Printer},
     fields::Fields,
+    frame::Frame,
 };
-use crate::graph::{Comparison, Node};
+use crate::{
+    graph::{Comparison, Node, NodeId, Part},
+    program::Watched,
+};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -14,6 +18,13 @@ impl Printer<'_> {
         let runtime = self.runtime;
         let scalar = self.scalar;
         match (condition, self.dialect) {
+            (Node::Compare(comparison, a, b), _)
+                if matches!(self.frame, Frame::Edges) && (self.graph.moves(a) || self.graph.moves(b)) =>
+            {
+                let (method, of_time) = (method(comparison), self.of_time(&[a, b]));
+                let [a, b] = [a, b].map(|side| self.expression(fields, side).tokens);
+                quote!({ #of_time watch.#method(#a, #b) })
+            }
             (Node::Compare(comparison, a, b), Dialect::Generic) => {
                 let a = self.expression(fields, a).at_least(Binding::Atom);
                 let (b, method) = (self.expression(fields, b).tokens, method(comparison));
@@ -59,6 +70,33 @@ impl Printer<'_> {
             // Numbers are printed elsewhere.
             _ => TokenStream::new(),
         }
+    }
+}
+
+impl Printer<'_> {
+    /// The line that shows a value to what watches edges. A comparison is shown by the line that computes it.
+    pub(crate) fn shown(&self, fields: &mut Fields, watched: Watched, value: NodeId) -> TokenStream {
+        let (runtime, of_time) = (self.runtime, self.of_time(&[value]));
+        let value = self.expression(fields, value).tokens;
+        match watched {
+            Watched::Side => TokenStream::new(),
+            Watched::Root => quote!(watch.root(#value);),
+            Watched::Level(function) => {
+                let level = match function {
+                    "floor" => quote!(Floor),
+                    "ceil" => quote!(Ceil),
+                    "trunc" => quote!(Trunc),
+                    _ => quote!(Round),
+                };
+                quote!(#of_time watch.level(#value, #runtime::Level::#level);)
+            }
+        }
+    }
+
+    /// The line that says of the next condition that no coordinate is part of it.
+    fn of_time(&self, sides: &[NodeId]) -> Option<TokenStream> {
+        let reads = |id: &NodeId| self.graph.reads(*id, Part::Position) || self.graph.reads(*id, Part::Momentum);
+        (!sides.iter().any(reads)).then(|| quote!(watch.of_time();))
     }
 }
 

@@ -116,8 +116,6 @@ impl Printer<'_> {
             }
             Node::Coordinate(element) => Printed::new(Binding::Atom, self.coordinate(fields, element)),
             Node::Time => Printed::new(Binding::Atom, quote!(time)),
-            // A series, of which the recurrences read each order.
-            Node::Middle if matches!(self.frame, Frame::Series { .. }) => Printed::new(Binding::Atom, quote!(halfway)),
             Node::Middle => {
                 let name = fields.middle();
                 Printed::new(Binding::Atom, self.shared(name, LoopSet::EMPTY))
@@ -371,7 +369,7 @@ impl Printer<'_> {
                 quote!(#place.value())
             }
             Frame::Sites(_) => self.neighbour(element),
-            Frame::Bodies(_) | Frame::Series { .. } => place(fields),
+            Frame::Bodies(_) | Frame::Series { .. } | Frame::Edges => place(fields),
         }
     }
 
@@ -390,6 +388,10 @@ impl Printer<'_> {
             Frame::Series { .. } => {
                 let place = self.in_row(fields, element);
                 quote!(#part[order][#place])
+            }
+            Frame::Edges => {
+                let place = self.in_row(fields, element);
+                quote!(#part[0][#place])
             }
         }
     }

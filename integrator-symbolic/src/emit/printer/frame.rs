@@ -36,6 +36,8 @@ pub(crate) enum Frame<'m> {
     Bodies(Bodies),
     /// In tables of Taylor coefficients that are its arguments, whose rows may be interleaved.
     Series { interleaved: Option<InterleavedIndices> },
+    /// In rows of coordinates that are its arguments.
+    Edges,
 }
 
 /// Bodies that are arguments of a function.
@@ -51,7 +53,9 @@ impl Frame<'_> {
     pub(crate) fn scalar<'n>(&self, names: &'n Names) -> &'n Ident {
         match self {
             Frame::Constants => &names.double,
-            Frame::System | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => &names.scalar,
+            Frame::System | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } | Frame::Edges => {
+                &names.scalar
+            }
             Frame::Sites(_) | Frame::Bodies(_) => &names.wide,
         }
     }
@@ -88,9 +92,13 @@ impl Frame<'_> {
     /// Whether an integer of these loops' indices is read as a prepared number.
     pub(crate) fn has_prepared_index(&self, loops: LoopSet) -> bool {
         match self {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => {
-                false
-            }
+            Frame::System
+            | Frame::Constants
+            | Frame::Motion
+            | Frame::OwnTime
+            | Frame::Apart
+            | Frame::Series { .. }
+            | Frame::Edges => false,
             Frame::Sites(_) => !loops.is_empty(),
             Frame::Bodies(_) => true,
         }
@@ -120,9 +128,13 @@ impl Printer<'_> {
     /// A field of the prepared constants as a number of the flow, for the present iterations of the loops.
     pub(crate) fn shared(&self, name: Ident, loops: LoopSet) -> TokenStream {
         match self.frame {
-            Frame::System | Frame::Constants | Frame::Motion | Frame::OwnTime | Frame::Apart | Frame::Series { .. } => {
-                self.prepared(name, loops)
-            }
+            Frame::System
+            | Frame::Constants
+            | Frame::Motion
+            | Frame::OwnTime
+            | Frame::Apart
+            | Frame::Series { .. }
+            | Frame::Edges => self.prepared(name, loops),
             Frame::Sites(lattice) => self.spread(lattice, name, loops),
             Frame::Bodies(_) => {
                 let (scalar, field) = (self.scalar, self.prepared(name, loops));
@@ -139,7 +151,7 @@ impl Printer<'_> {
         });
         match self.frame {
             Frame::System | Frame::Motion | Frame::OwnTime | Frame::Apart => quote!(motion.parameters.#name #(#at)*),
-            Frame::Constants | Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } => {
+            Frame::Constants | Frame::Sites(_) | Frame::Bodies(_) | Frame::Series { .. } | Frame::Edges => {
                 quote!(parameters.#name #(#at)*)
             }
         }

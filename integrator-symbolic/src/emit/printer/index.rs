@@ -84,7 +84,8 @@ impl Printer<'_> {
                 | Frame::OwnTime
                 | Frame::Apart
                 | Frame::Sites(_)
-                | Frame::Series { .. },
+                | Frame::Series { .. }
+                | Frame::Edges,
                 _,
             ) => {
                 let indices = self.graph.loops.of_coordinate(element).map(|index| self.index(fields, index));
@@ -135,7 +136,7 @@ impl Printer<'_> {
             },
             Index::Length
                 if self.dialect == Dialect::Generic
-                    && !matches!(self.frame, Frame::Constants | Frame::Series { .. }) =>
+                    && !matches!(self.frame, Frame::Constants | Frame::Series { .. } | Frame::Edges) =>
             {
                 let counted = part_name(self.counted);
                 quote!(motion.#counted.len())

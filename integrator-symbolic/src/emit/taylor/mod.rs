@@ -1,6 +1,7 @@
 //! The recurrences of Taylor coefficients as Rust.
 
 mod accumulation;
+pub(super) mod edges;
 mod implementation;
 mod kernel;
 mod line;

@@ -23,8 +23,8 @@ use crate::{
     },
     graph::{Graph, Node, NodeId},
     model::{Model, is_leaf},
-    pattern::Pattern,
     program::{Constraints, Item, Program, Sink, Store, results::Results, schedule_with},
+    stencil::Stencil,
     taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -50,9 +50,8 @@ pub(crate) fn orders(
     names: &Names,
     mut kinetic: Vec<Contribution>,
     mut potential: Vec<Contribution>,
-    pattern: &Pattern,
+    stencil: Option<&Stencil>,
 ) -> Orders {
-    let stencil = pattern.stencil_of_potential();
     if let Some(orders) = stencil.and_then(|stencil| line::orders(model, fields, names, kinetic.clone(), stencil)) {
         return orders;
     }
@@ -108,12 +107,8 @@ pub(super) fn finished(writer: &Writer<'_>, fields: &mut Fields, body: TokenStre
     let interleaved = if let Frame::Series { interleaved } = frame { interleaved.as_ref() } else { None };
     let body = Body::new(body);
     let indices = interleaved.map(|indices| indices.lines(&writer.printer, fields, &body));
-    let halfway = body.mentions("halfway").then(|| {
-        let (scalar, middle) = (&names.scalar, fields.middle());
-        quote!(let halfway = if order == 0 { parameters.#middle } else { #scalar::of(0.0) };)
-    });
     let Body(body) = body;
-    let body = quote!(#halfway #indices #body);
+    let body = quote!(#indices #body);
     let tape = Tape { records: &writer.records, has_inverse_mass };
     let rolled = !matches!(writer.accumulation, Accumulation::Scalars(_));
     let kind = Kind { rolled, interleaved: interleaved.is_some(), orders_per_call: writer.orders_per_call.count() };
@@ -371,7 +366,7 @@ impl<'m> Writer<'m> {
                 Node::Coordinate(element),
                 Accumulation::Scalars(_) | Accumulation::InPlace | Accumulation::InPlaceOnce,
             ) => Series::Row { part: self.printer.part(element), place: self.printer.in_row(fields, element) },
-            (Node::Coordinate(_) | Node::Time | Node::Middle | Node::Step, _) => self.begun_with(fields, id),
+            (Node::Coordinate(_) | Node::Time | Node::Step, _) => self.begun_with(fields, id),
             _ => match self.series_of.get(&id) {
                 Some(series) => series.clone(),
                 // No recurrence reads this one.

@@ -33,7 +33,7 @@ impl Writer<'_> {
         let (node, slopes) = (self.printer.graph.node(id), self.source.recurrences.slopes[&id]);
         for (x, _) in node.children().zip(slopes).filter(|(_, slope)| slope.is_some()) {
             let x = self.printer.graph.signed(x).1;
-            let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Middle | Node::Step);
+            let is_clock = matches!(self.printer.graph.node(x), Node::Time | Node::Step);
             if is_clock || self.rate(x).is_some() {
                 continue;
             }

@@ -356,5 +356,31 @@ const _: () = {
             tape.inverse_mass.next_order(q, p, order + 1);
             tape.inverse_mass.next_order(q, p, order + 2);
         }
+        const HAS_EDGES: bool = true;
+        fn edges<Scalar: runtime::Real>(
+            parameters: &Self::Parameters<Scalar>,
+            length: usize,
+            q: &runtime::Coefficients<'_, Scalar>,
+            _p: &runtime::Coefficients<'_, Scalar>,
+            _time: Scalar,
+            watch: &mut dyn runtime::Watch<Scalar>,
+        ) {
+            let stride = q.stride();
+            for k in 0..length {
+                let q_k_0 = q[0][k];
+                let q_k_1 = q[0][stride + k];
+                for j in 0..k {
+                    let shared_0 = q_k_0 - q[0][j];
+                    let shared_1 = q_k_1 - q[0][stride + j];
+                    let condition_0 = {
+                        watch
+                            .less(
+                                shared_0.square() + shared_1.square(),
+                                parameters.reach,
+                            )
+                    };
+                }
+            }
+        }
     }
 };
