@@ -335,7 +335,11 @@ fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
                     tries[lane] += 1;
                     fits = false;
                 }
-                _ => segment.step = Some((step.number() * unit).copysign(h)),
+                // A later call may have another `h`, and the coefficients keep their unit.
+                _ => {
+                    segment.exponent = Some(exponent(unit));
+                    segment.step = Some((step.number() * unit).copysign(h));
+                }
             }
         }
         steps[lane] = segment.step.unwrap_or(0.0);
