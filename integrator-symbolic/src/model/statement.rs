@@ -165,7 +165,14 @@ impl Reader<'_> {
             (Expr::Array(array), None) => return self.assign_parts(array.elems.iter().collect(), right, left),
             _ => {}
         }
-        let target = self.target(left)?;
+        let Some(target) = self.target(left) else {
+            let id = root_name(left).and_then(|name| self.lookup(&name.to_string()));
+            if id.is_some_and(|id| matches!(self.bindings[id.0].value, Value::Unknown)) {
+                // The mistake about it is known; what it is made of may have another one.
+                self.expression(right);
+            }
+            return None;
+        };
         if self.bindings[target.id.0].depth < self.frames.len() {
             return self.accumulate(target, left, op, right, whole);
         }
