@@ -262,13 +262,13 @@ impl Findings {
     }
 
     fn conclude(mut self, certificate: Certificate) -> Result<Certificate, CertifyError> {
-        // Without a derivative there is no motion, and nothing else that was measured of it means anything.
+        // Without a finite derivative there is no motion, and nothing else that was measured of it means anything.
         let is_cause = |shortfall: &Shortfall| {
             matches!(
                 shortfall,
                 Shortfall::Unmeasured {
                     check: GRADIENT | FLOWS,
-                    reason: CheckError::NotFinite { .. } | CheckError::NotDifferentiable { .. },
+                    reason: CheckError::NotFinite { .. },
                 }
             )
         };
