@@ -264,13 +264,7 @@ impl Findings {
     fn conclude(mut self, certificate: Certificate) -> Result<Certificate, CertifyError> {
         // Without a finite derivative there is no motion, and nothing else that was measured of it means anything.
         let is_cause = |shortfall: &Shortfall| {
-            matches!(
-                shortfall,
-                Shortfall::Unmeasured {
-                    check: GRADIENT | FLOWS,
-                    reason: CheckError::NotFinite { .. },
-                }
-            )
+            matches!(shortfall, Shortfall::Unmeasured { check: GRADIENT | FLOWS, reason: CheckError::NotFinite { .. } })
         };
         if self.0.iter().any(is_cause) {
             self.0.retain(|shortfall| is_cause(shortfall) || matches!(shortfall, Shortfall::Misread(_)));
