@@ -257,7 +257,7 @@ macro_rules! unary {
         $x.increasing(<f64 as Real>::sqrt, POSITIVE, POSITIVE)
     };
     (acos $x:ident) => {
-        -(-$x).increasing(|x| -Real::acos(-x), UNIT, ALL)
+        (-$x).increasing(|x| <f64 as Real>::acos(-x), UNIT, ALL)
     };
     (asin $x:ident) => {
         $x.increasing(<f64 as Real>::asin, UNIT, ALL)

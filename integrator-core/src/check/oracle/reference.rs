@@ -214,7 +214,7 @@ mod tests {
         }
     }
 
-    /// A potential whose force jumps, and one whose derivatives at zero vanish up to the 39th.
+    /// A potential whose force jumps, at which steps of a series end, and one whose derivatives at zero vanish up to the 39th.
     struct Blind {
         kink: f64,
         wall: f64,
@@ -240,8 +240,9 @@ mod tests {
             let rounding = ROUNDINGS * (flows.rounding() + f64::EPSILON * span.abs());
             let bound = series.uncertainty() + flows.uncertainty() + rounding;
             assert!(within(apart, bound), "{} over {span}: {apart:e}, {bound:e}", std::any::type_name::<H>());
-            // Ten roundings are all that motions without an instability leave.
-            assert!(within(series.uncertainty(), 10.0 * f64::EPSILON), "{:e}", series.uncertainty());
+            // Some sixty expansions over three periods round the state. They add up as a random walk to eight roundings, which
+            // motions without an instability stretch up to fourfold.
+            assert!(within(series.uncertainty(), 32.0 * f64::EPSILON), "{:e}", series.uncertainty());
         }
     }
 
@@ -269,18 +270,22 @@ mod tests {
 
     #[test]
     fn flows_lead_where_a_series_is_blind() {
-        let cases = [(Blind { kink: 1.0, wall: 0.0 }, [1.0], [0.0]), (Blind { kink: 0.0, wall: 1.0 }, [0.0], [1.0])];
-        for (system, q, p) in cases {
-            let shape = &Phase::new(q, p);
-            let (system, start) = (&Motions { system: &system, shape }, flat(shape).at_time(0.0));
-            for span in [4.0, 400.0] {
-                assert!(system.series(&start, span, Taylor::tolerance(1e-20), 1).is_some());
-                assert!(series_reference(system, &start, span, 20).is_none());
-            }
-            let (found, composed) =
-                (reference(system, &start, 4.0, 1, 8), ComposedReference::new(system, &start).refined(4.0));
-            assert_eq!(found.path.ends, composed.path.ends);
+        let shape = &Phase::new([0.0], [1.0]);
+        let (system, start) = (&Motions { system: &Blind { kink: 0.0, wall: 1.0 }, shape }, flat(shape).at_time(0.0));
+        for span in [4.0, 400.0] {
+            assert!(system.series(&start, span, Taylor::tolerance(1e-20), 1).is_some());
+            assert!(series_reference(system, &start, span, 20).is_none());
         }
+        let (found, composed) =
+            (reference(system, &start, 4.0, 1, 8), ComposedReference::new(system, &start).refined(4.0));
+        assert_eq!(found.path.ends, composed.path.ends);
+    }
+
+    #[test]
+    fn a_series_is_confirmed_beyond_a_kink() {
+        let shape = &Phase::new([1.0], [0.0]);
+        let (system, start) = (&Motions { system: &Blind { kink: 1.0, wall: 0.0 }, shape }, flat(shape).at_time(0.0));
+        assert!(series_reference(system, &start, 4.0, 20).is_some());
     }
 
     #[test]
