@@ -44,6 +44,8 @@ impl Graph {
                 Comparison::LessOrEqual => a <= b,
                 Comparison::Equal => a == b,
             }),
+            // i < i never holds, i <= i and i == i do.
+            _ if a == b => self.truth(comparison != Comparison::Less),
             _ => self.intern(Node::CompareIndex(comparison, a, b)),
         }
     }

@@ -250,7 +250,7 @@ mod tests {
             m if m % 8 == 0 => 2e4_f64.powi(m as i32 / 8),
             _ => 1e-30,
         };
-        let step = super::Logarithm::of(0.9);
+        let step = Logarithm::of(0.9);
         let found = super::step_within_radius(22, 1e-15, step, 1, norm).number();
         let radius = 2e4_f64.powf(-1.0 / 8.0);
         assert!(found < 0.5 * radius && found > 0.1 * radius, "{found} within {radius}");
