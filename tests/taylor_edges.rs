@@ -174,7 +174,7 @@ fn deviation_vectors_cross_an_edge_at_which_the_force_is_continuous() {
     let vectors = [Phase::new([1.0], [0.0]), Phase::new([0.0], [1.0])];
     let tangent = |kind, start: [f64; 2]| {
         Edges { kind }
-            .tangent(Taylor::tolerance(1e-16), Phase::new([start[0]], [start[1]]), vectors.clone(), 0.05)
+            .tangent(Taylor::tolerance(1e-16), Phase::new([start[0]], [start[1]]), vectors, 0.05)
             .expect("a start")
     };
     let mut wall = tangent(0, [0.0, 0.8]);
