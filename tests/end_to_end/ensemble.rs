@@ -297,7 +297,7 @@ fn watched_members_are_watched_runs() {
                 match swarm.advance(*steps) {
                     Ok(()) => {}
                     Err(Error::Strayed { members }) => {
-                        members.into_iter().for_each(|(member, error)| errors[member] = Some(error))
+                        members.into_iter().for_each(|(member, error)| errors[member] = Some(error));
                     }
                     Err(error) => panic!("{error}"),
                 }

@@ -5,6 +5,7 @@ use crate::{
     scalar::{real::Real, simd::row::Row},
     state::{aligned::Aligned, coords::Coords},
 };
+use alloc::vec::Vec;
 use core::{
     num::NonZero,
     ops::{Index, IndexMut},
