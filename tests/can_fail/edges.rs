@@ -161,6 +161,7 @@ fn a_jump_is_found_where_no_energy_is_conserved() {
 
 /// By value or by reference, with a time of its own or without.
 #[test]
+#[allow(clippy::needless_borrows_for_generic_args, reason = "starts by reference are among the forms")]
 fn a_gradient_is_checked_at_any_form_of_a_start() {
     let system = Stepped { step: 0.1, width: 0.3 };
     let point = Phase::new([1.0, 0.2], [0.1, 0.6]);
