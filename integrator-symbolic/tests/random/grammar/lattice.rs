@@ -15,7 +15,8 @@ pub(crate) fn lattice(seed: u64) -> System {
     let (rows, sites) = if is_plane { (3 + choices.below(3), 8 + choices.below(2)) } else { (8 + choices.below(6), 1) };
     let (is_dynamic, dimension) = (choices.percent(40), is_plane.then_some(sites));
     let helpers = Vec::new();
-    Grammar { choices, length: rows, dimension, is_dynamic, has_time: false, letter: "q", helpers, count: 0 }.lattice()
+    Grammar { choices, length: rows, dimension, is_dynamic, has_time: false, letter: "q", helpers, count: 0 }
+        .of_sums(3, Grammar::loop_over_sites)
 }
 
 /// An index in a loop: its name, and how many places the loop leaves out at the beginning and at the end.
@@ -28,26 +29,6 @@ struct Running {
 }
 
 impl Grammar {
-    fn lattice(mut self) -> System {
-        let element = self.dimension.map_or("f64".to_owned(), |dimension| format!("[f64; {dimension}]"));
-        let coordinates =
-            if self.is_dynamic { format!("&[{element}]") } else { format!("[{element}; {}]", self.length) };
-        let mut potential = String::new();
-        for _ in 0..1 + self.choices.below(3) {
-            potential += &self.loop_over_sites();
-        }
-        self.letter = "p";
-        let kinetic = self.quadratic();
-        let item = format!(
-            "impl System {{
-                fn kinetic(&self, p: {coordinates}) -> f64 {{ {kinetic} }}
-                fn potential(&self, q: {coordinates}) -> f64 {{ let mut v = 0.0; {potential} v }}
-            }}"
-        );
-        let cases = (0..2).map(|number| self.case(number)).collect();
-        System { item: item.parse().unwrap_or_else(|error| panic!("{error}: {item}")), cases }
-    }
-
     fn loop_over_sites(&mut self) -> String {
         let number = if self.is_dynamic { "q.len()".to_owned() } else { self.length.to_string() };
         let rows = self.running("i", number, if self.dimension.is_some() { FARTHEST_ROW } else { FARTHEST });

@@ -128,6 +128,27 @@ impl Grammar {
         System { item: item.parse().unwrap_or_else(|error| panic!("{error}: {item}")), cases }
     }
 
+    /// A system whose potential is one of these sums, or a few.
+    fn of_sums(mut self, most: usize, sum: impl Fn(&mut Self) -> String) -> System {
+        let element = self.dimension.map_or("f64".to_owned(), |dimension| format!("[f64; {dimension}]"));
+        let coordinates =
+            if self.is_dynamic { format!("&[{element}]") } else { format!("[{element}; {}]", self.length) };
+        let mut potential = String::new();
+        for _ in 0..1 + self.choices.below(most) {
+            potential += &sum(&mut self);
+        }
+        self.letter = "p";
+        let kinetic = self.quadratic();
+        let item = format!(
+            "impl System {{
+                fn kinetic(&self, p: {coordinates}) -> f64 {{ {kinetic} }}
+                fn potential(&self, q: {coordinates}) -> f64 {{ let mut v = 0.0; {potential} v }}
+            }}"
+        );
+        let cases = (0..2).map(|number| self.case(number)).collect();
+        System { item: item.parse().unwrap_or_else(|error| panic!("{error}: {item}")), cases }
+    }
+
     /// The usual kinetic energy.
     fn quadratic(&mut self) -> String {
         let number = |x: &str, mass: &str| format!("{x} * {x} / {mass}");

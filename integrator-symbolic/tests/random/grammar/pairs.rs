@@ -9,34 +9,14 @@ pub(crate) fn pairs(seed: u64) -> System {
     let (length, dimension) = (2 + choices.below(6), 1 + choices.below(3));
     let is_dynamic = choices.percent(50);
     let (dimension, helpers) = (Some(dimension), Vec::new());
-    Grammar { choices, length, dimension, is_dynamic, has_time: false, letter: "q", helpers, count: 0 }.bodies()
+    Grammar { choices, length, dimension, is_dynamic, has_time: false, letter: "q", helpers, count: 0 }
+        .of_sums(2, Grammar::sum_over_pairs)
 }
 
 impl Grammar {
-    fn bodies(mut self) -> System {
-        let dimension = self.dimension.unwrap_or(1);
-        let coordinates = match self.is_dynamic {
-            true => format!("&[[f64; {dimension}]]"),
-            false => format!("[[f64; {dimension}]; {}]", self.length),
-        };
-        let mut potential = String::new();
-        for _ in 0..1 + self.choices.below(2) {
-            potential += &self.sum_over_pairs(dimension);
-        }
-        self.letter = "p";
-        let kinetic = self.quadratic();
-        let item = format!(
-            "impl System {{
-                fn kinetic(&self, p: {coordinates}) -> f64 {{ {kinetic} }}
-                fn potential(&self, q: {coordinates}) -> f64 {{ let mut v = 0.0; {potential} v }}
-            }}"
-        );
-        let cases = (0..2).map(|number| self.case(number)).collect();
-        System { item: item.parse().unwrap_or_else(|error| panic!("{error}: {item}")), cases }
-    }
-
     /// Two loops over bodies around a term of each pair, with terms of single bodies beside them.
-    fn sum_over_pairs(&mut self, dimension: usize) -> String {
+    fn sum_over_pairs(&mut self) -> String {
+        let dimension = self.dimension.unwrap_or(1);
         let n = if self.is_dynamic { "q.len()".to_owned() } else { self.length.to_string() };
         let term = self.term_of_pair(dimension);
         let inner = match self.choices.below(7) {
