@@ -53,7 +53,8 @@ pub(crate) trait Measurable {
     /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
 
-    /// The first jump of an energy in so many steps of `h`.
+    /// The first jump of an energy in so many steps of `h`, or in those before the state leaves the finite numbers: an unstable
+    /// motion that follows its equations until then is no reason to refuse a certificate.
     fn jump(&self, h: f64, steps: u64) -> Result<Option<Jump>, CheckError>;
 
     /// How far invariants stray in so many steps of `h`.
@@ -116,7 +117,10 @@ impl<H: Hamiltonian, X: Method<H>, K: Precision> Measurable for Measured<'_, H, 
         let mut before = here(&run);
         for _ in 0..steps / BETWEEN {
             let time = run.time();
-            run.advance(BETWEEN)?;
+            match run.advance(BETWEEN) {
+                Err(Error::Diverged(_)) if run.steps() > 0 => break,
+                advanced => advanced?,
+            }
             let state = here(&run);
             if let Some(jump) = jump_between(&self.energies, [&before, &state], time) {
                 return Ok(Some(jump));
