@@ -3,11 +3,13 @@
 //! Comes in: tokens. Goes out: an [`Input`], faithful to the text. Always true: nothing is judged here but the form.
 
 mod device;
+mod method;
 
 use crate::{errors::Errors, scheme::InPlace};
 use device::gpu_of;
 pub(crate) use device::{DeviceFunctions, Gpu};
-use proc_macro2::{Group, Span, TokenStream};
+use method::{compose_of, without_tolerance};
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use syn::{
     Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token, parenthesized,
     parse::{ParseStream, Parser},
@@ -152,7 +154,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
 }
 
 fn looks_like_impl(item: &TokenStream) -> bool {
-    item.clone().into_iter().any(|token| matches!(token, proc_macro2::TokenTree::Ident(name) if name == "impl"))
+    item.clone().into_iter().any(|token| matches!(token, TokenTree::Ident(name) if name == "impl"))
 }
 
 /// The arguments of the attribute, each at most once.
@@ -210,6 +212,7 @@ impl Arguments {
             equals(input, key.span())?;
             self.functions.replace(functions_of(input, key.span())?).is_some()
         } else if key == "taylor" {
+            without_tolerance(input)?;
             self.taylor.replace(key.span()).is_some()
         } else if key == "sensitive" {
             self.sensitive.replace(sensitive_of(input, key.span())?).is_some()
@@ -382,18 +385,4 @@ fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {
         Ok(name) if name == "precise" => Ok(Functions::Precise),
         _ => Err(misfit(&here)),
     }
-}
-
-fn compose_of(input: ParseStream<'_>, key: Span) -> syn::Result<Compose> {
-    if InPlace::peek(input) {
-        let first = input.span();
-        let sequence = InPlace::parse(input)?;
-        let span = sequence.tokens().span();
-        return Ok(Compose::InPlace(Box::new(sequence), span.join(first).unwrap_or(span)));
-    }
-    let is_name = input.peek(Ident) || input.peek(Token![::]) || input.peek(Token![crate]);
-    if !is_name && !input.peek(Token![self]) && !input.peek(Token![super]) && !input.peek(Token![Self]) {
-        return Err(misfit(input, key, "a composition is a name or a sequence of stages"));
-    }
-    Ok(Compose::Named(input.parse()?))
 }

@@ -48,6 +48,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     ("functions = fast, functions = precise", &["1:18 `functions` is given twice"]),
     ("taylor, functions = fast", &[]),
     ("taylor, taylor", &["1:8 `taylor` is given twice"]),
+    (
+        "taylor(1e-12)",
+        &[
+            "1:6 `taylor` takes no tolerance, which each run has for itself: write `taylor` here, and `system.run_with(Taylor::tolerance(1e-12), start, h)` for a run",
+        ],
+    ),
+    (
+        "taylor = 1e-9, functions = fast",
+        &[
+            "1:9 `taylor` takes no tolerance, which each run has for itself: write `taylor` here, and `system.run_with(Taylor::tolerance(1e-9), start, h)` for a run",
+        ],
+    ),
+    (
+        "taylor(tolerance = 1e-9)",
+        &[
+            "1:6 `taylor` takes no tolerance, which each run has for itself: write `taylor` here, and `system.run_with(Taylor::tolerance(1e-12), start, h)` for a run",
+        ],
+    ),
+    (
+        "compose = Taylor::tolerance(1e-12)",
+        &[
+            "1:10 the annotation names a composition, and `Taylor::tolerance(1e-12)` is a method with arguments: give it to the run, `system.run_with(Taylor::tolerance(1e-12), start, h)`",
+        ],
+    ),
+    (
+        "compose = Logarithmic(KahanLi8)",
+        &[
+            "1:10 the annotation names a composition, and `Logarithmic(KahanLi8)` is a method with arguments: give it to the run, `system.run_with(Logarithmic(KahanLi8), start, h)`",
+        ],
+    ),
+    ("compose = my::Composition::<8>", &[]),
     ("gpu, functions = fast", &[]),
     ("gpu, gpu", &["1:5 `gpu` is given twice"]),
     ("gpu(functions = native), functions = fast", &[]),
