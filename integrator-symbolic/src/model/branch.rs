@@ -219,11 +219,15 @@ impl Reader<'_> {
                     Value::Real(number) | Value::Joint(Joint { number, .. }) => Some(*number),
                     _ => None,
                 };
-                let states = states.zip(&fork.before).map(|((a, b), before)| match [before, &a, &b].map(number) {
+                let states = states.zip(fork.ids.iter().zip(&fork.before));
+                let states = states.map(|((a, b), (id, before))| match [before, &a, &b].map(number) {
                     [Some(before), Some(a), Some(b)] => {
                         Some(Value::Real(self.graph.select_addends(condition, before, [a, b])))
                     }
-                    _ => self.either(condition, a, b, place),
+                    _ => match self.declared_literal(&Target { id: *id, at: Vec::new() }) {
+                        Some(literal) => self.either(condition, a, b, &literal),
+                        None => self.either(condition, a, b, place),
+                    },
                 });
                 states.collect::<Option<_>>()?
             }
@@ -325,6 +329,7 @@ impl Reader<'_> {
                     let own = self.own_choice(condition, &a, &b);
                     Some(Self::joint(self.graph.select(condition, first, second), own))
                 }
+                numbers if self.notes_whole_branch([&a, &b], numbers, place) => None,
                 _ => {
                     let message =
                         format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());

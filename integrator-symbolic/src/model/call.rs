@@ -4,7 +4,7 @@ use super::{
     Reader,
     adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
-    cure::in_rust,
+    cure::{in_rust, no_function},
     early_return::where_there,
     elementary::is_elementary,
     fill::ending_in,
@@ -151,6 +151,15 @@ impl Reader<'_> {
             let callable = callable?;
             return self.called(&callable, arguments, &call.args);
         }
+        if matches!(&*call.func, Expr::Lit(_))
+            || (!matches!(&*call.func, Expr::Path(_)) && self.verbatim(&call.func).is_none())
+        {
+            let value = self.expression(&call.func)?;
+            if let Some(message) = no_function("this", &value, call) {
+                self.errors.at(&call.func, message);
+                return None;
+            }
+        }
         let mut function = call.func.to_token_stream();
         if let Some(name) = simple_name(&call.func)
             && let Some(id) = self.lookup(&name.to_string())
@@ -158,11 +167,13 @@ impl Reader<'_> {
             match (&self.bindings[id.0].value, self.opaque_list(&arguments, &call.args)) {
                 (Value::Unknown, _) => return None,
                 (Value::Opaque(Opaque { text, .. }), Some(_)) => function = operand(text.clone()),
-                _ => {
-                    let message = format!(
-                        "the macro cannot see what `{name}` does: write a helper method of this impl, \
-                         `fn {name}(&self, x: f64) -> f64`"
-                    );
+                (value, _) => {
+                    let message = no_function(&format!("`{name}`"), value, call).unwrap_or_else(|| {
+                        format!(
+                            "the macro cannot see what `{name}` does: write a helper method of this impl, \
+                             `fn {name}(&self, x: f64) -> f64`"
+                        )
+                    });
                     self.errors.at(name, message);
                     // One mistake, one message, however often it is called.
                     self.bindings[id.0].value = Value::Unknown;

@@ -1,8 +1,10 @@
 //! What is written in other languages, and what Rust writes in its place.
 
-use super::elementary::is_elementary;
+use super::{call::is_list, elementary::is_elementary, value::Value, whole::as_number};
 use crate::errors::quoted;
-use syn::{Expr, ExprLit, ExprUnary, Lit, UnOp};
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprUnary, Lit, UnOp};
 
 /// Functions of numbers by the names that they have elsewhere.
 const ELSEWHERE: [(&str, &str); 13] = [
@@ -42,10 +44,7 @@ pub(super) fn in_rust(name: &str, arguments: &[&Expr], is_list: bool) -> Option<
         ("norm" | "magnitude", []) => return Some(format!("{text}.abs()")),
         ("square" | "sq" | "sqr" | "squared", []) => return Some(format!("{text}.powi(2)")),
         ("cube" | "cubed", []) => return Some(format!("{text}.powi(3)")),
-        ("pow" | "power", [exponent]) => {
-            let method = if is_whole(exponent) { "powi" } else { "powf" };
-            return Some(format!("{text}.{method}({})", written(exponent)));
-        }
+        ("pow" | "power", [exponent]) => return Some(power(first, exponent)),
         _ => {}
     }
     let known = ELSEWHERE.iter().find(|(elsewhere, _)| *elsewhere == name && (name != "log" || others.is_empty()));
@@ -62,6 +61,7 @@ fn receiver(expression: &Expr) -> String {
         }
         Expr::Reference(inner) => receiver(&inner.expr),
         Expr::Lit(ExprLit { lit: Lit::Float(_), .. }) => format!("{}_f64", written(expression)),
+        Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => format!("{}_f64", as_number(number)),
         _ => format!("({})", written(expression)),
     }
 }
@@ -87,11 +87,113 @@ fn without_reference(expression: &Expr) -> &Expr {
     }
 }
 
-fn is_whole(exponent: &Expr) -> bool {
-    match exponent {
-        Expr::Lit(ExprLit { lit: Lit::Int(_), .. }) => true,
-        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => is_whole(expr),
-        Expr::Paren(inner) => is_whole(&inner.expr),
-        _ => false,
+/// A power as Rust writes it.
+fn power(base: &Expr, exponent: &Expr) -> String {
+    let (base, exponent) = (receiver(base), without_parentheses(exponent));
+    match number_of(exponent) {
+        Some(number) if is_whole(number) => format!("{base}.powi({number})"),
+        _ => format!("{base}.powf({})", written(exponent)),
     }
+}
+
+/// What to write for an exponent of `powi` that is no integer.
+pub(super) fn by_powf(exponent: &Expr) -> String {
+    let exponent = without_parentheses(exponent);
+    let by_powf = format!("`powf({})`", written(exponent));
+    match number_of(exponent) {
+        Some(number) if is_whole(number) => format!("`powi({number})` or {by_powf}"),
+        _ => by_powf,
+    }
+}
+
+/// A power by an operator of another language, and what Rust writes for it.
+pub(super) struct Power {
+    /// The base, the operator and the exponent.
+    pub(super) place: TokenStream,
+    pub(super) message: String,
+}
+
+/// The power that an operator is meant for, if it is followed by a number: `a ** 2`, which is `a` times what a number refers to,
+/// and `a ^ 2`. The base is the last factor on the left, the exponent the first one on the right.
+pub(super) fn power_by_operator(link: &ExprBinary) -> Option<Power> {
+    let (is, exponent) = match (&link.op, &*link.right) {
+        (BinOp::Mul(_), Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. })) => ("no operator", &**expr),
+        (BinOp::BitXor(_), right) => ("the exclusive or of bits", leftmost(right)),
+        _ => return None,
+    };
+    number_of(exponent)?;
+    Some(power_of(link, is, exponent))
+}
+
+/// The power that `a ^ b` is meant for, where it is one of numbers.
+pub(super) fn power_by_exclusive_or(link: &ExprBinary) -> Power {
+    power_of(link, "the exclusive or of bits", leftmost(&link.right))
+}
+
+fn power_of(link: &ExprBinary, is: &str, exponent: &Expr) -> Power {
+    let (base, op) = (rightmost(&link.left), &link.op);
+    let sign = if let BinOp::Mul(_) = op { "**" } else { "^" };
+    Power {
+        place: quote!(#base #op #exponent),
+        message: format!("`{sign}` is {is} in Rust: write `{}`", power(base, exponent)),
+    }
+}
+
+/// The last factor of an expression.
+fn rightmost(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Binary(ExprBinary { right, .. }) => rightmost(right),
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => rightmost(expr),
+        other => other,
+    }
+}
+
+/// The first factor of an expression.
+fn leftmost(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Binary(ExprBinary { left, .. }) => leftmost(left),
+        other => other,
+    }
+}
+
+/// What to say of a call of a number, which is a product elsewhere, or of a list, whose elements have parentheses elsewhere.
+pub(super) fn no_function(name: &str, value: &Value, call: &ExprCall) -> Option<String> {
+    let is_number = matches!(value, Value::Real(_) | Value::Joint(_) | Value::Integer(_));
+    let function = written(&call.func);
+    let cure = match &call.args.iter().collect::<Vec<_>>()[..] {
+        [] => return None,
+        indices if is_list(value) => {
+            let indices: String = indices.iter().map(|index| format!("[{}]", written(index))).collect();
+            format!("{function}{indices}")
+        }
+        [factor @ Expr::Binary(_)] if is_number => format!("{function} * ({})", written(factor)),
+        [Expr::Lit(ExprLit { lit: Lit::Int(factor), .. })] if is_number => {
+            format!("{function} * {}", as_number(factor))
+        }
+        [factor] if is_number => format!("{function} * {}", written(factor)),
+        _ => return None,
+    };
+    Some(format!("{name} is {}, no function: write `{cure}`", value.describe()))
+}
+
+fn without_parentheses(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => without_parentheses(&inner.expr),
+        other => other,
+    }
+}
+
+/// The value of a literal, with its sign.
+fn number_of(expression: &Expr) -> Option<f64> {
+    match expression {
+        Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => number.base10_parse().ok(),
+        Expr::Lit(ExprLit { lit: Lit::Float(number), .. }) => number.base10_parse().ok(),
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => number_of(expr).map(|number| -number),
+        Expr::Paren(inner) => number_of(&inner.expr),
+        _ => None,
+    }
+}
+
+fn is_whole(number: f64) -> bool {
+    number == number.trunc() && number.abs() < f64::from(1 << 30)
 }

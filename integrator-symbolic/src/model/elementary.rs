@@ -3,12 +3,12 @@
 use super::{
     Reader,
     call::{OR_STATE, is_list, takes},
-    cure::in_rust,
+    cure::{by_powf, in_rust},
     value::{Opaque, Value},
 };
 use crate::{
     graph::{
-        Comparison, NodeId,
+        Comparison, Node, NodeId,
         function::{Function, Rule, TABLE},
     },
     spelling::nearest,
@@ -165,6 +165,10 @@ impl Reader<'_> {
             return Some(Value::Real(self.graph.power(x, halves)));
         }
         let exponent = match &self.of_own_type(exponent.clone().into_own()) {
+            Value::Real(number) if let Node::Constant(_) = self.graph.node(*number) => {
+                self.errors.at(place, format!("the exponent of `powi` is an integer: write {}", by_powf(place)));
+                return None;
+            }
             Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
                 Some(Ok(whole)) if let Some(halves) = halves_of(whole) => {
                     return Some(Value::Real(self.graph.power(x, halves)));

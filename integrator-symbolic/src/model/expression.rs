@@ -2,6 +2,7 @@
 
 use super::{
     Reader,
+    call::is_list,
     early_return::Flow,
     escape::escape,
     integer::operand,
@@ -10,6 +11,7 @@ use super::{
     value::{Opaque, Value, View},
 };
 use crate::{
+    errors::quoted,
     graph::{
         NodeId, Part,
         index::{Index, IndexId, LoopSet},
@@ -120,7 +122,10 @@ impl Reader<'_> {
                 Value::Accumulating => {
                     "this variable is being summed up by the loop around here: it can be read after the loop".to_owned()
                 }
-                Value::Integer(_) => "this is an integer: write it as a number, `2.0`, or `n as f64`".to_owned(),
+                Value::Integer(index) => {
+                    self.note_integer(*index, &place.to_token_stream());
+                    return None;
+                }
                 Value::Unknown => return None,
                 other => format!("expected a number, found {}", other.describe()),
             };
@@ -353,7 +358,13 @@ impl Reader<'_> {
                 Some(parts[position.index as usize].clone().into_operand())
             }
             (other, member) => {
-                self.errors.at(member, format!("{} has no such field", other.describe()));
+                let cure = match member {
+                    Member::Unnamed(position) if is_list(&other) => {
+                        format!(": write `{}[{}]`", quoted(&field.base), position.index)
+                    }
+                    _ => String::new(),
+                };
+                self.errors.at(member, format!("{} has no such field{cure}", other.describe()));
                 None
             }
         }

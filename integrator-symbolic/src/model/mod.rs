@@ -51,6 +51,7 @@ mod total;
 mod types;
 mod unsplit;
 mod value;
+mod whole;
 
 use crate::{
     errors::Errors,
@@ -78,7 +79,7 @@ use shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
 use sign::is_never_negative;
 use sorted_parts::sorted;
 use std::collections::HashMap;
-use syn::{ImplItemFn, ItemUse, Pat, ReturnType, spanned::Spanned};
+use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 use text::standing_alone;
 use value::{Opaque, Value, View};
 
@@ -410,6 +411,8 @@ struct Reader<'i> {
     /// The parameters that derivatives are taken by, by their names, as far as they were read.
     sensitive: HashMap<String, ParameterId>,
     bindings: Vec<Binding>,
+    /// What variables are declared with, where that is a literal or an array.
+    declared_as: HashMap<BindingId, Expr>,
     /// Names in scope, innermost last. A helper method sees its own scopes alone.
     scopes: Vec<HashMap<String, BindingId>>,
     frames: Vec<Frame>,
@@ -453,6 +456,7 @@ impl<'i> Reader<'i> {
             externals: Vec::new(),
             sensitive: HashMap::new(),
             bindings: Vec::new(),
+            declared_as: HashMap::new(),
             scopes: Vec::new(),
             frames: Vec::new(),
             shape: None,
@@ -586,6 +590,9 @@ impl<'i> Reader<'i> {
             Some(energy) => Some(energy),
             // That nothing is returned was noted when the signature was read.
             None if matches!(function.sig.output, ReturnType::Default) => None,
+            None if let (Value::Integer(_), Some(Stmt::Expr(end, None))) = (&value, function.block.stmts.last()) => {
+                self.number(&value, end)
+            }
             None => {
                 let place = function.block.stmts.last().map_or_else(|| function.block.span(), Spanned::span);
                 let message = format!(

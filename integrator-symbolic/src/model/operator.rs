@@ -2,6 +2,7 @@
 
 use super::{
     NOT_SEPARABLE, Reader,
+    cure::{Power, power_by_exclusive_or, power_by_operator},
     integer::Own,
     joint::Joint,
     statement::simple_name,
@@ -72,6 +73,13 @@ impl Reader<'_> {
                 value = Some(Value::Condition(known));
                 continue;
             }
+            if let Some(Power { place, message }) = power_by_operator(link)
+                && (matches!(link.op, BinOp::Mul(_)) || self.verbatim(whole).is_none())
+            {
+                self.errors.at(place, message);
+                value = None;
+                continue;
+            }
             let right = self.under(first, holds, |reader| reader.expression(&link.right));
             self.note_operand(&link.op, right.as_ref(), &link.right);
             value = match (value, right) {
@@ -120,6 +128,13 @@ impl Reader<'_> {
             return match (self.opaque(&left), self.opaque(&right)) {
                 (Some(left), Some(right)) if !literals => Some(Value::Opaque(joined(&left, op, &right))),
                 _ if is_condition(op) => self.compared(op, &left, &right, (left_place, right_place)),
+                _ if let (BinOp::BitXor(_), Expr::Binary(link)) = (op, whole)
+                    && matches!(left, Value::Real(_) | Value::Joint(_)) =>
+                {
+                    let Power { place, message } = power_by_exclusive_or(link);
+                    self.errors.at(place, message);
+                    None
+                }
                 _ => self.refused(whole),
             };
         }

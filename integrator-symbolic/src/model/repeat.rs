@@ -146,7 +146,10 @@ impl Reader<'_> {
             return Some(());
         }
         let now = self.element_of_mut(&target)?.clone();
-        let now = self.number(&now, place)?;
+        let now = match self.declared_literal(&target) {
+            Some(literal) => self.number(&now, literal)?,
+            None => self.number(&now, place)?,
+        };
         let total = self.graph.add(now, sum);
         *self.element_of_mut(&target)? = Value::Real(total);
         Some(())

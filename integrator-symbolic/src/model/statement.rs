@@ -91,6 +91,9 @@ impl Reader<'_> {
         };
         let sound = value.is_some();
         self.bind(&local.pat, value.unwrap_or(Value::Unknown));
+        if let Some(init) = &local.init {
+            self.note_declared(&local.pat, &init.expr);
+        }
         sound.then_some(())
     }
 
