@@ -119,7 +119,9 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
     if !limits::check_depth(&arguments, errors) || !limits::check_depth(&item, errors) {
         return None;
     }
-    syntax::input(without_groups(arguments), without_groups(item), errors)
+    let mut input = syntax::input(without_groups(arguments), without_groups(item), errors)?;
+    model::without_lists(&mut input, errors);
+    Some(input)
 }
 
 /// The model of an input without mistakes.

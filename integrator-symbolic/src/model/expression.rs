@@ -269,7 +269,7 @@ impl Reader<'_> {
             }
             other => {
                 let message = format!("{} cannot be indexed", other.describe());
-                let message = self.sensitive_list(&index.expr).unwrap_or(message);
+                let message = self.several_sensitive(&other).unwrap_or(message);
                 self.errors.at(&index.expr, message);
                 None
             }
@@ -364,7 +364,8 @@ impl Reader<'_> {
                     }
                     _ => String::new(),
                 };
-                self.errors.at(member, format!("{} has no such field{cure}", other.describe()));
+                let message = format!("{} has no such field{cure}", other.describe());
+                self.errors.at(member, self.several_sensitive(&other).unwrap_or(message));
                 None
             }
         }

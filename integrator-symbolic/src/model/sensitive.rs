@@ -1,11 +1,11 @@
 //! Parameters that derivatives are taken by, `sensitive(mass, length)`: each is a number of its own in the graph, and no
 //! text that holds it, so that all that is made of it has a derivative.
 
-use super::{Parameter, Reader, value::Value};
-use crate::graph::{ParameterId, index::LoopSet};
+use super::{Parameter, Reader, sensitive_lists::several, value::Value};
+use crate::graph::{Node, ParameterId, index::LoopSet};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{Expr, ExprField, Member};
+use syn::Member;
 
 /// What a text does that reads a sensitive parameter.
 enum Reading {
@@ -72,14 +72,12 @@ impl Reader<'_> {
         }
     }
 
-    /// What to say of a list that derivatives are taken by, where an expression is one.
-    pub(super) fn sensitive_list(&self, expression: &Expr) -> Option<String> {
-        let Expr::Field(ExprField { member: Member::Named(name), .. }) = expression else { return None };
-        self.is_sensitive(name).then(|| {
-            format!(
-                "derivatives are taken by single numbers, and `{name}` is a list: name fields that are one number each"
-            )
-        })
+    /// What to say of a value with several numbers that derivatives are taken by.
+    pub(super) fn several_sensitive(&self, value: &Value) -> Option<String> {
+        let Value::Real(number) = value else { return None };
+        let Node::Parameter(id) = self.graph.node(*number) else { return None };
+        let is_it = |name: &&Ident| self.sensitive.get(&name.to_string()) == Some(&id);
+        self.input.sensitive.iter().find(is_it).map(several)
     }
 
     fn is_sensitive(&self, name: &Ident) -> bool {

@@ -22,7 +22,9 @@ const ANNOTATIONS: &[Row] = &[
     ("sensitive(weight)", &["1:10 H does not read `self.weight`, so that nothing depends on it: leave it out"]),
     (
         "sensitive(list)",
-        &["2:130 derivatives are taken by single numbers, and `list` is a list: name fields that are one number each"],
+        &[
+            "1:10 derivatives are taken by single numbers, and `list` holds several: name fields that are one number each",
+        ],
     ),
     (
         "sensitive(mass), split = symmetric(omega = 20.0)",
@@ -62,7 +64,117 @@ const BODIES: &[Row] = &[
     ("self.counted() * q[0].cos() * self.length", &[]),
     (
         "self.length[0] * q[0].cos()",
-        &["2:0 derivatives are taken by single numbers, and `length` is a list: name fields that are one number each"],
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "q.iter().zip(&self.length).map(|(x, m)| m * x * x).sum()",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "q.iter().zip(self.length.iter()).map(|(x, m)| m * x * x).sum()",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let mut v = 0.0; for m in &self.length { v += m * q[0]; } v",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let mut v = 0.0; for m in self.length.iter() { v += m * q[0]; } v",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let mut v = 0.0; for i in 0..self.length.len() { v += self.length[i] * q[0]; } v",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let mut v = 0.0; for (i, m) in self.length.iter().enumerate() { v += m * q[i]; } v",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.iter().sum::<f64>() * q[0]",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let m = &self.length; m[0] * q[0]",
+        &[
+            "2:22 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let m = self.length[0]; m * q[0]",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let Self { length, .. } = self; length[0] * q[0]",
+        &[
+            "2:32 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.len() as f64 * q[0]",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let [a, b] = self.length; a * b * q[0]",
+        &[
+            "2:4 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "(0..1).map(|i| self.length[i] * q[i]).sum()",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "let Self { length: [a, b], .. } = self; a * b * q[0]",
+        &[
+            "2:19 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.0 * q[0]",
+        &[
+            "2:12 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.x * q[0]",
+        &[
+            "2:12 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.first().unwrap() * q[0]",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
+    ),
+    (
+        "self.length.get(0).unwrap() * q[0]",
+        &[
+            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+        ],
     ),
     (
         "self.well(q[0]) * self.length",
