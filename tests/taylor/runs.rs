@@ -373,12 +373,43 @@ fn a_run_tells_the_steps_that_it_took_by_itself() {
     // A new state is a new beginning, and what was counted stays.
     run.map_state(|state| state.p[1] = -state.p[1]).expect("a state");
     let evaluations = run.evaluations();
-    assert_eq!(run.own_steps(), Some(steps));
+    let kept = run.own_steps().map(|own| (own.taken, own.shortest, own.longest, own.under_way));
+    assert_eq!(kept, Some((steps.taken, steps.shortest, steps.longest, None)));
     run.advance(40).expect("finite states");
     let later = run.own_steps().expect("steps of its own");
     assert_eq!(run.evaluations() - evaluations, (later.taken - steps.taken + 1) * fine().order() as u64);
 
     assert_eq!(Kepler.run(pericentre(0.6), 0.25).expect("a start").own_steps(), None);
+}
+
+struct Falling;
+
+#[hamiltonian(taylor)]
+impl Falling {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0]
+    }
+}
+
+/// Displayed are steps that were taken: none, where one polynomial is the motion at all times.
+#[test]
+fn a_motion_that_is_a_polynomial_completes_no_step() {
+    let mut run = Falling.run_with(fine(), Phase::new([0.0], [1.0]), 0.25).expect("a start");
+    let own = |run: &Run<[f64; 1]>| run.own_steps().expect("steps of its own");
+    assert_eq!(own(&run).to_string(), "no step completed");
+    run.advance(1000).expect("finite states");
+    assert_eq!((own(&run).taken, own(&run).under_way), (0, Some(f64::INFINITY)));
+    assert_eq!(own(&run).to_string(), "no step completed, the polynomial under way is the motion at all times");
+
+    let mut run = Pendulum.run_with(fine(), Phase::new([1.0], [0.0]), 0.25).expect("a start");
+    run.advance(1000).expect("finite states");
+    let steps = own(&run);
+    let under_way = steps.under_way.expect("a step");
+    assert!(under_way.is_finite() && !format!("{steps}").contains("inf"), "{steps}");
+    assert!(steps.to_string().starts_with(&format!("{} steps of {} to ", steps.taken, steps.shortest)), "{steps}");
 }
 
 #[test]

@@ -1,6 +1,10 @@
 //! What a motion counts of its steps.
 
-/// The steps that a method takes by itself, whatever the step of the run is.
+use crate::error::Number;
+use core::fmt;
+
+/// The steps that a method takes by itself, whatever the step of the run is. Displays how many are completed and how long they
+/// are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OwnSteps {
@@ -10,11 +14,30 @@ pub struct OwnSteps {
     pub shortest: f64,
     /// The longest, zero before the first one.
     pub longest: f64,
+    /// The length of the step under way, infinite where its polynomial is the motion at all times; `None` where no polynomial is
+    /// expanded yet.
+    pub under_way: Option<f64>,
 }
 
 impl Default for OwnSteps {
     fn default() -> Self {
-        Self { taken: 0, shortest: f64::INFINITY, longest: 0.0 }
+        Self { taken: 0, shortest: f64::INFINITY, longest: 0.0, under_way: None }
+    }
+}
+
+impl fmt::Display for OwnSteps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { taken, shortest, longest, under_way } = *self;
+        match taken {
+            0 => write!(f, "no step completed")?,
+            1 => write!(f, "1 step of {}", Number(longest))?,
+            _ => write!(f, "{taken} steps of {} to {}", Number(shortest), Number(longest))?,
+        }
+        match under_way {
+            None => Ok(()),
+            Some(f64::INFINITY) => write!(f, ", the polynomial under way is the motion at all times"),
+            Some(length) => write!(f, ", one of {} under way", Number(length)),
+        }
     }
 }
 
@@ -50,6 +73,7 @@ impl Counts {
             taken: a.taken.saturating_add(b.taken),
             shortest: a.shortest.min(b.shortest),
             longest: a.longest.max(b.longest),
+            under_way: b.under_way,
         };
         let own_steps = match (self.own_steps, later.own_steps) {
             (Some(a), Some(b)) => Some(both(a, b)),

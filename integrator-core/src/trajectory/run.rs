@@ -408,7 +408,8 @@ impl<C: Coords> Run<C> {
     }
 
     /// The steps that the method took by itself, where it does: those of [`Taylor`](crate::taylor::Taylor), which are the
-    /// polynomials that the run has left behind, so that the present one is not among them.
+    /// polynomials that the run has left behind. The present one is under way: where the motion is a polynomial of the time, it
+    /// covers all of it, and no step is ever completed.
     pub fn own_steps(&self) -> Option<OwnSteps> {
         self.counts().own_steps
     }

@@ -24,7 +24,7 @@ use crate::{
     },
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::{
-        counts::Counts,
+        counts::{Counts, OwnSteps},
         motion::{Motion, Prepared},
     },
     trajectory::step_functions::StepFunctions,
@@ -162,7 +162,8 @@ where
     fn counts(&self) -> Option<Counts> {
         let Segment { step, steps, .. } = &self.segments[0];
         let polynomials = steps.taken + u64::from(step.is_some());
-        Some(Counts { evaluations: polynomials.saturating_mul(self.method.order as u64), own_steps: Some(*steps) })
+        let steps = OwnSteps { under_way: step.map(f64::abs), ..*steps };
+        Some(Counts { evaluations: polynomials.saturating_mul(self.method.order as u64), own_steps: Some(steps) })
     }
     fn finite(&self) -> bool {
         self.segments[..R::MEMBERS].iter().all(|segment| segment.unsolved.is_none())
