@@ -23,7 +23,7 @@ use integrator_bench::{
     starts::{Problem, Problems},
     table::Table,
 };
-use integrator_core::{Coords, check::candidates, prelude::*};
+use integrator_core::{Coords, check::candidates_with, prelude::*};
 use std::collections::BTreeMap;
 
 /// The errors that times are given for.
@@ -167,7 +167,7 @@ where
 {
     let Problem { system, span, reference, .. } = problem;
     let length = start.q.flat().len();
-    let mut found = candidates::<H, C::Leaf>(system);
+    let mut found = candidates_with::<H, C::Leaf>(system);
     let carried = if size_of::<C::Leaf>() > size_of::<f64>() { ", compensated" } else { "" };
     let mut row = |name: &&str| {
         let place = found.iter().position(|candidate| candidate.facts().name == *name);

@@ -1,7 +1,10 @@
 //! Choosing a composition: what is ranked keeps what it promises, and what cannot be ranked says why.
 
 use integrator_core::{
-    check::{CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, choose, choose_among},
+    check::{
+        CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, candidates, candidates_with, choose,
+        choose_among,
+    },
     prelude::*,
     taylor::Taylor,
 };
@@ -385,4 +388,20 @@ fn implicit_methods_are_ranked_where_h_stays_in_one_piece() {
     }
     let refused = choose(&OnePiece, start, span, Goal::Trajectory(1e-20)).expect_err("less than a rounding");
     assert!(matches!(refused, ChooseError::Unfollowed { .. }), "{refused}");
+}
+
+#[test]
+fn candidates_are_listed_without_a_precision() {
+    let listed = candidates(&Pendulum);
+    let single = candidates_with::<_, f32>(&Pendulum);
+    assert!(
+        listed.iter().map(|candidate| candidate.facts().name).eq(single.iter().map(|candidate| candidate.facts().name))
+    );
+    let verlet = single.iter().find(|candidate| candidate.facts().name == "Verlet").expect("a candidate");
+    let start = Phase::new([2.0_f32], [0.0]);
+    let mut run = verlet.run(start, 0.1).expect("a start");
+    let mut named = Pendulum.run_with(Verlet, start, 0.1).expect("a start");
+    run.advance(100).expect("finite states");
+    named.advance(100).expect("finite states");
+    assert_eq!(run.state(), named.state());
 }

@@ -55,7 +55,7 @@ pub use certificate::{Certificate, Tolerances};
 pub use certify::certify;
 pub use choose::{
     Candidate, Choice, ChooseError, Goal, LogarithmicSteps, PacedSteps, Ranking, Split, Splitting, Unranked,
-    candidates, choose, choose_among,
+    candidates, candidates_with, choose, choose_among,
 };
 pub use error::CheckError;
 pub use modified::{

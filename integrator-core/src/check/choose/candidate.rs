@@ -36,7 +36,7 @@ type Begin<'s, C> = Box<dyn Fn(&Start<C>, f64) -> Result<Run<C>, Error> + 's>;
 /// }
 ///
 /// let start = Phase::new([1.0], [0.0]);
-/// for candidate in candidates::<_, f64>(&Oscillator) {
+/// for candidate in candidates(&Oscillator) {
 ///     let mut run = candidate.run(start, 0.01)?;
 ///     run.advance(100)?;
 ///     println!("{:<24} {:+.1e}", candidate.facts().name, run.state().q[0] - 1.0_f64.cos());
@@ -108,8 +108,14 @@ impl<'s, C: Coords> Candidate<'s, C> {
     }
 }
 
-/// A system under each composition of the catalogue that it admits.
-pub fn candidates<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
+/// Returns a system under each composition of the catalogue that it admits, with states in `f64`.
+pub fn candidates<H: Hamiltonian>(system: &H) -> Vec<Candidate<'_, H::Coords>> {
+    candidates_with::<H, f64>(system)
+}
+
+/// Returns a system under each composition of the catalogue that it admits, with states of another
+/// precision, as in `candidates_with::<_, f32>(&system)`.
+pub fn candidates_with<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
     let mut candidates = Candidates::<H, K> { system, with_gradients: None, found: Vec::new() };
     H::visit_compositions(&mut candidates);
     candidates.found

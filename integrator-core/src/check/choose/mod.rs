@@ -14,7 +14,7 @@ mod ranking;
 mod search;
 mod splitting;
 
-pub use candidate::{Candidate, candidates};
+pub use candidate::{Candidate, candidates, candidates_with};
 pub use error::ChooseError;
 pub use pace::{LogarithmicSteps, PacedSteps};
 pub use ranking::{Choice, Ranking, Split, Unranked};

@@ -3,7 +3,7 @@
 use super::{
     Split,
     adaptive::{ByTaylor, by_taylor},
-    candidate::{Candidate, candidates, in_one_piece},
+    candidate::{Candidate, candidates_with, in_one_piece},
 };
 use crate::{
     check::{
@@ -116,7 +116,7 @@ where
         Ok(if const { H::PARTS.is_empty() } {
             in_one_piece::<H, C::Leaf>(self)
         } else {
-            candidates::<H, C::Leaf>(self)
+            candidates_with::<H, C::Leaf>(self)
         })
     }
 
