@@ -2,8 +2,8 @@
 
 use integrator_core::{
     check::{
-        CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, candidates, candidates_with, choose,
-        choose_among,
+        CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, candidates, candidates_with, certify,
+        choose, choose_among,
     },
     prelude::*,
     taylor::Taylor,
@@ -404,4 +404,33 @@ fn candidates_are_listed_without_a_precision() {
     run.advance(100).expect("finite states");
     named.advance(100).expect("finite states");
     assert_eq!(run.state(), named.state());
+}
+
+/// An oscillator with this angular frequency.
+struct Turning {
+    rate: f64,
+}
+
+#[hamiltonian]
+impl Turning {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        self.rate * p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        self.rate * q[0] * q[0] / 2.0
+    }
+}
+
+/// In any unit of time, no table has a row of zeros.
+#[test]
+fn small_and_large_numbers_of_tables_have_an_exponent() {
+    let start = Phase::new([1.0], [0.0]);
+    for unit in [1e-9, 1e9] {
+        let system = Turning { rate: 1.0 / unit };
+        let ranking = choose(&system, start, 10.0 * unit, Goal::Trajectory(1e-3)).expect("a ranking").to_string();
+        let certificate = certify(&system, Verlet, start.at_time(unit), 0.1 * unit).expect("a certificate").to_string();
+        for text in [ranking, certificate] {
+            assert!(!text.contains("0.0000") && !text.contains("00000."), "{text}");
+        }
+    }
 }

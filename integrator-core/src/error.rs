@@ -22,7 +22,8 @@ macro_rules! debug_as_display {
 #[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
 pub(crate) use debug_as_display;
 
-/// A number in a message: with an exponent where it is below 1e-5 or from 1e6 on, so that no message is a row of zeros.
+/// A number in a message: with an exponent where it is below 1e-5 or from 1e6 on, so that no message is a row of zeros. Width,
+/// sign and digits are those of the place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number(pub(crate) f64);
 
@@ -30,8 +31,8 @@ impl core::fmt::Display for Number {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let Self(number) = *self;
         match number == 0.0 || !number.is_finite() || (1e-5..1e6).contains(&number.abs()) {
-            true => write!(f, "{number}"),
-            false => write!(f, "{number:e}"),
+            true => core::fmt::Display::fmt(&number, f),
+            false => core::fmt::LowerExp::fmt(&number, f),
         }
     }
 }
@@ -661,6 +662,8 @@ mod tests {
             Vec::from([0.0, 1.0, -0.5, 1e-5, 9.9e-6, 999_999.5, 1e6, f64::MAX, f64::MIN_POSITIVE, 5e-324]);
         numbers.extend((-320..308).map(|exponent| 1.694573084669179 * 10.0_f64.powi(exponent)));
         for number in numbers.into_iter().flat_map(|number| [number, -number]) {
+            let columns = format!("{:>13.6}", Number(number));
+            assert!(columns.len() <= 14 && (number.abs() < 1e-300 || !columns.ends_with("0.000000")), "{columns}");
             let text = Number(number).to_string();
             assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(number.to_bits()), "{text}");
             assert!(text.len() <= 24 && !text.contains("000000"), "{text}");

@@ -71,8 +71,8 @@ pub struct Indicators {
 
 impl fmt::Display for Indicators {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { mean_megno, exponent, .. } = self;
-        let time = Number(self.time);
+        let exponent = self.exponent;
+        let (mean_megno, time) = (Number(self.mean_megno), Number(self.time));
         match self.verdict {
             Verdict::Regular => {
                 write!(f, "regular: the mean MEGNO is {mean_megno:.3} after a time of {time}, below {REGULAR_BELOW}")

@@ -1,8 +1,11 @@
 //! Certificates: what was measured, as data and as text.
 
-use crate::check::property::{
-    agreement::Agreement, energy::EnergyDrift, flow_laws::FlowErrors, invariants::InvariantDrift, order::Order,
-    stability::Stability,
+use crate::{
+    check::property::{
+        agreement::Agreement, energy::EnergyDrift, flow_laws::FlowErrors, invariants::InvariantDrift, order::Order,
+        stability::Stability,
+    },
+    error::Number,
 };
 use std::fmt;
 
@@ -76,9 +79,9 @@ pub struct Tolerances {
 /// One line for each measurement that could be made.
 impl fmt::Display for Certificate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} on {}, h = {}", self.composition, self.system, self.step)?;
+        write!(f, "{} on {}, h = {}", self.composition, self.system, Number(self.step))?;
         if self.time != 0.0 {
-            write!(f, ", from t = {}", self.time)?;
+            write!(f, ", from t = {}", Number(self.time))?;
         }
         let Tolerances { symplectic_defect, reversibility, gradient_error } = self.tolerances;
         let line = |f: &mut fmt::Formatter<'_>, name, number: f64, rest: String| match number.is_nan() {
@@ -118,7 +121,7 @@ impl fmt::Display for Certificate {
 impl Certificate {
     fn write_order(&self, order: &Order, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Order { slope, points, finest, coarsest, span, .. } = order;
-        write!(f, "\n  observed order     {slope:.2} (claimed {}", self.claimed_order)?;
+        write!(f, "\n  observed order     {:.2} (claimed {}", Number(*slope), self.claimed_order)?;
         write!(f, "; {points} steps from {finest:.1e} to {coarsest:.1e} over a time of {span:.1e}")?;
         if !self.order_until.is_nan() {
             write!(f, "; it holds up to t = {:.1e}", self.order_until)?;

@@ -6,7 +6,7 @@ use crate::{
         error::CheckError,
         property::{energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
     },
-    error::{Error, Misread, debug_as_display},
+    error::{Error, Misread, Number, debug_as_display},
 };
 use std::fmt;
 
@@ -63,7 +63,7 @@ pub enum Shortfall {
     },
     /// The order holds up to a time only.
     #[error(
-        "the order {claimed} holds up to t = {} only: {}", readable(*time), Shrinking(*observed)
+        "the order {claimed} holds up to t = {} only: {}", Number(readable(*time)), Shrinking(*observed)
     )]
     OrderLost {
         /// The time at which it is lost.
@@ -88,21 +88,21 @@ pub enum Shortfall {
     #[error(
         "the energy strays by {:.2} of the largest kinetic energy (or that of the first part), and in the mean by {:.2} of \
          the mean one, in {} steps of {}: the step is too coarse, or wrong",
-        .0.deviation, .0.mean_deviation / .0.mean_kinetic, .0.steps, .0.step
+        Number(.0.deviation), Number(.0.mean_deviation / .0.mean_kinetic), .0.steps, Number(.0.step)
     )]
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
     #[error(
         "the energy drifts: it strays by {:.1e} of the kinetic energy (or that of the first part) in {} steps of {}, \
          and {:.1e} of it are a trend",
-        .0.deviation, .0.steps, .0.step, .0.drift()
+        .0.deviation, .0.steps, Number(.0.step), .0.drift()
     )]
     EnergyDrift(EnergyDrift),
     /// The energy strays by more than steps of half the length and the order explain.
     #[error(
         "the energy strays by {:.1e} of the kinetic energy (or that of the first part) in steps of {}, and by \
          {:.1e} in steps of {}, where an order of {order} explains a factor of about {}: the step is too coarse, or the energy jumps",
-        .drift.deviation, .drift.step, .finer.deviation, .finer.step, 1_u64 << (*order).min(63)
+        .drift.deviation, Number(.drift.step), .finer.deviation, Number(.finer.step), 1_u64 << (*order).min(63)
     )]
     EnergyNotExplained {
         /// In the step of the certificate.
@@ -115,7 +115,8 @@ pub enum Shortfall {
     /// An energy jumps along the orbit.
     #[error(
         "`{function}` jumps by {by:.1e} near t = {time}, at {state:?} (positions first): there is no force of a jump, and no step \
-         that crosses it belongs to this energy. Replace it by a smooth transition, or choose an orbit that does not cross it"
+         that crosses it belongs to this energy. Replace it by a smooth transition, or choose an orbit that does not cross it",
+        time = Number(*time)
     )]
     EnergyJumps {
         /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
@@ -140,7 +141,8 @@ pub enum Shortfall {
     /// The flow of a part of H is none, or is not that of its energy.
     #[error(
         "the flow of `{part}` {law}: {error:.1e} off, where {tolerance:.1e} are explained (t = {time}, a duration of \
-         {duration:.1e}): a flow of your own is wrong, or the part was misread"
+         {duration:.1e}): a flow of your own is wrong, or the part was misread",
+        time = Number(*time)
     )]
     Flow {
         /// The name of the part, or of several parts whose energies are not known apart.
@@ -172,7 +174,7 @@ pub enum Shortfall {
     #[error(
         "{} is {stated} by differences and {generated} in the generated code, where {tolerance:.1e} are explained \
          (t = {time}): look at the derivatives that `#[derivative]` states; if there are none, `{function}` is misread",
-        derivative(function, *order)
+        derivative(function, *order), stated = Number(*stated), generated = Number(*generated), time = Number(*time)
     )]
     Derivative {
         /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.

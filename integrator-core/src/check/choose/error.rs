@@ -1,6 +1,9 @@
 //! Errors of the choice of a composition.
 
-use crate::{check::CheckError, error::debug_as_display};
+use crate::{
+    check::CheckError,
+    error::{Number, debug_as_display},
+};
 
 debug_as_display!(ChooseError);
 
@@ -15,13 +18,13 @@ pub enum ChooseError {
     #[error("no splitting is given: name at least one system")]
     NoSplitting,
     /// The span is zero or not finite.
-    #[error("the span is {span}: it has to be finite and not zero (negative spans run backwards)")]
+    #[error("the span is {span}: it has to be finite and not zero (negative spans run backwards)", span = Number(*span))]
     Span {
         /// The span that was asked for.
         span: f64,
     },
     /// The tolerance is not a positive number.
-    #[error("the tolerance is {tolerance}: it has to be positive and finite")]
+    #[error("the tolerance is {tolerance}: it has to be positive and finite", tolerance = Number(*tolerance))]
     Tolerance {
         /// The tolerance that was asked for.
         tolerance: f64,
@@ -29,7 +32,8 @@ pub enum ChooseError {
     /// The Hamiltonian is defined by pieces in time, and no equal steps over the span end where these do.
     #[error(
         "the Hamiltonian changes its formula at t = {time}, where no equal steps over a span of {span} end, and a step over the \
-         edge costs the order: choose a span that is a multiple of the time between edges"
+         edge costs the order: choose a span that is a multiple of the time between edges",
+        time = Number(*time), span = Number(*span)
     )]
     Edge {
         /// The time of an edge that no step meets.

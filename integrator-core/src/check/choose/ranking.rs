@@ -1,6 +1,6 @@
 //! The ranking of compositions, as data and as a table.
 
-use crate::composition::Class;
+use crate::{composition::Class, error::Number};
 use std::fmt;
 
 /// A composition with the longest step that met the tolerance, or Taylor's method with the loosest tolerance that did.
@@ -110,7 +110,7 @@ impl fmt::Display for Ranking {
         write!(f, " {:>8} {:>12} {:>13}", "error", "evaluations", "milliseconds")?;
         for choice in &self.choices {
             let Choice { splitting, order, step, steps, error, evaluations, seconds, .. } = choice;
-            let (composition, milliseconds) = (choice.name(), seconds * 1e3);
+            let (composition, step, milliseconds) = (choice.name(), Number(*step), Number(seconds * 1e3));
             writeln!(f)?;
             if self.among {
                 write!(f, "{splitting:<width$} ")?;

@@ -9,6 +9,7 @@ use crate::{
         CheckError,
         start::{IntoStart, Start},
     },
+    error::Number,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::watched::{Side, Watched, sides_of},
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -38,7 +39,8 @@ pub struct Crossing {
 
 impl fmt::Display for Crossing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { part, number, by, times, first: (step, time), operands: [[a, b], [c, d]] } = self;
+        let Self { part, number, by, times, first: (step, time), operands } = self;
+        let ([[a, b], [c, d]], time) = ((*operands).map(|side| side.map(Number)), Number(*time));
         write!(
             f,
             "comparison {number} of `{part}`, by `{by}`, in {times} steps, the first of which is step {step} to a time of \

@@ -9,6 +9,7 @@ use crate::{
         CheckError,
         start::{IntoStart, Start},
     },
+    error::Number,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::largest,
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -64,7 +65,7 @@ impl fmt::Display for Monodromy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.is_stable() { "stable, multipliers" } else { "unstable, multipliers" })?;
         for Multiplier { re, im } in &self.multipliers {
-            write!(f, " {re:.6}{im:+.6}i")?;
+            write!(f, " {:.6}{:+.6}i", Number(*re), Number(*im))?;
         }
         write!(f, " (known to {:.1e}), the orbit closes to {:.1e}", self.uncertainty, self.gap)
     }

@@ -16,6 +16,7 @@ use crate::{
         },
     },
     composition::Composition,
+    error::Number,
     hamiltonian::{Hamiltonian, Shaped},
     scalar::tolerance::{largest, within},
     state::{
@@ -68,7 +69,8 @@ impl fmt::Display for Stability {
         if turn.is_nan() {
             return write!(f, "h·ω is unknown: no sample has finite second derivatives");
         }
-        write!(f, "h·ω = {turn:.2e} at most (t = {time:.3e}), {:.1} % of the limit {limit:.2}", 100.0 * self.share())?;
+        let share = Number(100.0 * self.share());
+        write!(f, "h·ω = {turn:.2e} at most (t = {time:.3e}), {share:.1} % of the limit {limit:.2}")?;
         if self.is_near() {
             write!(f, "; WARNING: from half of it on, take a smaller step")?;
         }
