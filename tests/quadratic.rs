@@ -6,7 +6,11 @@
 #[path = "support/instruction_sets.rs"]
 mod instruction_sets;
 
-use integrator_core::{Aba864, Ensemble, KahanLi8, check::certify, prelude::*};
+use integrator_core::{
+    Aba864, Ensemble, KahanLi8,
+    check::{CertifyError, Shortfall, certify},
+    prelude::*,
+};
 
 /// Hénon and Heiles's potential with a small cubic term.
 #[derive(Clone)]
@@ -128,6 +132,10 @@ fn chain(k: f64) -> Phase<[f64; 5]> {
     Phase { q: [0.1, -0.2, 0.3, 0.1 * k, -0.1], p: [0.0, 0.2, -0.1, 0.1, 0.3] }
 }
 
+fn times<const N: usize>(factor: f64, Phase { q, p }: Phase<[f64; N]>) -> Phase<[f64; N]> {
+    Phase { q: q.map(|q| factor * q), p: p.map(|p| factor * p) }
+}
+
 #[test]
 fn quadratic_forms_are_certified() {
     let start = Phase { q: [0.3, -0.2], p: [0.1, 0.4] };
@@ -135,6 +143,37 @@ fn quadratic_forms_are_certified() {
     certify::<_, _, f64>(&trap(0.0), Aba864, charge(1.0), 0.05).unwrap_or_else(|error| panic!("{error}"));
     certify::<_, _, f64>(&turning(1.0), Yoshida4, bodies(1.0), 0.05).unwrap_or_else(|error| panic!("{error}"));
     certify::<_, _, f64>(&Chain { coupling: 0.7 }, Aba864, chain(1.0), 0.1).unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// A cubic term is as large as the amplitude, beside the quadratic one, and a quartic one of a large amplitude is larger.
+#[test]
+fn the_size_of_the_second_part_is_certified() {
+    let size = |amplitude: f64, epsilon: f64| {
+        let start = times(amplitude, Phase { q: [0.3, -0.2], p: [0.1, 0.4] });
+        let certificate =
+            certify(&HenonHeiles { epsilon }, Aba864, start, 0.1).unwrap_or_else(|error| panic!("{error}"));
+        let part = certificate.second_part.expect("two parts that move the same momenta");
+        assert_eq!(part.orders, [8, 6, 4]);
+        part.size
+    };
+    // The forces are x² - y² and 2 x y beside x and y, and all coordinates are below 0.5 in units of the amplitude.
+    let small = size(1.0 / 64.0, 1.0);
+    assert!(0.0 < small && small < 1.0 / 64.0, "{small}");
+    // The same motion in other units, by powers of two, has the same bits.
+    assert_eq!(size(1.0, 1.0 / 64.0), small);
+
+    let stretched = times(10.0, chain(1.0));
+    let Err(CertifyError::Refused { certificate, shortfalls }) =
+        certify(&Chain { coupling: 0.7 }, Aba864, stretched, 0.001)
+    else {
+        panic!("certified")
+    };
+    let part = certificate.second_part.expect("a size");
+    assert!(shortfalls.contains(&Shortfall::NotSmall(part)), "{certificate}");
+    assert!(Shortfall::NotSmall(part).to_string().contains("(8, 6, 4)"));
+    // A composition for any parts claims nothing of their sizes.
+    let outcome = certify(&Chain { coupling: 0.7 }, KahanLi8, stretched, 0.001);
+    assert!(outcome.is_ok_and(|certificate| certificate.second_part.is_none()));
 }
 
 #[test]

@@ -55,6 +55,9 @@ pub struct Certificate {
     /// The number of comparisons with the user's own functions, at the start and along the path, in which the generated
     /// code agreed. `None` where it does not, or where no comparison could be made.
     pub agreement: Option<Agreement>,
+    /// The size of the second part of H, where the composition claims
+    /// [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS) and both parts move the same coordinates.
+    pub second_part: Option<SecondPart>,
     /// What was measured of each `#[invariant]`.
     pub invariants: Vec<InvariantDrift>,
     /// The distance of the step from the one at which the composition becomes unstable. A warning at most: no
@@ -74,6 +77,23 @@ pub struct Tolerances {
     pub reversibility: f64,
     /// Of [`Certificate::gradient_error`].
     pub gradient_error: f64,
+}
+
+/// The size of the second part of H, and what is claimed where it is small.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SecondPart {
+    /// The root mean square of its derivatives along the path, over that of the first part or of both together, whichever is smaller.
+    /// Each derivative is taken in units of those of both parts by its coordinate.
+    pub size: f64,
+    /// The powers of the step with which the errors of its first, second, ... power fall.
+    pub orders: &'static [u32],
+}
+
+/// Generalised orders as `(10, 6, 4)`.
+pub(crate) fn write_orders(orders: &[u32], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
+    write!(f, "({})", orders.join(", "))
 }
 
 /// One line for each measurement that could be made.
@@ -110,6 +130,11 @@ impl fmt::Display for Certificate {
         if let Some(Agreement { energies, derivatives, left_out }) = self.agreement {
             write!(f, "\n  own functions      {energies} energies and {derivatives} derivatives agree, ")?;
             write!(f, "{left_out} could not be compared")?;
+        }
+        if let Some(SecondPart { size, orders }) = self.second_part {
+            write!(f, "\n  second part        {size:.1e} of the first or of both (orders ")?;
+            write_orders(orders, f)?;
+            write!(f, ", where it is small)")?;
         }
         for invariant in &self.invariants {
             write!(f, "\n  invariant          {invariant}")?;

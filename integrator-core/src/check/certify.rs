@@ -3,7 +3,7 @@
 use crate::{
     check::{
         CheckError,
-        certificate::{Certificate, Tolerances},
+        certificate::{Certificate, SecondPart, Tolerances},
         measurable::{Measurable, Measured},
         oracle::exact::Steps,
         property::{
@@ -16,6 +16,7 @@ use crate::{
             local_order::{OrderAlong, UNITS, order_along},
             order::{Order, needed_along, order_of, path},
             reversibility::RoundTrip,
+            smallness::{SMALL, size_of_second_part},
             symplecticity::Defect,
         },
         shortfall::{CertifyError, Shortfall},
@@ -58,7 +59,8 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
 /// that a composition that claims symmetry runs back to where it began, that the energy stays (or has no jumps, if `H` reads
-/// the time), that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
+/// the time), that the second part of H is small where
+/// [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS) are claimed for a small one, that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
 /// of what `#[invariant]` says is conserved vanishes, and that both are what the user's own functions say. Each is judged by
 /// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
 /// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
@@ -181,6 +183,13 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         Err(reason) => findings.judge("the agreement with your own functions", Err(reason.clone()), |_| None),
     };
 
+    let orders = facts.generalised_orders;
+    let second_part = (!orders.is_empty())
+        .then(|| size_of_second_part(subject.measured.stated().energies(), visited))
+        .flatten()
+        .map(|size| SecondPart { size, orders });
+    findings.0.extend(second_part.filter(|part| !within(part.size, SMALL)).map(Shortfall::NotSmall));
+
     let invariants = match &states {
         Ok(states) => findings.judge("the invariants", subject.invariants(states), |_| None).unwrap_or_default(),
         // Why there are none is reported already.
@@ -212,6 +221,7 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
         gradient_error: gradient.unwrap_or(f64::NAN),
         flows,
         agreement,
+        second_part,
         invariants,
         stability,
         tolerances: Tolerances {

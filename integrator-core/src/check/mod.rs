@@ -51,7 +51,7 @@ mod shortfall;
 mod start;
 pub(crate) mod statistics;
 
-pub use certificate::{Certificate, Tolerances};
+pub use certificate::{Certificate, SecondPart, Tolerances};
 pub use certify::certify;
 pub use choose::{
     Candidate, Choice, ChooseError, Goal, LogarithmicSteps, PacedSteps, Ranking, Split, Splitting, Unranked,

@@ -2,7 +2,7 @@
 
 use crate::{
     check::{
-        certificate::Certificate,
+        certificate::{Certificate, SecondPart, write_orders},
         error::CheckError,
         property::{energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
     },
@@ -128,6 +128,12 @@ pub enum Shortfall {
         /// The state behind the jump, positions first.
         state: Vec<f64>,
     },
+    /// The second part of H is not small, and the composition claims its orders for a small one.
+    #[error(
+        "the second part of H is {:.1e} of the first or of both together, where the orders {} are claimed for a small one: these parts should be taken \
+         by a composition for any two parts, or H split so that its second part is small", .0.size, Orders(.0.orders)
+    )]
+    NotSmall(SecondPart),
     /// A flow is not that of its energy.
     #[error(
         "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"
@@ -212,6 +218,15 @@ fn derivative(function: &str, order: u32) -> String {
         ("potential", _) => "the derivative of the force, a second one of `potential`,".to_owned(),
         (_, 1) => format!("a derivative of `{function}`, a force or a velocity,"),
         _ => format!("a derivative of a force or a velocity, a second one of `{function}`,"),
+    }
+}
+
+/// Generalised orders.
+struct Orders(&'static [u32]);
+
+impl fmt::Display for Orders {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write_orders(self.0, f)
     }
 }
 

@@ -22,6 +22,9 @@ pub struct Facts {
     pub name: &'static str,
     /// With which power of the step its errors fall.
     pub order: u32,
+    /// The powers of the step with which the parts of an error fall that are of the first, second, ... power of the size of H's second
+    /// part: [`Scheme::GENERALISED_ORDERS`]. Empty where none are claimed.
+    pub generalised_orders: &'static [u32],
     /// Whether a step by `-h` undoes a step by `h`.
     pub symmetric: bool,
     /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell
@@ -46,6 +49,7 @@ impl Facts {
     pub(crate) const UNCLAIMED: Self = Self {
         name: "",
         order: 0,
+        generalised_orders: &[],
         symmetric: false,
         symplectic: false,
         adaptive: false,
@@ -83,6 +87,7 @@ impl<X: Scheme> Described for X {
         Facts {
             name: X::NAME,
             order: X::ORDER,
+            generalised_orders: if X::GENERALISED_ORDERS.len() > 1 { X::GENERALISED_ORDERS } else { &[] },
             symmetric: X::SYMMETRIC,
             symplectic: true,
             forces: Some(X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS),

@@ -15,5 +15,6 @@ pub(crate) mod order;
 pub(crate) mod part_flows;
 pub(crate) mod reversibility;
 pub(crate) mod shadow;
+pub(crate) mod smallness;
 pub(crate) mod stability;
 pub(crate) mod symplecticity;
