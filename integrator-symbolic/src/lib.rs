@@ -239,6 +239,15 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
                 errors.at(&function.sig.ident, message);
             }
         }
+        Err(emit::Obstacle::Softening(softening)) => {
+            let message = "Kepler's equation solves -G m[i] m[j] / r, and this softens the distance `r` of two bodies: leave it \
+                           out, or leave out `coordinates` and `split`";
+            match (model.place_of(softening), function("potential")) {
+                (Some(place), _) => errors.at(place, message),
+                (None, Some(function)) => errors.at(&function.sig.ident, message),
+                (None, None) => {}
+            }
+        }
     }
 }
 

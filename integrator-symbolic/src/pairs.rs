@@ -6,6 +6,7 @@
 //! coordinates of its two bodies and nothing else that moves.
 
 mod attraction;
+mod canonical;
 mod central;
 mod cutoff;
 mod exchange;
@@ -18,7 +19,8 @@ use crate::{
         rename::{Parameters, Renaming},
     },
 };
-pub(crate) use attraction::{attraction, inverse_mass};
+pub(crate) use attraction::{attraction, inverse_mass, softening};
+pub(crate) use canonical::canonical;
 pub(crate) use central::pull;
 pub(crate) use cutoff::{Cutoff, cutoff};
 use exchange::Forms;

@@ -1,11 +1,14 @@
 //! The arena as numbers, for tests: an interpreter that shares nothing with the code that is written.
 
 use super::{
-    Comparison, Element, Graph, Node, NodeId, Part,
+    Comparison, Element, Graph, Node, NodeId, ParameterId, Part,
     function::Rule,
     index::{Index, IndexId, LoopId},
 };
 use std::collections::HashMap;
+
+/// The value of a parameter where the loops' indices are these.
+type LookUp<'p> = &'p dyn Fn(ParameterId, &HashMap<LoopId, i64>) -> f64;
 
 /// The values with which expressions are evaluated.
 pub(crate) struct Point<'p> {
@@ -13,6 +16,10 @@ pub(crate) struct Point<'p> {
     pub(crate) p: &'p [f64],
     /// The values of parameters, by their ids.
     pub(crate) parameters: &'p [f64],
+    /// The values of parameters in iterations of the loops, where they depend on these.
+    pub(crate) look_up: Option<LookUp<'p>>,
+    /// How many components a point has, where coordinates are points.
+    pub(crate) width: usize,
     /// The running indices of the loops around.
     pub(crate) running: HashMap<LoopId, i64>,
     /// Values that were computed before.
@@ -21,7 +28,7 @@ pub(crate) struct Point<'p> {
 
 impl<'p> Point<'p> {
     pub(crate) fn new(q: &'p [f64], p: &'p [f64]) -> Self {
-        Self { q, p, parameters: &[], running: HashMap::new(), known: HashMap::new() }
+        Self { q, p, parameters: &[], look_up: None, width: 1, running: HashMap::new(), known: HashMap::new() }
     }
 
     /// All iterations of the loops of `context`, outermost first.
@@ -46,7 +53,7 @@ impl<'p> Point<'p> {
             Index::Literal(value) => value as i64,
             Index::Length => self.q.len() as i64,
             Index::Running(by) => self.running[&by],
-            Index::Parameter(id) => self.parameters[id.0 as usize] as i64,
+            Index::Parameter(id) => self.parameter(id) as i64,
             Index::Add(a, b) => value(a) + value(b),
             Index::Sub(a, b) | Index::Minus(a, b) => value(a) - value(b),
             Index::Mul(a, b) => value(a) * value(b),
@@ -63,12 +70,23 @@ impl<'p> Point<'p> {
         }
     }
 
+    fn parameter(&self, id: ParameterId) -> f64 {
+        match self.look_up {
+            Some(look_up) => look_up(id, &self.running),
+            None => self.parameters[id.0 as usize],
+        }
+    }
+
     pub(crate) fn coordinate(&self, graph: &Graph, element: Element) -> f64 {
         let values = match element.part {
             Part::Position => self.q,
             Part::Momentum => self.p,
         };
-        values[self.index(graph, element.index) as usize]
+        let index = self.index(graph, element.index) as usize;
+        match element.component {
+            Some(component) => values[index * self.width + self.index(graph, component) as usize],
+            None => values[index],
+        }
     }
 
     pub(crate) fn value(&mut self, graph: &Graph, id: NodeId) -> f64 {
@@ -77,7 +95,7 @@ impl<'p> Point<'p> {
         }
         match graph.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
-            Node::Parameter(id) => self.parameters[id.0 as usize],
+            Node::Parameter(id) => self.parameter(id),
             Node::Coordinate(element) => self.coordinate(graph, element),
             Node::Time | Node::Middle | Node::Step => 1.0,
             Node::FromIndex(index) => self.index(graph, index) as f64,

@@ -2,7 +2,7 @@
 
 use super::{
     Element, Graph, Node, NodeId, ParameterId,
-    index::{Index, IndexId, LoopId},
+    index::{Index, IndexId, LoopId, LoopSet},
 };
 
 /// The texts behind parameters.
@@ -11,44 +11,89 @@ pub(crate) trait Parameters {
     fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
     /// The parameters that a product is made of, each with its exponent; a parameter itself where it is no product.
     fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)>;
+    /// Whether a parameter is the negative of another one by its text, and that one, without a condition on the number of
+    /// bodies around it.
+    fn bare(&mut self, _graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
+        (false, id)
+    }
+    /// The parameter that is one where the index of a loop is zero, or where it is not, and zero elsewhere.
+    fn indicator(&mut self, _graph: &mut Graph, _by: LoopId, _is_zero: bool) -> Option<ParameterId> {
+        None
+    }
+    /// The parameter that has its value at one where the index of a loop is zero; `None` as for others.
+    fn behind_first(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
+        None
+    }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
+    /// The same where it has no name yet.
+    fn name_if_new(&mut self, _new: LoopId, _like: LoopId) {}
 }
 
-/// A simultaneous replacement of loops' indices, each by that of another loop.
+/// What takes the place of a loop's index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    Loop(LoopId),
+    Number(u64),
+}
+
+/// A simultaneous replacement of loops' indices, each by that of another loop or by a number.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Renaming([(LoopId, LoopId); 2]);
+pub(crate) struct Renaming([(LoopId, Place); 2]);
 
 impl Renaming {
     /// One index by another.
     pub(crate) fn one(from: LoopId, to: LoopId) -> Self {
-        Self([(from, to); 2])
+        Self::to(from, Place::Loop(to))
+    }
+
+    /// One index by another, or by a number.
+    pub(crate) fn to(from: LoopId, place: Place) -> Self {
+        Self([(from, place); 2])
     }
 
     /// Two indices, each by another.
     pub(crate) fn both(from: [LoopId; 2], to: [LoopId; 2]) -> Self {
-        Self([(from[0], to[0]), (from[1], to[1])])
+        Self([(from[0], Place::Loop(to[0])), (from[1], Place::Loop(to[1]))])
     }
 
     /// Two indices by each other.
     pub(crate) fn exchange([first, second]: [LoopId; 2]) -> Self {
-        Self([(first, second), (second, first)])
+        Self::both([first, second], [second, first])
     }
 
-    /// The loop whose index stands where that of `by` was.
-    pub(crate) fn of(self, by: LoopId) -> LoopId {
-        self.0.iter().find(|(from, _)| *from == by).map_or(by, |(_, to)| *to)
+    /// What stands where the index of `by` was.
+    pub(crate) fn of(self, by: LoopId) -> Place {
+        self.0.iter().find(|(from, _)| *from == by).map_or(Place::Loop(by), |(_, to)| *to)
     }
 
-    /// An integer expression for the other indices.
-    pub(crate) fn index(self, graph: &mut Graph, id: IndexId) -> IndexId {
+    /// Whether none of these indices is replaced.
+    pub(crate) fn keeps(self, loops: LoopSet) -> bool {
+        loops.iter().all(|by| self.of(by) == Place::Loop(by))
+    }
+
+    /// An integer expression for the other indices; `None` of what is looked up in a list by one of them.
+    pub(crate) fn index(self, graph: &mut Graph, id: IndexId) -> Option<IndexId> {
         let known = graph.loops.index(id);
         let index = match (known, known.operands()) {
-            (Index::Running(by), _) => Index::Running(self.of(by)),
-            (_, Some(both)) => known.with_operands(both.map(|id| self.index(graph, id))),
-            (_, None) => known,
+            _ if self.keeps(graph.loops.of_index(id)) => return Some(id),
+            (Index::Running(by), _) => match self.of(by) {
+                Place::Loop(to) => Index::Running(to),
+                Place::Number(value) => Index::Literal(value),
+            },
+            (_, Some([a, b])) => known.with_operands([self.index(graph, a)?, self.index(graph, b)?]),
+            (_, None) => return None,
         };
-        graph.loops.intern(index)
+        Some(graph.loops.intern(index))
+    }
+
+    /// A coordinate for the other indices.
+    pub(crate) fn element(self, graph: &mut Graph, element: Element) -> Option<Element> {
+        let component = match element.component {
+            Some(component) => Some(self.index(graph, component)?),
+            None => None,
+        };
+        Some(Element { index: self.index(graph, element.index)?, component, ..element })
     }
 }
 
@@ -59,17 +104,14 @@ pub(crate) fn rename(
     renaming: Renaming,
     parameters: &mut dyn Parameters,
 ) -> Option<NodeId> {
-    if graph.loops_of(id).iter().all(|by| renaming.of(by) == by) {
+    if renaming.keeps(graph.loops_of(id)) {
         return Some(id);
     }
     let mut of = |graph: &mut Graph, id| rename(graph, id, renaming, parameters);
     let node = match graph.node(id) {
         Node::Parameter(parameter) => Node::Parameter(parameters.rename(graph, parameter, renaming)?),
-        Node::FromIndex(index) => Node::FromIndex(renaming.index(graph, index)),
-        Node::Coordinate(element) => {
-            let component = element.component.map(|component| renaming.index(graph, component));
-            Node::Coordinate(Element { index: renaming.index(graph, element.index), component, ..element })
-        }
+        Node::FromIndex(index) => Node::FromIndex(renaming.index(graph, index)?),
+        Node::Coordinate(element) => Node::Coordinate(renaming.element(graph, element)?),
         Node::Neg(a) => Node::Neg(of(graph, a)?),
         Node::Add(a, b) => Node::Add(of(graph, a)?, of(graph, b)?),
         Node::Mul(a, b) => Node::Mul(of(graph, a)?, of(graph, b)?),
@@ -85,7 +127,7 @@ pub(crate) fn rename(
         Node::Not(a) => Node::Not(of(graph, a)?),
         Node::Select(condition, a, b) => Node::Select(of(graph, condition)?, of(graph, a)?, of(graph, b)?),
         Node::CompareIndex(comparison, a, b) => {
-            Node::CompareIndex(comparison, renaming.index(graph, a), renaming.index(graph, b))
+            Node::CompareIndex(comparison, renaming.index(graph, a)?, renaming.index(graph, b)?)
         }
         Node::Flag(_) | Node::External(..) => return None,
         same @ (Node::Constant(_) | Node::Time | Node::Middle | Node::Step) => same,

@@ -57,7 +57,7 @@ mod whole;
 use crate::{
     errors::Errors,
     graph::{
-        Graph, NodeId, ParameterId, Part,
+        Graph, Node, NodeId, ParameterId, Part,
         exact::Exact,
         index::{Index, IndexId, LoopId, LoopSet},
     },
@@ -97,7 +97,7 @@ pub(crate) struct Parameter {
 impl Parameter {
     /// Its text, with the indices of loops as they are called.
     pub(crate) fn named_text(&self, running: &HashMap<LoopId, Ident>) -> TokenStream {
-        with_indices(&self.text, &|by| running.get(&by).cloned())
+        with_indices(&self.text, &|by| running.get(&by).cloned().map(Into::into))
     }
 }
 
@@ -136,6 +136,8 @@ pub(crate) struct Model {
     pub(crate) sensitive: Vec<ParameterId>,
     /// What Jacobi coordinates are made with, where the motion is in these.
     pub(crate) jacobi: Option<Jacobi>,
+    /// Where values stand that are added up, as far as messages ask for it.
+    places: HashMap<NodeId, TokenStream>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
     pub(crate) quadratic: bool,
     /// Whether no function reads the time.
@@ -179,7 +181,16 @@ impl Model {
 
     /// The user's own text of a parameter, with the indices of loops as they are called.
     pub(crate) fn own_text(&self, id: ParameterId) -> TokenStream {
-        with_indices(&self.parameters[id.0 as usize].own, &|by| self.running.get(&by).cloned())
+        with_indices(&self.parameters[id.0 as usize].own, &|by| self.running.get(&by).cloned().map(Into::into))
+    }
+
+    /// Where a value stands that is added up, as far as that is known.
+    pub(crate) fn place_of(&self, id: NodeId) -> Option<&TokenStream> {
+        let of_parameter = || match self.graph.node(id) {
+            Node::Parameter(parameter) => Some(&self.parameters[parameter.0 as usize].own),
+            _ => None,
+        };
+        self.places.get(&id).or_else(of_parameter)
     }
 
     /// Replaces the energies of the first part and of all others together by equal ones.
@@ -274,7 +285,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     reader.check_passed_over(&used);
     let sensitive = reader.sensitive_parameters();
     let invariants = reader.invariants(&shape);
-    let Reader { mut graph, parameters, running, externals, .. } = reader;
+    let Reader { mut graph, parameters, running, externals, addends, .. } = reader;
     let energies = graph.balance_choices(energies);
     let [kinetic, potential] = energies;
     let autonomous = !graph.reads_time(kinetic) && !graph.reads_time(potential);
@@ -296,6 +307,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         externals,
         sensitive,
         jacobi: None,
+        places: addends,
         quadratic: false,
         autonomous,
         functions: input.functions,
@@ -338,6 +350,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         externals: Vec::new(),
         sensitive: Vec::new(),
         jacobi: None,
+        places: HashMap::new(),
         quadratic: true,
         autonomous: true,
         functions: input.functions,
@@ -354,11 +367,17 @@ pub(crate) fn of_text(item: &str) -> Model {
 /// The same with arguments of the annotation.
 #[cfg(test)]
 pub(crate) fn of_annotated_text(arguments: &str, item: &str) -> Model {
+    with_input(arguments, item).1
+}
+
+/// The same, and what was typed.
+#[cfg(test)]
+pub(crate) fn with_input(arguments: &str, item: &str) -> (Input, Model) {
     let mut errors = Errors::default();
     let input = crate::syntax::input(arguments.parse().expect("tokens"), item.parse().expect("tokens"), &mut errors);
-    let model = input.and_then(|input| model(&input, &mut errors));
-    match (model, errors.combined()) {
-        (Some(model), None) => model,
+    let both = input.and_then(|input| model(&input, &mut errors).map(|model| (input, model)));
+    match (both, errors.combined()) {
+        (Some(both), None) => both,
         (_, error) => panic!("{item}: {error:?}"),
     }
 }
@@ -437,7 +456,7 @@ struct Reader<'i> {
     misplaced: bool,
     /// Whether products may mix positions and momenta.
     may_mix: bool,
-    /// What is added up or subtracted in functions whose products may: values without their sign, and where they stand.
+    /// What is added up or subtracted in functions whose products may, and for Jacobi coordinates: values without their sign, and where they stand.
     addends: HashMap<NodeId, TokenStream>,
     /// Reads of the wrong part, with what to say of them if no product mixes both.
     foreign_reads: Vec<(TokenStream, String)>,

@@ -159,6 +159,11 @@ impl Reader<'_> {
         };
         let (a, b) = (self.operand(&left, left_place), self.operand(&right, right_place));
         let (a, b) = (a?, b?);
+        if self.input.coordinates.is_some() && matches!(op, BinOp::Add(_) | BinOp::Sub(_)) {
+            for (addend, place) in [(a, left_place), (b, right_place)] {
+                self.addends.entry(self.graph.without_sign(addend)).or_insert_with(|| place.to_token_stream());
+            }
+        }
         let mixes = match op {
             BinOp::Mul(_) => self.mixes(a, b),
             BinOp::Div(_) => self.mixes(a, b) || self.is_mixed(b),

@@ -8,9 +8,9 @@ use super::{
 use crate::graph::{
     Graph, ParameterId,
     index::{LoopId, LoopSet},
-    rename::{Parameters, Renaming},
+    rename::{Parameters, Place, Renaming},
 };
-use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
@@ -25,15 +25,21 @@ pub(crate) struct Texts<'m> {
 impl Parameters for Texts<'_> {
     fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId> {
         let loops = graph.loops.of_parameter(id);
-        if loops.iter().all(|by| renaming.of(by) == by) {
+        if renaming.keeps(loops) {
             return Some(id);
         }
         let text = self.text(id);
         if !is_plain(&text) {
             return None;
         }
-        let text = with_indices(&text, &|by| Some(running_index(renaming.of(by))));
-        let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(renaming.of(by))));
+        let text = with_indices(&text, &|by| match renaming.of(by) {
+            Place::Loop(to) => Some(running_index(to).into()),
+            Place::Number(value) => Some(Literal::u64_unsuffixed(value).into()),
+        });
+        let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| match renaming.of(by) {
+            Place::Loop(to) => set.union(LoopSet::of(to)),
+            Place::Number(_) => set,
+        });
         Some(self.id(graph, text, loops))
     }
 
@@ -49,6 +55,33 @@ impl Parameters for Texts<'_> {
             (self.id(graph, text, own), exponent)
         };
         factors.into_iter().map(&mut of).collect()
+    }
+
+    fn bare(&mut self, graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
+        let text = without_guard(self.text(id));
+        let (negative, text) = match without_sign(text.clone()) {
+            Some(positive) => (true, positive),
+            None => (false, text),
+        };
+        (negative, self.id(graph, text, graph.loops.of_parameter(id)))
+    }
+
+    fn indicator(&mut self, graph: &mut Graph, by: LoopId, is_zero: bool) -> Option<ParameterId> {
+        let comparison = if is_zero { quote!(==) } else { quote!(!=) };
+        Some(self.of_index(graph, by, |index| quote!(((#index #comparison 0) as u8 as f64))))
+    }
+
+    fn behind_first(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId) -> Option<ParameterId> {
+        let (text, index) = (self.text(id), running_index(by));
+        let behind = TokenTree::Group(Group::new(Delimiter::Parenthesis, quote!(#index.max(1))));
+        let text = is_plain(&text).then(|| with_indices(&text, &|other| (other == by).then(|| behind.clone())))?;
+        Some(self.id(graph, text, graph.loops.of_parameter(id)))
+    }
+
+    fn name_if_new(&mut self, new: LoopId, like: LoopId) {
+        if !self.running.contains_key(&new) {
+            self.name(new, like);
+        }
     }
 
     fn name(&mut self, new: LoopId, like: LoopId) {
@@ -135,6 +168,49 @@ fn mentions_name(text: &TokenStream, name: &Ident) -> bool {
         TokenTree::Ident(ident) => ident == *name,
         TokenTree::Group(group) => mentions_name(&group.stream(), name),
         TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    })
+}
+
+/// The text behind a minus sign in front of a product.
+fn without_sign(text: TokenStream) -> Option<TokenStream> {
+    let tokens: Vec<TokenTree> = text.into_iter().collect();
+    match &tokens[..] {
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Parenthesis => without_sign(group.stream()),
+        [TokenTree::Punct(mark), product @ ..] if mark.as_char() == '-' => {
+            let in_product = |token: &TokenTree| match token {
+                TokenTree::Punct(mark) => matches!(mark.as_char(), '*' | '/' | '.' | ':'),
+                TokenTree::Ident(name) => name != "as",
+                TokenTree::Group(_) | TokenTree::Literal(_) => true,
+            };
+            (!product.is_empty() && product.iter().all(in_product)).then(|| product.iter().cloned().collect())
+        }
+        _ => None,
+    }
+}
+
+/// A text without a condition around it that asks how many bodies there are and nothing else.
+fn without_guard(text: TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    let [TokenTree::Group(group)] = &tokens[..] else { return text };
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    match &tokens[..] {
+        [
+            TokenTree::Ident(choice),
+            condition @ ..,
+            TokenTree::Group(guarded),
+            TokenTree::Ident(_),
+            TokenTree::Group(_),
+        ] if choice == "if" && asks_for_length(&condition.iter().cloned().collect()) => guarded.stream(),
+        _ => text,
+    }
+}
+
+/// Whether a condition is one of the number of bodies alone.
+fn asks_for_length(condition: &TokenStream) -> bool {
+    condition.clone().into_iter().all(|token| match token {
+        TokenTree::Ident(name) => name == "length" || name == "saturating_sub",
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && asks_for_length(&group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => true,
     })
 }
 

@@ -22,10 +22,10 @@ fn loop_of(name: &Ident) -> Option<LoopId> {
     LoopSet::ALL.iter().find(|by| by.position() == position)
 }
 
-/// A text with other identifiers for the indices of loops.
-pub(super) fn with_indices(text: &TokenStream, of: &dyn Fn(LoopId) -> Option<Ident>) -> TokenStream {
+/// A text with other identifiers, or numbers, for the indices of loops.
+pub(super) fn with_indices(text: &TokenStream, of: &dyn Fn(LoopId) -> Option<TokenTree>) -> TokenStream {
     let renamed = text.clone().into_iter().map(|token| match token {
-        TokenTree::Ident(name) => loop_of(&name).and_then(of).unwrap_or(name).into(),
+        TokenTree::Ident(name) => loop_of(&name).and_then(of).unwrap_or(TokenTree::Ident(name)),
         TokenTree::Group(group) => {
             let mut other = Group::new(group.delimiter(), with_indices(&group.stream(), of));
             other.set_span(group.span());

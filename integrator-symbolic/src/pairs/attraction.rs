@@ -30,6 +30,22 @@ pub(crate) fn attraction(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2], d
     strength
 }
 
+/// What is added to the square of the distance of a softened attraction: a term that does not move, under a root.
+pub(crate) fn softening(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2], dimension: u64) -> Option<NodeId> {
+    graph.reachable([energy]).into_iter().find_map(|id| {
+        let Node::Power(square, -1 | 1) = graph.node(id) else { return None };
+        let (mut moving, mut fixed, mut open) = (graph.constant(0.0), None, vec![square]);
+        while let Some(term) = open.pop() {
+            match graph.node(term) {
+                Node::Add(a, b) => open.extend([b, a]),
+                _ if graph.is_prepared(term) => fixed = Some(term),
+                _ => moving = graph.add(moving, term),
+            }
+        }
+        fixed.filter(|_| is_squared_distance(graph, moving, pair, dimension))
+    })
+}
+
 /// Whether a node is the square of the distance of two bodies: its gradient is twice their displacement, and it is a sum
 /// of terms that move.
 fn is_squared_distance(graph: &mut Graph, square: NodeId, pair: [LoopId; 2], dimension: u64) -> bool {

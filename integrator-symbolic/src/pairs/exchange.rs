@@ -95,10 +95,10 @@ impl<'p> Forms<'p> {
                 return Some(self.sum(terms));
             }
             _ if fixed => Form::Fixed(id),
-            Node::FromIndex(index) if exchanged => Form::FromIndex(by.index(graph, index)),
+            Node::FromIndex(index) if exchanged => Form::FromIndex(by.index(graph, index)?),
             Node::FromIndex(index) => Form::FromIndex(index),
             Node::Coordinate(element) if exchanged => {
-                Form::Coordinate(Element { index: by.index(graph, element.index), ..element })
+                Form::Coordinate(Element { index: by.index(graph, element.index)?, ..element })
             }
             Node::Coordinate(element) => Form::Coordinate(element),
             Node::Unary(function, a) => {

@@ -59,30 +59,62 @@ const FUNCTIONS: &[Row] = &[
     (
         "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { q[0][0].cos() }",
         &[
-            "3:3 Jacobi coordinates are for bodies that attract each other, and V is no sum over their pairs: write it as -Σ G m[i] m[j] / |q[i] - q[j]| with loops over `i` and `j`, plus terms of pairs and of single bodies",
+            "3:3 V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, of each body, or of the first body and each other one",
         ],
     ),
     (
         "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { v += (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2); } } v }",
         &[
-            "3:3 V has no term -G m[i] m[j] / |q[i] - q[j]| for each pair of bodies, so there is no Kepler part: Jacobi coordinates are for bodies that move around the first one",
+            "3:3 no term -G m[i] m[j] / |q[i] - q[j]| of each pair of bodies was found in V, which Jacobi coordinates need for the Kepler part: write it as a term of its own, with the distance as a root of a sum of squares or by `hypot`",
         ],
     ),
     (
         "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { v -= self.g / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2) + self.soft).sqrt(); } } v }",
         &[
-            "3:3 V has no term -G m[i] m[j] / |q[i] - q[j]| for each pair of bodies, so there is no Kepler part: Jacobi coordinates are for bodies that move around the first one",
+            "3:171 Kepler's equation solves -G m[i] m[j] / r, and this softens the distance `r` of two bodies: leave it out, or leave out `coordinates` and `split`",
         ],
     ),
     (
         "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { v -= self.g / ((q[i][0] - q[j][0]).powi(2) + 2.0 * (q[i][1] - q[j][1]).powi(2)).sqrt(); } } v }",
         &[
-            "3:3 V has no term -G m[i] m[j] / |q[i] - q[j]| for each pair of bodies, so there is no Kepler part: Jacobi coordinates are for bodies that move around the first one",
+            "3:3 no term -G m[i] m[j] / |q[i] - q[j]| of each pair of bodies was found in V, which Jacobi coordinates need for the Kepler part: write it as a term of its own, with the distance as a root of a sum of squares or by `hypot`",
         ],
     ),
     (
         "fn kinetic(&self, p: [[f64; 2]; 4]) -> f64 { (0..4).map(|i| (p[i][0].powi(2) + p[i][1].powi(2) + self.mass[i]).sqrt()).sum() }\nPOTENTIAL",
-        &["2:3 Jacobi coordinates need T = Σ |p[i]|² / 2m[i], with a loop over `i`, and this T is another"],
+        &[
+            "2:3 T could not be read as Σ |p[i]|² / 2m[i], which Jacobi coordinates need: write a loop over all bodies `i` with all components of `p[i]`",
+        ],
+    ),
+    (
+        "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..3 { for j in i + 1..4 { let mut r2 = self.eps * self.eps; for d in 0..2 { r2 += (q[i][d] - q[j][d]).powi(2); } v -= self.mass[i] * self.mass[j] / r2.sqrt(); } } v }",
+        &[
+            "3:113 Kepler's equation solves -G m[i] m[j] / r, and this softens the distance `r` of two bodies: leave it out, or leave out `coordinates` and `split`",
+        ],
+    ),
+    (
+        "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in i..4 { v -= self.g / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]); } } v }",
+        &[
+            "3:3 V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, of each body, or of the first body and each other one",
+        ],
+    ),
+    (
+        "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..4 { v -= self.g / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]); } } v }",
+        &[
+            "3:3 V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, of each body, or of the first body and each other one",
+        ],
+    ),
+    (
+        "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { v -= self.g / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]); } } v + self.g * q[2][0] }",
+        &[
+            "3:3 V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, of each body, or of the first body and each other one",
+        ],
+    ),
+    (
+        "KINETIC fn potential(&self, q: [[f64; 2]; 4]) -> f64 { let mut v = 0.0; for i in 0..4 { for j in 0..i { v -= self.g * self.mass[i] / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]); } } v }",
+        &[
+            "3:3 V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, of each body, or of the first body and each other one",
+        ],
     ),
 ];
 

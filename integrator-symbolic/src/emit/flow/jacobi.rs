@@ -3,12 +3,12 @@
 use crate::{
     emit::printer::{block::Emitter, function::Body, names::Names},
     graph::{
-        Graph, ParameterId, Part,
+        Graph, NodeId, ParameterId, Part,
         index::{Index, Loop, LoopId},
         rename::{Parameters, Renaming, rename},
     },
     model::{Jacobi, Model, Shape, Texts},
-    pairs::{Pairs, attraction, inverse_mass, pairs, per_body},
+    pairs::{Pairs, attraction, canonical, inverse_mass, pairs, per_body, softening},
     pattern::all_pairs::AllPairs,
     syntax::Coordinates,
 };
@@ -26,10 +26,34 @@ pub(crate) enum Obstacle {
     Kinetic(String),
     /// `V`.
     Potential(String),
+    /// What `V` adds to the square of a distance.
+    Softening(NodeId),
 }
 
-/// What Jacobi coordinates are made with, or what stands in their way.
+/// What Jacobi coordinates are made with, or what stands in their way. Energies that are not understood as they stand are tried
+/// in their one form.
 pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
+    let obstacle = match read(coordinates, model, names) {
+        Err(obstacle @ (Obstacle::Kinetic(_) | Obstacle::Potential(_))) => obstacle,
+        other => return other,
+    };
+    let energies = [model.kinetic, model.potential];
+    let Model { graph, parameters, running, lengths, .. } = &mut *model;
+    let mut texts = Texts::new(parameters, running);
+    let canonical = energies.map(|energy| canonical(graph, energy, lengths[0], &mut texts).unwrap_or(energy));
+    if canonical == energies {
+        return Err(obstacle);
+    }
+    model.set_energies(canonical);
+    let read = read(coordinates, model, names);
+    if read.is_err() {
+        model.set_energies(energies);
+    }
+    read
+}
+
+/// The same of energies as they stand.
+fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
     let dimension = dimension(&model.shape)?;
     let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
     let length = lengths[0];
@@ -37,8 +61,9 @@ pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names
     let found = pairs(graph, *potential, length, &mut texts);
     let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
         Obstacle::Potential(
-            "Jacobi coordinates are for bodies that attract each other, and V is no sum over their pairs: write it as \
-             -Σ G m[i] m[j] / |q[i] - q[j]| with loops over `i` and `j`, plus terms of pairs and of single bodies"
+            "V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and \
+             one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, \
+             of each body, or of the first body and each other one"
                 .to_owned(),
         )
     })?;
@@ -46,15 +71,19 @@ pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names
     let inverse = velocity.and_then(|velocity| inverse_mass(graph, &velocity, dimension));
     let inverse = inverse.ok_or_else(|| {
         Obstacle::Kinetic(
-            "Jacobi coordinates need T = Σ |p[i]|² / 2m[i], with a loop over `i`, and this T is another".to_owned(),
+            "T could not be read as Σ |p[i]|² / 2m[i], which Jacobi coordinates need: write a loop over all bodies `i` with all \
+             components of `p[i]`"
+                .to_owned(),
         )
     })?;
     let strength = attraction(graph, energy, pair, dimension).ok_or_else(|| {
-        Obstacle::Potential(
-            "V has no term -G m[i] m[j] / |q[i] - q[j]| for each pair of bodies, so there is no Kepler part: Jacobi \
-             coordinates are for bodies that move around the first one"
-                .to_owned(),
-        )
+        softening(graph, energy, pair, dimension).map(Obstacle::Softening).unwrap_or_else(|| {
+            Obstacle::Potential(
+                "no term -G m[i] m[j] / |q[i] - q[j]| of each pair of bodies was found in V, which Jacobi coordinates need for \
+                 the Kepler part: write it as a term of its own, with the distance as a root of a sum of squares or by `hypot`"
+                    .to_owned(),
+            )
+        })
     })?;
     let partners = Loop {
         parent: Some(bodies),
@@ -211,3 +240,6 @@ pub(crate) fn admissible(coordinates: &Coordinates, names: &Names) -> TokenStrea
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
