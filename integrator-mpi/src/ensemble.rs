@@ -144,10 +144,21 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         self
     }
 
+    /// Makes the calls that take steps end members where their energies leave a bound, as [`Local::watch_energy`] does on one rank.
+    /// Collective.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for a member under way that has no energy; [`Error::Rank`] for a bound that is not above zero, an `H` that
+    /// reads the time, and members on a device, which computes no energies.
+    pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
+        let outcome = self.held.as_mut().map_or(Ok(()), |held| held.watch_energy(relative_bound, self.first));
+        agree(self.world, outcome)
+    }
+
     /// Takes `steps` steps with every member that is under way. Collective.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members of all ranks that left the finite numbers in these steps; all others have taken
+    /// [`Error::Strayed`] where a [watch](Ensemble::watch_energy) ends members. [`Error::Lost`] names the members of all ranks that left the finite numbers in these steps; all others have taken
     /// them, and the ensemble goes on without the lost ones. [`Error::Rank`] for steps that cannot be counted, and a time that is
     /// not finite.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
@@ -177,7 +188,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         let outcome = self.held.as_mut().map_or(Ok(()), |held| advance(held, self.first));
         let outcome = agree(self.world, outcome);
         // Those that are not lost have taken their steps.
-        if matches!(outcome, Ok(()) | Err(Error::Lost { .. })) {
+        if matches!(outcome, Ok(()) | Err(Error::Lost { .. } | Error::Strayed { .. })) {
             self.steps += steps;
         }
         outcome

@@ -32,6 +32,13 @@ pub enum Error {
         /// These members, by their index among those of all ranks.
         members: Vec<LostMember>,
     },
+    /// The energies of members left the bound of [`Ensemble::watch_energy`](crate::Ensemble::watch_energy); they stay one step
+    /// before, and the others went on.
+    #[error("{}", strayed_text(members))]
+    Strayed {
+        /// These members, and those that left the finite numbers in the same call.
+        members: Vec<StrayedMember>,
+    },
     /// The system is no lattice whose sites are moved alike.
     #[error(
         "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and \
@@ -107,6 +114,33 @@ pub struct LostMember {
     pub time: f64,
 }
 
+impl LostMember {
+    fn what(&self) -> String {
+        format!("it left the finite numbers in step {} (time {})", self.step, self.time)
+    }
+}
+
+/// A member whose energy left its bound, or which left the finite numbers in the same call.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StrayedMember {
+    /// Its index among the members of all ranks.
+    pub member: usize,
+    /// What is wrong with it.
+    pub what: String,
+}
+
+fn strayed_text(members: &[StrayedMember]) -> String {
+    let named: Vec<String> = members.iter().take(SHOWN).map(|strayed| strayed.member.to_string()).collect();
+    let more = if members.len() > SHOWN { ", ..." } else { "" };
+    let first = members.first().map(|StrayedMember { member, what }| format!("; member {member}: {what}"));
+    format!(
+        "{} member(s) left the bound on their energy or the finite numbers ({}{more}); the others went on{}",
+        members.len(),
+        named.join(", "),
+        first.unwrap_or_default()
+    )
+}
+
 fn lost_text(members: &[LostMember]) -> String {
     let named: Vec<String> = members
         .iter()
@@ -128,6 +162,7 @@ enum Outcome {
     Done,
     Refused { member: usize, what: String },
     Lost(Vec<LostMember>),
+    Strayed(Vec<StrayedMember>),
     Failed(String),
 }
 
@@ -155,6 +190,12 @@ impl From<Failure> for Outcome {
                     .map(|(member, at)| LostMember { member: first + member, step: at.step, time: at.time })
                     .collect(),
             ),
+            Failure::Core { error: CoreError::Strayed { members }, first } => Self::Strayed(
+                members
+                    .into_iter()
+                    .map(|(member, error)| StrayedMember { member: first + member, what: error.to_string() })
+                    .collect(),
+            ),
             Failure::Core { error, .. } => Self::Failed(error.to_string()),
             Failure::Other(what) => Self::Failed(what),
         }
@@ -168,14 +209,20 @@ pub(crate) fn agree<T>(world: &impl Communicator, outcome: Result<T, Failure>) -
         Ok(made) => (Some(made), Outcome::Done),
         Err(failure) => (None, failure.into()),
     };
-    let mut lost = Vec::new();
+    let (mut lost, mut strayed) = (Vec::new(), Vec::new());
     for (rank, outcome) in (0..).zip(shared(world, &outcome)) {
         match outcome {
             Outcome::Done => {}
             Outcome::Refused { member, what } => return Err(Error::Refused { member, rank, what }),
             Outcome::Lost(members) => lost.extend(members),
+            Outcome::Strayed(members) => strayed.extend(members),
             Outcome::Failed(what) => return Err(Error::Rank { rank, what }),
         }
+    }
+    if !strayed.is_empty() {
+        strayed.extend(lost.into_iter().map(|lost| StrayedMember { member: lost.member, what: lost.what() }));
+        strayed.sort_unstable_by_key(|strayed| strayed.member);
+        return Err(Error::Strayed { members: strayed });
     }
     match made {
         Some(made) if lost.is_empty() => Ok(made),

@@ -41,6 +41,19 @@ impl<C: Coords> Held<C> {
         }
     }
 
+    /// Watches the energies of the members, who are counted from `first` on.
+    pub(crate) fn watch_energy(&mut self, bound: f64, first: usize) -> Result<(), Failure> {
+        match self {
+            Self::Processor(local) => local.watch_energy(bound).map_err(|error| Failure::Core { error, first }),
+            #[cfg(feature = "gpu")]
+            Self::Device(_) => Err(Failure::Other(
+                "a device computes no energies, so that none are watched there: leave the members on the processor, \
+                 `Ensemble::new`, or test them with `advance_while`"
+                    .to_owned(),
+            )),
+        }
+    }
+
     /// Takes steps with those under way, who are counted from `first` on.
     pub(crate) fn advance(&mut self, steps: u64, first: usize) -> Result<(), Failure> {
         match self {

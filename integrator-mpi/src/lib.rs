@@ -50,7 +50,7 @@ mod states;
 pub use device::Device;
 use ensemble::share_of;
 pub use ensemble::{Ensemble, Member, share};
-pub use error::{Error, LostMember};
+pub use error::{Error, LostMember, StrayedMember};
 pub use lattice::Lattice;
 /// The bindings to MPI whose communicators are taken here.
 pub use mpi;

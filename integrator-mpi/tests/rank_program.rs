@@ -63,6 +63,16 @@ fn main() {
             let tenth = swarm.advance_while(10, 1, |index, _| index % 10 == 0);
             on_every_rank(&world, &format!("{}: {} stay", text(tenth), swarm.active()));
         }
+        "strayed" => {
+            // Those off the top fall ever faster, until steps are too long for them.
+            let member = |i: usize| (fall(i), Phase::new([if i % 30 == 29 { 1.0_f64 } else { 0.0 }], [0.0]));
+            let members = cluster::share(&world, MEMBERS).map(member);
+            let mut swarm = cluster::Ensemble::new(&world, Verlet, members, 0.5).expect("finite starts");
+            on_every_rank(&world, &text(swarm.watch_energy(0.0)));
+            on_every_rank(&world, &text(swarm.watch_energy(0.01)));
+            let strayed = text(swarm.advance(STEPS));
+            on_every_rank(&world, &format!("{} under way, {} steps: {strayed}", swarm.active(), swarm.steps()));
+        }
         "map" => {
             let start = |i: usize| Phase::new([i as f64 / 20.0, 0.1], [0.3, 0.0]);
             let map = |count, steps| {

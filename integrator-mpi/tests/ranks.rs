@@ -91,6 +91,13 @@ fn every_rank_is_told_the_same_mistakes() {
     assert!(lines[2].starts_with("on rank 0: "), "{lost}");
     assert!(lines[3].starts_with("on rank 0: "), "{lost}");
     assert_eq!(lines[4], "done: 11 stay");
+    let strayed = RANKS.on_any_number(&["strayed"]).unwrap_or_default();
+    let lines: Vec<&str> = strayed.lines().collect();
+    assert!(lines[0].starts_with("on rank 0: the energy is to stay within 0 of"), "{strayed}");
+    assert_eq!(lines[1], "done");
+    let says = "98 under way, 300 steps: 3 member(s) left the bound on their energy or the finite numbers (29, 59, 89); the others \
+                went on; member 29: the energy after step ";
+    assert!(lines[2].starts_with(says), "{strayed}");
     assert_eq!(RANKS.on_any_number(&["none"]).as_deref(), Some("an ensemble needs at least one member, on any rank\n"));
 }
 
