@@ -2,6 +2,7 @@
 
 use super::{Reader, Target, repeat::FEW, sequence::Sequence, value::Value};
 use crate::graph::index::{Index, IndexId};
+use proc_macro2::Ident;
 use quote::ToTokens;
 use std::ops::Range;
 use syn::{BinOp, Expr, ExprBinary, ExprLit, ExprPath, ImplItem, Lit};
@@ -58,16 +59,39 @@ impl Reader<'_> {
     /// What to say of a list whose length is a constant that is not seen here.
     pub(super) fn unseen_length(&mut self, list: &Sequence) -> Option<String> {
         let count = self.count_of(list);
-        let Index::Parameter(parameter) = self.graph.loops.index(count) else { return None };
-        let text = self.parameters[parameter.0 as usize].own.clone();
-        let Ok(Expr::Path(ExprPath { path, qself: None, .. })) = syn::parse2(text) else { return None };
-        let name = &path.segments.last()?.ident;
-        name.to_string().starts_with(char::is_uppercase).then(|| {
+        self.unseen_constant(count).map(|name| {
             format!(
                 "how long this array is cannot be seen here, since the macro sees this impl alone: declare `const {name}: usize = \
                  6;` in this function, or in this impl, as `Self::{name}`"
             )
         })
+    }
+
+    /// What to add to a message about the innermost loop, where it would be written out if its bound were seen here.
+    pub(super) fn unseen_bound(&self) -> String {
+        self.frames.last().map_or_else(String::new, |frame| self.unseen(self.graph.loops.get(frame.by).to))
+    }
+
+    /// The same about a loop that ends there.
+    pub(super) fn unseen(&self, end: IndexId) -> String {
+        self.unseen_constant(end).map_or_else(String::new, |name| {
+            format!(
+                ". How much `{name}` is cannot be seen here, since the macro sees this impl alone: declare `const {name}: usize = \
+                 6;` in this function, or in this impl, as `Self::{name}`"
+            )
+        })
+    }
+
+    /// The name of the constant in an integer that is not seen here.
+    fn unseen_constant(&self, id: IndexId) -> Option<Ident> {
+        let index = self.graph.loops.index(id);
+        let Index::Parameter(parameter) = index else {
+            return index.operands()?.into_iter().find_map(|operand| self.unseen_constant(operand));
+        };
+        let text = self.parameters[parameter.0 as usize].own.clone();
+        let Ok(Expr::Path(ExprPath { path, qself: None, .. })) = syn::parse2(text) else { return None };
+        let name = &path.segments.last()?.ident;
+        name.to_string().starts_with(char::is_uppercase).then(|| name.clone())
     }
 
     /// The value of an expression of literals and of constants of the impl.

@@ -248,7 +248,7 @@ impl Reader<'_> {
                 if part.is_none() {
                     let message = match literal {
                         Some(_) => format!("the index is out of bounds: this array has {} elements", parts.len()),
-                        None => BY_LITERALS.to_owned(),
+                        None => format!("{BY_LITERALS}{}", self.unseen_bound()),
                     };
                     self.errors.at(&index.index, message);
                 }
@@ -261,7 +261,7 @@ impl Reader<'_> {
                     Some((position, count)) if position >= count => {
                         format!("the index is out of bounds: this array has {count} elements")
                     }
-                    None if part.literal => BY_LITERALS.to_owned(),
+                    None if part.literal => format!("{BY_LITERALS}{}", self.unseen_bound()),
                     _ => return self.nth(&part, position),
                 };
                 self.errors.at(&index.index, message);

@@ -238,7 +238,7 @@ impl Reader<'_> {
                         return None;
                     }
                     None => {
-                        self.errors.at(index, BY_INDEX);
+                        self.errors.at(index, format!("{BY_INDEX}{}", self.unseen_bound()));
                         return None;
                     }
                 }
@@ -307,7 +307,8 @@ impl Reader<'_> {
             let message = format!(
                 "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
                  `{name} -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in \
-                 0..4`, for up to {FEW} iterations"
+                 0..4`, for up to {FEW} iterations{}",
+                self.unseen_bound()
             );
             self.errors.at(whole, message);
             return None;

@@ -71,7 +71,8 @@ impl Reader<'_> {
             "this `{name}` does more than add, multiply or keep the largest item, so it is written out, for up to {FEW} items \
              whose number is known here: run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or \
              write a sum. Over any number of items, `sum * x + c` with the same x for all of them is a polynomial, and \
-             understood"
+             understood{}",
+            self.unseen(sequence.to)
         );
         self.errors.at(name, message);
         None

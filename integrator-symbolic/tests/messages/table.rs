@@ -482,6 +482,36 @@ pub(crate) const BODIES: &[Row] = &[
             "2:22 how long this array is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
         ],
     ),
+    (
+        "let mut v = q[0]; for i in 0..N { v = v * v; } v",
+        &[
+            "2:34 `v` comes from outside this loop, so the loop can only sum it up: write `v += ...` or `v -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in 0..4`, for up to 16 iterations. How much `N` is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
+    (
+        "let mut v = q[0]; for i in 0..N - 1 { v = v * q[i].sin(); v = v + 1.0; } v",
+        &[
+            "2:38 `v` comes from outside this loop, so the loop can only sum it up: write `v += ...` or `v -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in 0..4`, for up to 16 iterations. How much `N` is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
+    (
+        "let s = [q[0], q[1]]; let mut v = 0.0; for i in 0..N { v += s[i]; } v",
+        &[
+            "2:62 an array of values is indexed by literals, or in a loop of up to 16 iterations; one that a loop fills, `for k in 0..32 { h[k] = ...; }`, by any index. How much `N` is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
+    (
+        "let mut h = [1.0; 3]; for k in 1..N { h[k] = h[k - 1] * q[0]; } h[1]",
+        &[
+            "2:40 elements of an array are assigned at literal indices, in a loop of a few iterations, or in a loop whose own index they stand at, `for k in 0..32 { h[k] = ...; }`, with any other loop inside of it. How much `N` is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
+    (
+        "(0..N).fold(1.0, |v, i| v * v + q[i])",
+        &[
+            "2:7 this `fold` does more than add, multiply or keep the largest item, so it is written out, for up to 16 items whose number is known here: run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or write a sum. Over any number of items, `sum * x + c` with the same x for all of them is a polynomial, and understood. How much `N` is cannot be seen here, since the macro sees this impl alone: declare `const N: usize = 6;` in this function, or in this impl, as `Self::N`",
+        ],
+    ),
     ("const N: usize = 3; let mut v = [0.0; N]; v[0] = 1.0; for n in 1..N { v[n] = q[0] * v[n - 1]; } v[N - 1]", &[]),
     // What other languages write.
     ("let mut v = 0; for i in 0..2 { v += q[i]; } v", &["2:12 `0` is an integer: write `0.0`"]),
