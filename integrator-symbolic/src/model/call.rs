@@ -4,7 +4,7 @@ use super::{
     Reader,
     adaptor::{ADAPTED, is_adaptor},
     closure::Callable,
-    cure::{in_rust, no_function},
+    cure::{in_rust, is_elsewhere, no_function},
     early_return::where_there,
     elementary::is_elementary,
     fill::ending_in,
@@ -241,10 +241,12 @@ impl Reader<'_> {
             }
             _ => {
                 let is_list = arguments.first().is_some_and(is_list);
-                if let [name] = segments[..]
+                if let [.., name] = segments[..]
+                    && is_elsewhere(&segments)
                     && let Some(cure) = in_rust(&name.to_string(), &places, is_list)
                 {
-                    self.errors.at(name, format!("there is no function `{name}` in Rust: write `{cure}`"));
+                    let named = quoted(&function);
+                    self.errors.at(&call.func, format!("there is no function `{named}` in Rust: write `{cure}`"));
                     return None;
                 }
                 let (name, last) = (quoted(&function), segments.last());

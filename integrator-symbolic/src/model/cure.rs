@@ -2,7 +2,7 @@
 
 use super::{call::is_list, elementary::is_elementary, value::Value, whole::as_number};
 use crate::errors::quoted;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::{BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprUnary, Lit, UnOp};
 
@@ -22,6 +22,18 @@ const ELSEWHERE: [(&str, &str); 13] = [
     ("sgn", "signum"),
     ("sign", "signum"),
 ];
+
+/// Where other languages have their functions of numbers.
+const MODULES: [&str; 7] = ["math", "Math", "cmath", "np", "numpy", "std", "f32"];
+
+/// Whether a function is called by its name alone, or by that of a module of another language.
+pub(super) fn is_elsewhere(segments: &[&Ident]) -> bool {
+    match segments {
+        [_] => true,
+        [module, _] => MODULES.iter().any(|name| *module == name),
+        _ => false,
+    }
+}
 
 /// What to write for a call of a name with arguments, the first of which may be its receiver; nothing where that is not known.
 /// `is_list` says that the first one is a list.

@@ -198,6 +198,7 @@ impl Reader<'_> {
                     `potential`"
                     .to_owned()
             }
+            "pi" => "`pi` is not known here: write `std::f64::consts::PI`".to_owned(),
             other => format!("`{other}` is not known here"),
         };
         self.errors.at(name, message);

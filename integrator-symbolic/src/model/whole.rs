@@ -11,7 +11,7 @@ use crate::{
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::ToTokens;
-use syn::{Block, Expr, ExprIf, ExprIndex, ExprLit, ExprRepeat, ExprUnary, Lit, LitInt, Pat, Stmt, UnOp};
+use syn::{Block, Expr, ExprBinary, ExprIf, ExprIndex, ExprLit, ExprRepeat, ExprUnary, Lit, LitInt, Pat, Stmt, UnOp};
 
 impl Reader<'_> {
     /// Notes an integer where a number belongs: at its literal, where it is one.
@@ -159,12 +159,20 @@ pub(super) fn as_number(literal: &LitInt) -> String {
     format!("{}.0", literal.base10_digits())
 }
 
-/// What to write for an integer that is no literal.
+/// What to write for an integer that is no literal. Quotients of integers are rounded, so that each operand is made a number.
 fn cast_of(place: &Expr) -> Option<String> {
     let text = quoted(place);
     match place {
-        Expr::Path(_) | Expr::Paren(_) | Expr::Index(_) | Expr::Field(_) => Some(format!("{text} as f64")),
-        Expr::Binary(_) | Expr::Cast(_) => Some(format!("({text}) as f64")),
+        Expr::Lit(ExprLit { lit: Lit::Int(literal), .. }) => Some(as_number(literal)),
+        Expr::Paren(inner) => cast_of(&inner.expr).map(|inner| format!("({inner})")),
+        Expr::Binary(ExprBinary { left, op, right, .. }) => {
+            Some(format!("{} {} {}", cast_of(left)?, quoted(op), cast_of(right)?))
+        }
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => cast_of(expr).map(|inner| format!("-{inner}")),
+        Expr::Path(_) | Expr::Index(_) | Expr::Field(_) | Expr::MethodCall(_) | Expr::Call(_) => {
+            Some(format!("{text} as f64"))
+        }
+        Expr::Cast(_) => Some(format!("({text}) as f64")),
         _ => None,
     }
 }
