@@ -59,7 +59,10 @@ both!(StarApart, StarApartByParts, 4, {
     }
     fn potential(&self, q: [[f64; 2]; 4]) -> f64 {
         let mut v = 0.0;
-        for i in 1..4 {
+        for i in 0..4 {
+            if i == 0 {
+                continue;
+            }
             let r = (q[i][0] - q[0][0]).hypot(q[i][1] - q[0][1]);
             // With the pull of a post-Newtonian star.
             v -= self.mass[0] * self.mass[i] / r * (1.0 + 3.0 * self.mass[0] / (self.k * r));

@@ -11,8 +11,8 @@ pub(crate) trait Parameters {
     fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId>;
     /// The parameters that a product is made of, each with its exponent; a parameter itself where it is no product.
     fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)>;
-    /// Whether a parameter is the negative of another one by its text, and that one, without a condition on the number of
-    /// bodies around it.
+    /// Whether a parameter is the negative of another one by its text, and that one, without a condition around it on indices
+    /// and the number of bodies.
     fn bare(&mut self, _graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
         (false, id)
     }

@@ -3,7 +3,7 @@
 use super::{
     Parameter,
     factors::factors,
-    running_index::{mentions, running_index, with_indices},
+    running_index::{loop_of, mentions, running_index, with_indices},
 };
 use crate::graph::{
     Graph, ParameterId,
@@ -188,7 +188,7 @@ fn without_sign(text: TokenStream) -> Option<TokenStream> {
     }
 }
 
-/// A text without a condition around it that asks how many bodies there are and nothing else.
+/// A text without a condition around it that asks which body of how many is meant, and nothing else.
 fn without_guard(text: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
     let [TokenTree::Group(group)] = &tokens[..] else { return text };
@@ -200,16 +200,19 @@ fn without_guard(text: TokenStream) -> TokenStream {
             TokenTree::Group(guarded),
             TokenTree::Ident(_),
             TokenTree::Group(_),
-        ] if choice == "if" && asks_for_length(&condition.iter().cloned().collect()) => guarded.stream(),
+        ] if choice == "if" && asks_for_indices(&condition.iter().cloned().collect()) => guarded.stream(),
         _ => text,
     }
 }
 
-/// Whether a condition is one of the number of bodies alone.
-fn asks_for_length(condition: &TokenStream) -> bool {
+/// Whether a condition is one of indices of loops and of the number of bodies alone.
+fn asks_for_indices(condition: &TokenStream) -> bool {
     condition.clone().into_iter().all(|token| match token {
-        TokenTree::Ident(name) => name == "length" || name == "saturating_sub",
-        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && asks_for_length(&group.stream()),
+        TokenTree::Ident(name) => {
+            let known = ["length", "saturating_sub", "any", "usize"];
+            known.iter().any(|known| name == known) || loop_of(&name).is_some()
+        }
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && asks_for_indices(&group.stream()),
         TokenTree::Punct(_) | TokenTree::Literal(_) => true,
     })
 }

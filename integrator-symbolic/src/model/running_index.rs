@@ -16,7 +16,7 @@ pub(super) fn running_index(by: LoopId) -> Ident {
 }
 
 /// The loop whose index an identifier is.
-fn loop_of(name: &Ident) -> Option<LoopId> {
+pub(super) fn loop_of(name: &Ident) -> Option<LoopId> {
     let text = name.to_string();
     let position = text.strip_prefix(PREFIX)?.parse().ok()?;
     LoopSet::ALL.iter().find(|by| by.position() == position)

@@ -41,7 +41,7 @@ pub(crate) fn canonical(
 struct Around {
     /// The loops, outermost first.
     loops: Vec<LoopId>,
-    /// Conditions on the indices of two loops, and whether they hold.
+    /// Conditions on the indices of one or two loops, and whether they hold.
     conditions: Vec<(NodeId, bool)>,
 }
 
@@ -210,11 +210,21 @@ impl Canonical<'_> {
         let indices = body_indices(graph, value)?;
         let (of_bodies, of_components): (Vec<_>, Vec<_>) =
             around.loops.iter().copied().partition(|by| indices.loops.contains(*by));
+        let (on_one, on_two): (Vec<_>, Vec<_>) = around
+            .conditions
+            .iter()
+            .copied()
+            .partition(|(condition, _)| graph.loops_of(*condition).iter().count() == 1);
+        let own = of_bodies.iter().fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(*by)));
+        let behind = on_one.into_iter().try_fold(LoopSet::EMPTY, |behind, (condition, holds)| {
+            let by = begins_at_one(graph, condition, holds)?;
+            by.is_subset(own).then_some(behind.union(by))
+        })?;
         let [later, earlier] = [self.bodies, self.before].map(Place::Loop);
-        let (of, which, places) = match (&of_bodies[..], &around.conditions[..]) {
+        let (of, which, places) = match (&of_bodies[..], &on_two[..]) {
             ([], []) if indices.first => (Of::Body, Which::First, vec![Vec::new()]),
             ([body], []) => {
-                let (of, which) = match (self.start_of(graph, *body)?, indices.first) {
+                let (of, which) = match (self.start_of(graph, *body, behind)?, indices.first) {
                     (0, false) => (Of::Body, Which::All),
                     (_, false) => (Of::Body, Which::Later),
                     (1, true) => (Of::Pair, Which::First),
@@ -225,7 +235,7 @@ impl Canonical<'_> {
             ([outer, inner], conditions) if !indices.first => {
                 let is_before = vec![(*outer, later), (*inner, earlier)];
                 let is_after = vec![(*outer, earlier), (*inner, later)];
-                let (order, which) = self.order(graph, *outer, *inner)?;
+                let (order, which) = self.order(graph, *outer, *inner, behind)?;
                 let places = match (order, conditions) {
                     (Order::Before, []) => vec![is_before],
                     (Order::After, []) => vec![is_after],
@@ -262,20 +272,19 @@ impl Canonical<'_> {
     }
 
     /// The first body of a loop over all bodies, or over all but the first one.
-    fn start_of(&self, graph: &Graph, by: LoopId) -> Option<u64> {
-        let Loop { from, to, .. } = graph.loops.get(by);
-        graph.loops.literal(from).filter(|from| *from < 2 && to == self.length)
+    fn start_of(&self, graph: &Graph, by: LoopId, behind: LoopSet) -> Option<u64> {
+        start(graph, by, behind).filter(|from| *from < 2 && graph.loops.get(by).to == self.length)
     }
 
     /// How the bodies of a pair are ordered, and which pairs there are.
-    fn order(&self, graph: &mut Graph, outer: LoopId, inner: LoopId) -> Option<(Order, Which)> {
+    fn order(&self, graph: &mut Graph, outer: LoopId, inner: LoopId, behind: LoopSet) -> Option<(Order, Which)> {
         let own = graph.loops.intern(Index::Running(outer));
         let next = graph.loops.intern(Index::Add(own, self.one));
         let (around, partners) = (graph.loops.get(outer), graph.loops.get(inner));
         let from = |which: u64| if which == 0 { Which::All } else { Which::Later };
-        let first = graph.loops.literal(around.from).filter(|first| *first < 2)?;
+        let first = start(graph, outer, behind).filter(|first| *first < 2)?;
         let is_whole = around.to == self.length;
-        match graph.loops.literal(partners.from) {
+        match start(graph, inner, behind) {
             // The first body has none before it.
             Some(start @ (0 | 1)) if is_whole && partners.to == own => Some((Order::Before, from(start))),
             Some(start) if is_whole && partners.to == self.length && start == first => Some((Order::Any, from(start))),
@@ -309,7 +318,23 @@ fn with_components(graph: &Graph, places: &[Vec<(LoopId, Place)>], by: LoopId) -
     Some(places.iter().flat_map(each).collect())
 }
 
-/// Whether a condition compares the indices of loops and nothing else.
+/// The first index of a loop, which is one at least where conditions leave out the first body.
+fn start(graph: &Graph, by: LoopId, behind: LoopSet) -> Option<u64> {
+    let from = graph.loops.literal(graph.loops.get(by).from)?;
+    Some(if behind.contains(by) { from.max(1) } else { from })
+}
+
+/// The loop whose first index a condition leaves out, if it leaves out any; `None` where it leaves out others.
+fn begins_at_one(graph: &Graph, condition: NodeId, holds: bool) -> Option<LoopSet> {
+    let holds_at = |index| truth(graph, condition, &|_| Some(index)).map(|truth| truth == holds);
+    match [holds_at(0)?, holds_at(1)?, holds_at(2)?] {
+        [true, true, true] => Some(LoopSet::EMPTY),
+        [false, true, true] => Some(graph.loops_of(condition)),
+        _ => None,
+    }
+}
+
+/// Whether a condition compares the indices of loops, with each other or with the first two numbers, and nothing else.
 fn is_of_indices(graph: &Graph, condition: NodeId) -> bool {
     truth(graph, condition, &|_| Some(0)).is_some()
 }
@@ -321,6 +346,7 @@ fn truth(graph: &Graph, condition: NodeId, at: &dyn Fn(LoopId) -> Option<i8>) ->
         Node::CompareIndex(comparison, a, b) => {
             let value = |id| match graph.loops.index(id) {
                 Index::Running(by) => at(by),
+                Index::Literal(number @ (0 | 1)) => Some(number as i8),
                 _ => None,
             };
             let (a, b) = (value(a)?, value(b)?);

@@ -3,7 +3,7 @@
 use super::*;
 use crate::graph::evaluate::Point;
 use std::collections::HashMap;
-use syn::{BinOp, Expr, Lit, Member, UnOp};
+use syn::{BinOp, Expr, Lit, Member, Stmt, UnOp};
 
 /// Spellings of T: the sum of |p[i]|² / 2m[i].
 const KINETIC: &[&str] = &[
@@ -37,6 +37,11 @@ const POTENTIAL: &[&str] = &[
      for i in 1..N { for j in i + 1..N { R e -= self.mass[i] * self.mass[j] / r; } } e",
     "for i in 1..N { let j = 0; R e -= self.mass[i] * self.mass[j] / r; }
      for i in 1..N { for j in 1..N { if i != j { R e -= 0.5 * self.mass[j] * self.mass[i] / r; } } } e",
+    "for i in 0..N { if i == 0 { continue; } for j in 0..i { R e -= self.mass[i] * self.mass[j] / r; } } e",
+    "for i in 0..N { if i > 0 { let j = 0; R e -= self.mass[i] * self.mass[j] / r; } 
+        for j in 1..i { R e -= self.mass[i] * self.mass[j] / r; } } e",
+    "for i in 0..N { for j in 0..N { if i == 0 { continue; } if j == 0 { continue; } if i == j { continue; } R e -= 0.5 * self.mass[j] * self.mass[i] / r; } }
+     for i in 0..N { if i != 0 { let j = 0; R e -= self.mass[i] * self.mass[j] / r; e += self.k * q[i][0]; } } e",
     // More terms: of all pairs, of the first body with the others, of bodies behind it, of it.
     "for i in 0..N { for j in 0..i { R
         e -= self.mass[i] * self.mass[j] / r * (1.0 + 3.0 * (self.mass[i] + self.mass[j]) / (self.k * r)); } } e",
@@ -76,6 +81,11 @@ fn number(text: &Expr, index: &dyn Fn(&str) -> f64) -> f64 {
     match text {
         Expr::Paren(inner) => of(&inner.expr),
         Expr::Cast(cast) => of(&cast.expr),
+        // It is asked for where the functions ask for it.
+        Expr::If(choice) => match &choice.then_branch.stmts[..] {
+            [Stmt::Expr(number, _)] => of(number),
+            _ => panic!("another choice"),
+        },
         Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => -of(&unary.expr),
         Expr::Binary(binary) => {
             let (a, b) = (of(&binary.left), of(&binary.right));
