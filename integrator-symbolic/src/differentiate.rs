@@ -11,10 +11,15 @@
 //! a loop is left that may have had no iteration in its branches, what is computed from then on stays under the
 //! condition that it had one, unless no value of it could do harm.
 
+mod limits;
+
 use crate::graph::{
-    Element, FoldSlope, Graph, Node, NodeId, Part, Scope, function::Function, index::LoopId,
+    Element, FoldSlope, Graph, Node, NodeId, Part, Scope,
+    function::{Function, LEAST},
+    index::LoopId,
     like_terms::with_like_terms_collected,
 };
+use limits::Limits;
 use std::collections::HashMap;
 
 /// An addend of one component of a gradient (of a family of them, where the component depends on loops).
@@ -63,11 +68,17 @@ impl Contribution {
 
 /// The gradient of `root` by the coordinates of `part`, in the order of their ids.
 pub(crate) fn gradient(graph: &mut Graph, root: NodeId, part: Part) -> Vec<Contribution> {
-    let mut sweep = Sweep { depends: dependence(graph, root, part), adjoints: vec![Vec::new(); root.position() + 1] };
+    let mut sweep = Sweep {
+        depends: dependence(graph, root, part),
+        adjoints: vec![Vec::new(); root.position() + 1],
+        limits: vec![None; root.position() + 1],
+        present: Limits::default(),
+    };
     let one = graph.constant(1.0);
     sweep.push(graph, root, &[], one);
     let mut contributions = Vec::new();
     for id in graph.reachable([root]).into_iter().rev() {
+        sweep.enter(graph, id);
         let adjoints = std::mem::take(&mut sweep.adjoints[id.position()]);
         for (context, adjoint) in merge_adjoints(graph, id, adjoints) {
             match graph.node(id) {
@@ -298,13 +309,32 @@ fn in_one_context(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoin
 /// An adjoint: the context around it, and its value.
 type Adjoint = (Vec<Scope>, NodeId);
 
+/// A sweep over the nodes, the root first.
 struct Sweep {
     depends: Vec<bool>,
     /// The adjoints of a node so far, one per context that it is used in.
     adjoints: Vec<Vec<Adjoint>>,
+    /// The limits of the adjoints of each node.
+    limits: Vec<Option<Limits>>,
+    /// Those of the node whose adjoint is propagated.
+    present: Limits,
 }
 
 impl Sweep {
+    /// Passes the limits of the adjoint of a node on to its children, which are propagated after it.
+    fn enter(&mut self, graph: &Graph, id: NodeId) {
+        self.present = self.limits[id.position()].unwrap_or_default();
+        let node = graph.node(id);
+        if node.is_condition() {
+            return;
+        }
+        let below = self.present.below(graph, id);
+        for child in node.children() {
+            let limits = &mut self.limits[child.position()];
+            *limits = Some(limits.map_or(below, |known| known.with(below)));
+        }
+    }
+
     /// Propagates the adjoint of `node` to its children.
     fn propagate(&mut self, graph: &mut Graph, id: NodeId, node: Node, context: &[Scope], adjoint: NodeId) {
         match node {
@@ -337,10 +367,12 @@ impl Sweep {
                     && let Some(distance) = distance(graph, a) =>
             {
                 if let Some(slope) = graph.slope(function, a, id) {
-                    // The slope is zero where the distance is, and its quotient is finite: multiplied by a coordinate, zero.
-                    let least = graph.constant(f64::MIN_POSITIVE);
-                    let divisor = graph.call_two("max", a, least);
-                    let quotient = graph.div(slope, divisor);
+                    // Both are zero where the distance is, and the quotient is one.
+                    let least = graph.constant(LEAST);
+                    let (negative, size) = graph.signed(slope);
+                    let (size, divisor) = (graph.add(size, least), graph.call_two("max", a, least));
+                    let quotient = graph.div(size, divisor);
+                    let quotient = if negative { graph.neg(quotient) } else { quotient };
                     self.push_distance(graph, &distance, context, adjoint, quotient);
                 }
             }
@@ -448,7 +480,7 @@ impl Sweep {
 
     fn push_product(&mut self, graph: &mut Graph, to: NodeId, context: &[Scope], adjoint: NodeId, slope: NodeId) {
         if self.depends[to.position()] {
-            let value = graph.mul(adjoint, slope);
+            let value = self.present.product(graph, adjoint, slope);
             self.push(graph, to, context, value);
         }
     }

@@ -18,6 +18,7 @@ mod generic;
 mod instruction_sets;
 mod invariants;
 mod kepler;
+mod limits;
 mod orders;
 mod pace;
 mod pace_checkpoints;

@@ -121,6 +121,13 @@ macro_rules! declare_real {
 
             /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
             fn of(x: f64) -> Self;
+            /// The smallest number whose square is a normal number.
+            #[inline(always)]
+            fn least() -> Self {
+                const LEAST: [f64; 2] = [f64::from_bits((1023 - 511) << 52), f64::from_bits((1023 - 63) << 52)];
+                let [double, single] = LEAST.map(Self::of);
+                if double.lane(0) == 0.0 { single } else { double }
+            }
             /// One lane, widened to `f64`.
             fn lane(self, lane: usize) -> f64;
             /// A number that does not depend on the state, one per lane; a dual ignores all but the first.

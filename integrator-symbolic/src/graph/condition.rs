@@ -74,7 +74,12 @@ impl Graph {
 
     /// Whether a comparison may change along a motion.
     pub(crate) fn is_edge_of_motion(&self, id: NodeId) -> bool {
-        matches!(self.node(id), Node::Compare(_, a, b) if self.moves(a) || self.moves(b))
+        match self.node(id) {
+            // A value that overflows has no edge there.
+            Node::Compare(Comparison::Equal, _, b) if self.as_constant(b) == Some(f64::INFINITY) => false,
+            Node::Compare(_, a, b) => self.moves(a) || self.moves(b),
+            _ => false,
+        }
     }
 
     /// exact: !!c == c

@@ -2,6 +2,9 @@
 
 use super::{Comparison, Graph, NodeId};
 
+/// The smallest number whose square is a normal number. The runtime's reals have their own.
+pub(crate) const LEAST: f64 = f64::from_bits((1023 - 511) << 52);
+
 /// An elementary function, as a position in [`TABLE`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Function(u8);
@@ -322,6 +325,21 @@ impl Function {
     /// Whether it is the root of a sum of two squares.
     pub(crate) fn is_distance(self) -> bool {
         self.name() == "hypot"
+    }
+
+    /// Whether it overflows where its argument is some hundreds.
+    pub(crate) fn overflows(self) -> bool {
+        matches!(self.name(), "exp" | "exp2" | "exp_m1" | "sinh" | "cosh")
+    }
+
+    /// Whether its slope falls faster than the reciprocal of its argument where this overflows.
+    pub(crate) fn levels_off(self) -> bool {
+        matches!(self.name(), "atan" | "tanh")
+    }
+
+    /// Whether it has the same value at many arguments that follow each other: a choice between two or a step.
+    pub(crate) fn is_flat_somewhere(self) -> bool {
+        self.row().chooses.is_some() || matches!(self.row().rule, Rule::Unary(_, None))
     }
 
     /// Whether it is a series in even powers, so that it is smooth in space as a function of a distance.

@@ -273,6 +273,10 @@ struct Facts {
     total: bool,
     /// Whether it is total even where what is computed of parameters alone is not finite, as `1 / self.k` is.
     total_of_any: bool,
+    /// Whether it contains an exponential of a coordinate, so that it may overflow.
+    grows: bool,
+    /// Whether it may be zero wherever some coordinates are: it contains a parameter, a choice or a step.
+    masks: bool,
     /// Where it may be computed.
     access: Access,
     /// Where it may be computed where the sums in it have been.
@@ -330,6 +334,16 @@ impl Graph {
     /// sums, products, whole powers and functions without poles or edges.
     pub(crate) fn is_total(&self, id: NodeId) -> bool {
         self.facts[id.position()].total
+    }
+
+    /// Whether a node contains an exponential of a coordinate, so that it may overflow.
+    pub(crate) fn grows(&self, id: NodeId) -> bool {
+        self.facts[id.position()].grows
+    }
+
+    /// Whether a node may be zero wherever some coordinates are: by a parameter, a choice or a step.
+    pub(crate) fn masks(&self, id: NodeId) -> bool {
+        self.facts[id.position()].masks
     }
 
     /// Whether a node depends on coordinates of a part.
@@ -403,6 +417,12 @@ impl Graph {
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
             total_of_any: self.is_total_by_itself(node),
+            grows: matches!(node, Node::Unary(function, _) if function.overflows()),
+            masks: match node {
+                Node::Parameter(_) | Node::External(..) | Node::Select(..) | Node::FromIndex(_) => true,
+                Node::Unary(function, _) | Node::Binary(function, ..) => function.is_flat_somewhere(),
+                _ => false,
+            },
             access: self.own_access(node),
             beside_sums: self.own_access(node),
             read_in: self.read_in(node, loops),
@@ -419,6 +439,8 @@ impl Graph {
             facts.momenta |= child.momenta;
             facts.total &= child.total;
             facts.total_of_any &= child.total_of_any;
+            facts.grows |= child.grows;
+            facts.masks |= child.masks;
             facts.access = facts.access.max(child.access);
             if !matches!(node, Node::Sum(..) | Node::Fold(..)) {
                 facts.beside_sums = facts.beside_sums.max(child.beside_sums);
@@ -428,6 +450,8 @@ impl Graph {
         let is_constant = facts.prepared && facts.loops.iter().count() <= 1;
         facts.total |= is_constant || node.is_condition();
         facts.total_of_any |= node.is_condition();
+        facts.grows &= !facts.prepared;
+        facts.masks &= !matches!(node, Node::Power(_, halves) if halves < 0);
         facts
     }
 

@@ -130,7 +130,7 @@ impl Graph {
     }
 
     /// Whether a value is zero, positive or NaN whatever its coordinates and parameters are.
-    fn is_never_negative(&self, id: NodeId) -> bool {
+    pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
         let of = |id| self.is_never_negative(id);
         match self.node(id) {
             // A root is NaN where its argument is negative.
@@ -148,6 +148,35 @@ impl Graph {
             Node::Sum(_, body) => of(body),
             _ => false,
         }
+    }
+
+    /// Whether a value is above zero whatever its coordinates are, where addends that are prepared are.
+    pub(crate) fn is_positive(&self, id: NodeId) -> bool {
+        let above = |id| self.is_prepared(id) && self.as_constant(id) != Some(0.0) || self.is_positive(id);
+        match self.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits) > 0.0,
+            Node::Add(a, b) => self.is_never_negative(a) && above(b) || self.is_never_negative(b) && above(a),
+            Node::Mul(a, b) => self.is_positive(a) && self.is_positive(b),
+            Node::Power(base, _) => self.is_positive(base),
+            _ => self.is_never_zero(id),
+        }
+    }
+
+    /// Whether a value is zero by underflow alone.
+    pub(crate) fn is_never_zero(&self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits) != 0.0,
+            Node::Power(_, halves) if halves < 0 => true,
+            Node::Unary(function, _) => matches!(function.name(), "exp" | "exp2" | "cosh"),
+            Node::Neg(a) => self.is_never_zero(a),
+            Node::Mul(a, b) => self.is_never_zero(a) && self.is_never_zero(b),
+            _ => false,
+        }
+    }
+
+    /// Whether a value is zero, negative or NaN whatever its coordinates and parameters are.
+    pub(crate) fn falls(&self, id: NodeId) -> bool {
+        matches!(self.node(id), Node::Neg(a) if self.is_never_negative(a))
     }
 
     /// A product as a number times the rest; `1` and the node itself where there is no number.

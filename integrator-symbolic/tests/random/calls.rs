@@ -139,6 +139,7 @@ impl Machine<'_> {
     fn of_flow(kind: Kind, name: &str, arguments: &[Value]) -> Outcome<Value> {
         match (name, arguments) {
             ("of", [Value::Number(number)]) if number.kind == Kind::Plain => Ok(number.clone().of_kind(kind).into()),
+            ("least", []) => Ok(Number::plain(2.0_f64.powi(-511)).of_kind(kind).into()),
             ("splat", [Value::Number(number)]) if number.kind == Kind::Scalar => {
                 Ok(number.clone().of_kind(kind).into())
             }

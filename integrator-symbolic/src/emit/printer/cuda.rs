@@ -17,7 +17,7 @@ use super::{
 use crate::{
     graph::{
         Comparison, Element, Node, NodeId, ParameterId, Part,
-        function::Function,
+        function::{Function, LEAST},
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Length, is_constant, is_field},
@@ -463,6 +463,7 @@ impl Cuda<'_, '_> {
 fn constant(value: f64) -> String {
     match value {
         _ if value.is_nan() => "not_a_number<R>()".to_owned(),
+        LEAST => "least<R>()".to_owned(),
         f64::INFINITY => "infinity<R>()".to_owned(),
         f64::NEG_INFINITY => "(-infinity<R>())".to_owned(),
         _ => format!("R({value:?})"),

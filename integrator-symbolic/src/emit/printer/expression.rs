@@ -5,7 +5,7 @@ use crate::{
     graph::{
         Element, ExternalId, Graph, Node, NodeId, Part,
         external::Arguments,
-        function::Function,
+        function::{Function, LEAST},
         index::{IndexId, LoopId, LoopSet},
     },
     model::{Method, Parameter, integer::number_literal, is_field},
@@ -217,18 +217,22 @@ impl Printer<'_> {
         self.constant(value).tokens
     }
 
-    fn constant(&self, value: f64) -> Printed {
-        let value = match value {
-            _ if value.is_nan() => quote!(f64::NAN),
+    fn constant(&self, number: f64) -> Printed {
+        let value = match number {
+            _ if number.is_nan() => quote!(f64::NAN),
             f64::INFINITY => quote!(f64::INFINITY),
             f64::NEG_INFINITY => quote!(f64::NEG_INFINITY),
             // Only a finite number has a literal.
             _ => {
-                let literal = number_literal(value.abs());
-                if value.is_sign_negative() { quote!(-#literal) } else { literal.to_token_stream() }
+                let literal = number_literal(number.abs());
+                if number.is_sign_negative() { quote!(-#literal) } else { literal.to_token_stream() }
             }
         };
         match self.dialect {
+            Dialect::Generic if number == LEAST => {
+                let scalar = self.scalar;
+                Printed::new(Binding::Atom, quote!(#scalar::least()))
+            }
             Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),
         }

@@ -52,11 +52,17 @@ struct System {
         const R shared_1 = shared_0 + R(1.0);
         const R shared_3 = abs(shared_2);
         const R shared_4 = library_cosh(q0);
-        const R shared_5 = signum(shared_2);
-        const R shared_6 = R(1.0) / shared_1;
-        const R shared_7 = motion.parameters.weight * p0;
-        const R shared_8 = shared_7 * shared_2;
-        gradient[0] += fma(-shared_2, fma(shared_7 * shared_0 * shared_5, shared_6, fma(shared_7 * library_ln(shared_1), shared_5, shared_8 * shared_3 * (shared_6 * shared_6))), fma(-shared_0, fma(shared_8 * shared_5, shared_6, shared_7 * shared_3 * shared_6), fma(motion.parameters.spring * p0, shared_4, R(2.0) * p0 * library_sinh(q0) / (shared_4 * shared_4 * shared_4))));
+        const R shared_5 = library_sinh(q0);
+        const R shared_6 = signum(shared_2);
+        const R shared_7 = R(1.0) / shared_1;
+        const R shared_8 = motion.parameters.weight * p0;
+        const R shared_9 = shared_8 * shared_2;
+        const bool condition_0 = (abs(shared_5) == infinity<R>());
+        R choice_0 = R(0.0);
+        if (!condition_0) {
+            choice_0 = R(2.0) * p0 * shared_5 / (shared_4 * shared_4 * shared_4);
+        }
+        gradient[0] += fma(-shared_2, fma(shared_8 * shared_0 * shared_6, shared_7, fma(shared_8 * library_ln(shared_1), shared_6, shared_9 * shared_3 * (shared_7 * shared_7))), fma(-shared_0, fma(shared_9 * shared_6, shared_7, shared_8 * shared_3 * shared_7), fma(motion.parameters.spring * p0, shared_4, choice_0)));
         for (int i = 0; i < 1; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};
         }

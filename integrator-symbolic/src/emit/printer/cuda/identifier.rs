@@ -32,7 +32,7 @@ fn is_taken(name: &str) -> bool {
 }
 
 /// Names that mean something in C++, or in the text around the lines.
-const TAKEN: [&str; 110] = [
+const TAKEN: [&str; 111] = [
     "Motion",
     "Parameters",
     "Source",
@@ -91,6 +91,7 @@ const TAKEN: [&str; 110] = [
     "infinity",
     "inline",
     "int",
+    "least",
     "long",
     "main",
     "motion",

@@ -1,0 +1,103 @@
+//! Products of an adjoint and a slope of which one is zero and the other is infinite.
+//!
+//! Far from a step such as `1 / (1 + eˣ)`, the slope of the reciprocal is zero when `eˣ` overflows. At a root of a sum in which
+//! each item has the factor zero, the slope of the root is infinite. The product is zero in both cases: it is chosen where the
+//! slope is infinite or exactly zero, and elsewhere the product keeps its bits.
+
+use crate::graph::{Comparison, Graph, Node, NodeId};
+
+/// The limits that the adjoint of a node may have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Limits {
+    /// Whether the adjoint falls to zero faster than the node grows where this overflows.
+    vanishes: bool,
+    diverges: Divergence,
+}
+
+/// How the adjoint of a radicand becomes infinite.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+enum Divergence {
+    /// It is finite where the value is.
+    #[default]
+    Never,
+    /// It is infinite where the radicand is zero.
+    ByMask,
+    /// The same, and slower than the reciprocal of a slope that is zero there: the root of a square has the slope zero.
+    BySlope,
+}
+
+impl Limits {
+    /// Those of a node that is used in several places.
+    pub(super) fn with(self, other: Self) -> Self {
+        Self { vanishes: self.vanishes && other.vanishes, diverges: self.diverges.max(other.diverges) }
+    }
+
+    /// Those of the children of a node with these.
+    pub(super) fn below(self, graph: &Graph, id: NodeId) -> Self {
+        match graph.node(id) {
+            Node::Power(base, halves) if halves < 0 => self.far_from(graph, base),
+            Node::Power(base, 1) => self.under_root(graph, base, 0.5),
+            Node::Unary(function, base) if function.levels_off() => self.far_from(graph, base),
+            Node::Unary(function, base) if function.name() == "exp" && graph.falls(base) => self.far_from(graph, base),
+            Node::Unary(function, base) if function.name() == "cbrt" => self.under_root(graph, base, 1.0 / 3.0),
+            // Of any exponent: where it is negative, the value is infinite as well.
+            Node::Binary(function, base, exponent) if function.name() == "powf" => {
+                self.under_root(graph, base, graph.as_constant(exponent).unwrap_or(0.5))
+            }
+            _ => self,
+        }
+    }
+
+    fn far_from(self, graph: &Graph, base: NodeId) -> Self {
+        Self { vanishes: self.vanishes || graph.grows(base), ..self }
+    }
+
+    fn under_root(self, graph: &Graph, base: NodeId, exponent: f64) -> Self {
+        let diverges = match exponent {
+            _ if graph.is_positive(base) => Divergence::Never,
+            // d|x|^(2e) = 2e |x|^(2e-1) dx, which is zero with x for an e above one half.
+            _ if exponent > 0.5 && exponent < 1.0 => Divergence::BySlope,
+            _ if exponent > 0.0 && exponent < 1.0 => Divergence::ByMask,
+            _ => Divergence::Never,
+        };
+        Self { diverges: self.diverges.max(diverges), ..self }
+    }
+
+    /// The product of an adjoint with these and a slope.
+    pub(super) fn product(self, graph: &mut Graph, adjoint: NodeId, slope: NodeId) -> NodeId {
+        let product = graph.mul(adjoint, slope);
+        if self.vanishes && graph.grows(slope) {
+            let (factor, infinity) = (moving_factor(graph, slope), graph.constant(f64::INFINITY));
+            let size = if graph.is_never_negative(factor) { factor } else { graph.call("abs", factor) };
+            return zero_where_equal(graph, [size, infinity], product);
+        }
+        let may_be_zero = match self.diverges {
+            Divergence::Never => false,
+            Divergence::ByMask => graph.masks(slope),
+            Divergence::BySlope => !graph.is_never_zero(slope),
+        };
+        if may_be_zero {
+            let (factor, zero) = (graph.without_sign(slope), graph.constant(0.0));
+            return zero_where_equal(graph, [factor, zero], product);
+        }
+        product
+    }
+}
+
+/// A product, and zero where two values are the same.
+fn zero_where_equal(graph: &mut Graph, [a, b]: [NodeId; 2], product: NodeId) -> NodeId {
+    let zero = graph.constant(0.0);
+    let equal = graph.compare(Comparison::Equal, a, b);
+    graph.select(equal, zero, product)
+}
+
+/// A value without its sign and the factors that are prepared.
+fn moving_factor(graph: &Graph, id: NodeId) -> NodeId {
+    match graph.node(id) {
+        Node::Neg(inner) => moving_factor(graph, inner),
+        Node::Mul(a, b) if graph.is_prepared(a) => moving_factor(graph, b),
+        Node::Mul(a, b) if graph.is_prepared(b) => moving_factor(graph, a),
+        Node::Div(a, b) if graph.is_prepared(b) => moving_factor(graph, a),
+        _ => id,
+    }
+}

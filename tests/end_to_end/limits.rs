@@ -1,0 +1,83 @@
+//! Forces where one factor of a derivative is zero and another one infinite: far from a step that is written with exponentials,
+//! and at the root of a sum whose items are masked. The force is zero there.
+
+use integrator_core::prelude::*;
+
+/// Potentials of `x` and `y` with a parameter, points at which they are, and the force at each.
+macro_rules! limits {
+    (|$x:ident, $y:ident, $mask:ident| $($system:ident: $energy:expr, [$([$($at:expr),*] => $force:expr),+];)+) => {
+        $(
+            struct $system {
+                mask: f64,
+            }
+
+            #[hamiltonian]
+            impl $system {
+                fn kinetic(&self, p: [f64; 2]) -> f64 { 0.5 * (p[0] * p[0] + p[1] * p[1]) }
+                fn potential(&self, [$x, $y]: [f64; 2]) -> f64 {
+                    let $mask = self.mask;
+                    let _ = ($y, $mask);
+                    let energy = $energy;
+                    energy
+                }
+            }
+        )+
+
+        #[test]
+        fn a_force_is_zero_where_a_factor_is_exactly_zero() {
+            $($({
+                let [x, y, mask]: [f64; 3] = [$($at),*];
+                let mut run = $system { mask }.run_with(Euler, Phase::new([x, y], [0.0; 2]), 1.0).expect("a run");
+                run.advance(1).unwrap_or_else(|error| panic!("{} at {x}: {error}", stringify!($system)));
+                let expected: [f64; 2] = $force;
+                assert_eq!(run.state().p, expected, "{} at {x}, {y}, {mask}", stringify!($system));
+                let members = [0.5, 1.0, 2.0].map(|near| ($system { mask }, Phase::new([x * near, y], [0.0; 2])));
+                let mut swarm = Ensemble::new(Euler, members, 1.0).expect("members");
+                swarm.advance(1).expect("finite states");
+                assert_eq!(swarm.state(1).map(|state| state.p), Some(expected), "{} at {x}, {y}, {mask} in lanes", stringify!($system));
+            })+)+
+        }
+
+        /// Where neither is, the force is the gradient of the function.
+        #[test]
+        fn a_force_beside_a_limit_is_the_gradient() {
+            for q in [[0.4, -0.7], [1.3, 0.2], [30.0, 0.9], [-30.0, 0.9]] {
+                $({
+                    let error = integrator_core::check::gradient_error(&$system { mask: 0.8 }, Phase::new(q, [0.0; 2]), 0.0);
+                    // The tolerance of certificates: 32 roundings for each coordinate and one more.
+                    let tolerance = 128.0 * f64::EPSILON;
+                    assert!(matches!(error, Ok(error) if error < tolerance), "{} at {q:?}: {error:?}", stringify!($system));
+                })+
+            }
+        }
+    };
+}
+
+limits! {
+    |x, y, mask|
+    WoodsSaxon: -50.0 / (1.0 + ((x - 6.0) / 0.6).exp()), [[500.0, 0.0, 1.0] => [0.0; 2], [1e300, 0.0, 1.0] => [0.0; 2]];
+    SquareOfSecant: -1.0 / x.cosh().powi(2), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
+    Secant: -1.0 / x.cosh(), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
+    RootOfSecant: 1.0 / (3.0 + x.sinh().powi(2)).sqrt(), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
+    TwoWells: 1.0 / (1.0 + x.exp()) + mask / (2.0 + x.exp2() * 3.0), [[2000.0, 0.0, 1.0] => [0.0; 2]];
+    Kink: 4.0 * x.exp().atan(), [[800.0, 0.0, 1.0] => [0.0; 2]];
+    DoubleExponential: (-x.exp()).exp(), [[800.0, 0.0, 1.0] => [0.0; 2]];
+    Ramp: y * x.exp().atan() + y, [[800.0, 0.5, 1.0] => [0.0, -1.0 - std::f64::consts::FRAC_PI_2]];
+    BondOrder: x * (1.0 + (mask * y * y).powf(0.78)).powf(-0.64), [[2.0, 0.3, 0.0] => [-1.0, 0.0], [2.0, 0.0, 1.0] => [-1.0, 0.0]];
+    CutOff: x + ((1.0 - y.abs()).max(0.0) * y * y).powf(0.78), [[2.0, 3.0, 0.0] => [-1.0, 0.0]];
+    EmbeddedAtom: x - ((1.0 - y.abs()).max(0.0).powi(2)).sqrt(), [[2.0, 3.0, 0.0] => [-1.0, 0.0]];
+    Density: x - (mask * (x * x + 1.0)).sqrt(), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
+    CubicRoot: x + (mask * y * y * y).cbrt(), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
+    AnyPower: x + (mask * y * y).powf(0.5 * mask + 0.7), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
+    CosineOfRoot: x.abs().sqrt().cos() + y, [[0.0, 0.3, 1.0] => [0.5, -1.0]];
+}
+
+#[test]
+fn a_force_is_zero_far_from_a_step_in_single_precision() {
+    let wells = [WoodsSaxon { mask: 1.0 }.run(Phase::new([400.0_f32, 0.0], [0.0; 2]), 0.5)];
+    for well in wells {
+        let mut run = well.expect("a run");
+        run.advance(1).expect("finite states");
+        assert_eq!(run.state().p, [0.0_f32; 2]);
+    }
+}
