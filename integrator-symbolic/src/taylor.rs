@@ -197,8 +197,8 @@ fn at_order_zero(graph: &mut Graph, id: NodeId) -> NodeId {
     if graph.is_prepared(id) { graph.stepped(id) } else { id }
 }
 
-/// Finds the values whose added numbers are coefficients of order 0, whose powers with a moving exponent are exponentials, and
-/// whose whole powers are products.
+/// Finds the values whose added numbers are coefficients of order 0, whose powers with a moving exponent are exponentials,
+/// whose distances are roots, and whose whole powers are products.
 fn rewrite_all(graph: &mut Graph, roots: impl IntoIterator<Item = NodeId>, known: &mut HashMap<NodeId, NodeId>) {
     for id in graph.reachable(roots) {
         if known.contains_key(&id) {
@@ -228,6 +228,15 @@ fn rewrite(graph: &mut Graph, id: NodeId, known: &HashMap<NodeId, NodeId>) -> No
         }
         // The recurrence of a power would divide by the base, which may be zero.
         Node::Power(base, halves @ 5..) if halves % 2 == 0 => whole_power(graph, of(base), halves / 2),
+        // The root of a sum of squares has one recurrence, and so do distances within it.
+        Node::Binary(function, a, b) if function.is_distance() => {
+            let [first, second] = [a, b].map(|side| {
+                let square = graph.mul(of(side), of(side));
+                at_order_zero(graph, square)
+            });
+            let square = graph.add(first, second);
+            graph.power(square, 1)
+        }
         Node::Binary(function, a, b) if is_power(function) && !graph.is_prepared(b) => {
             let base = at_order_zero(graph, of(a));
             let logarithm = graph.call("ln", base);

@@ -18,6 +18,7 @@ mod motions;
 mod powers;
 mod recurrences;
 mod reference;
+mod roots;
 mod rows;
 mod runs;
 mod splits;

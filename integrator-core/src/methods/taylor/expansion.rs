@@ -128,7 +128,7 @@ where
         for (lane, segment) in segments.iter_mut().enumerate().take(R::LANES) {
             let (_, motion, lane) = of_lane(lane);
             // The expansion at the same origin gives the same polynomial.
-            *segment = Segment { step: None, free: 0.0, ..motion.segments[lane].clone() };
+            *segment = Segment { step: None, free: 0.0, is_linear: false, ..motion.segments[lane].clone() };
         }
         Some(Self {
             method: constants.method,
@@ -250,6 +250,7 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
                     }
                 }
                 if const { H::HAS_EDGES } {
+                    expansion.cut_linear(layout);
                     expansion.compare_rates(layout, [t0, h]);
                 }
             } else {
@@ -340,6 +341,9 @@ fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
                 _ => {
                     segment.exponent = Some(exponent(unit));
                     segment.step = Some((step.number() * unit).copysign(h));
+                    if has_edges && step.number() == 0.0 {
+                        segment.along_derivative::<C>(h, unit, groups, norm);
+                    }
                 }
             }
         }

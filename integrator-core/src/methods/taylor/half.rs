@@ -202,6 +202,13 @@ impl<R: Real, C: Coords> Half<R, C> {
         LaneNorms(norms)
     }
 
+    /// Removes all coefficients above the first order in the lanes that are not in `keeps`.
+    pub(super) fn cut(&mut self, layout: Layout, keeps: R::Mask) {
+        for number in &mut self.table.numbers_mut(layout)[2 * layout.width()..] {
+            *number = R::select(keeps, *number, R::of(0.0));
+        }
+    }
+
     /// The current coordinate at an index.
     pub(super) fn leaf(&self, lane: usize, index: usize) -> C::Leaf {
         leaf::<R, C::Leaf>(&self.few.current, &self.vectors.current, lane, index)

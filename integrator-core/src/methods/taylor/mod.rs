@@ -12,7 +12,8 @@
 //!
 //! A polynomial follows the branch that its beginning is in. So a step ends where the motion crosses an edge: where a
 //! condition of an `if`, `max`, `clamp` or `abs` changes, on coordinates or on the time, where `floor` jumps, or where the
-//! root of a sum of squares is zero. The next step begins on the other side.
+//! root of a sum of squares is zero. The next step begins on the other side. Where such a root begins at zero, the first step goes along
+//! the derivative for a rounding of a step.
 //!
 //! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
 //! held against. Its energy error does not oscillate but accumulates, however slowly.
@@ -41,6 +42,7 @@
 //! ```
 
 mod access_pattern;
+mod along_derivative;
 pub(crate) mod edges;
 mod expansion;
 mod half;
@@ -50,6 +52,7 @@ pub(crate) mod inverse_mass;
 pub(crate) mod iterations;
 mod limit;
 pub(crate) mod line;
+
 mod logarithm;
 mod method;
 mod rates;

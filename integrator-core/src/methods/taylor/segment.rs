@@ -9,6 +9,7 @@ use crate::{
     },
     system::counts::OwnSteps,
 };
+use core::mem::take;
 
 /// The segment of a trajectory that one polynomial covers.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +25,10 @@ pub(super) struct Segment {
     pub(super) free: f64,
     /// Whether the step ends at an edge of the state, and not of the time alone.
     pub(super) ends_at_edge: bool,
+    /// Whether the polynomial is cut behind its first order, because higher coefficients are not finite.
+    pub(super) is_linear: bool,
+    /// How many polynomials in a row, the present one not included, are cut in this way.
+    pub(super) linear_steps: u8,
     /// The fault that keeps the motion from going on.
     pub(super) unsolved: Option<Unsolved>,
     /// The steps of the member so far.
@@ -81,6 +86,7 @@ impl Segment {
             return Progress::Stopped;
         }
         (self.origin, self.step, self.free) = (origin, None, 0.0);
+        self.linear_steps = if take(&mut self.is_linear) { self.linear_steps + 1 } else { 0 };
         self.exponent = Some(exponent(step.abs()));
         self.steps.take(step);
         Progress::NextSegment(step)

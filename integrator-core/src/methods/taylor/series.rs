@@ -96,8 +96,8 @@ const fn reciprocals(more: usize) -> [[f64; 2]; COEFFICIENTS] {
 }
 
 /// A coefficient of a power with any exponent, `value` as its recurrence finds it, which divides by the base: where this
-/// begins at zero, and the exponent is a whole number from zero on, it is that of a product. `base` has the coefficients
-/// up to the order.
+/// begins at zero, and the exponent is a whole number from zero on, it is that of a product. It is zero where the base is
+/// zero at all orders and the exponent is positive. `base` has the coefficients up to the order.
 #[inline(always)]
 pub fn power_at_zero<R: Real>(value: R, exponent: R, order: usize, base: impl Fn(usize) -> R) -> R {
     let at_zero = base(0).equal(R::of(0.0));
@@ -109,8 +109,10 @@ fn whole_power_at_zero<R: Real>(at_zero: R::Mask, value: R, exponent: R, order: 
     let zero = R::of(0.0);
     let is_whole = exponent.floor().equal(exponent).and(exponent.less(zero).not());
     let (mut factor, mut power) = ([zero; COEFFICIENTS], [zero; COEFFICIENTS]);
+    let mut stays_zero = zero.less(exponent);
     for (j, coefficient) in factor.iter_mut().enumerate().take(order + 1) {
         *coefficient = base(j);
+        stays_zero = stays_zero.and(coefficient.equal(zero));
     }
     power[0] = R::of(1.0);
     let mut exponent = exponent;
@@ -126,7 +128,7 @@ fn whole_power_at_zero<R: Real>(at_zero: R::Mask, value: R, exponent: R, order: 
         exponent = half;
     }
     let coefficient = R::select(zero.less(exponent), zero, power[order]);
-    R::select(at_zero.and(is_whole), coefficient, value)
+    R::select(at_zero.and(is_whole), coefficient, R::select(stays_zero, zero, value))
 }
 
 /// The coefficients of a product up to an order.

@@ -106,7 +106,7 @@ fn is_root(node: Node) -> bool {
 }
 
 /// Whether a value moves and can be zero, but not below.
-fn is_sum_of_squares(graph: &Graph, id: NodeId) -> bool {
+pub(super) fn is_sum_of_squares(graph: &Graph, id: NodeId) -> bool {
     fn may_vanish(graph: &Graph, id: NodeId) -> bool {
         let of = |id| may_vanish(graph, id);
         match graph.node(id) {

@@ -5,7 +5,7 @@
 //! a₀`; for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with
 //! coefficients that have been known for long.
 
-use super::{orders::Writer, tape::Kept};
+use super::{edges::is_sum_of_squares, orders::Writer, tape::Kept};
 use crate::{
     emit::printer::fields::Fields,
     graph::{Node, NodeId},
@@ -335,10 +335,15 @@ impl Writer<'_> {
                 let new = self.newest(fields, a);
                 let (inverse, inverted) = self.inverse(id, &new);
                 let exponent = self.printer.lift(Literal::f64_unsuffixed(f64::from(halves) / 2.0).into_token_stream());
+                let is_root = halves > 0;
                 let halves = Literal::i32_unsuffixed(halves);
                 let first = quote!(#inverted #runtime::half_power(#new, #halves));
                 let newest = [[new, quote!(#exponent * #own * #inverse)]];
-                self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse))
+                let value = self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse));
+                if is_root && is_sum_of_squares(self.printer.graph, a) {
+                    return self.at_zero(fields, a, &value, &exponent);
+                }
+                value
             }
             Node::Binary(function, a, b) if is_power(function) => {
                 let new = self.newest(fields, a);
@@ -347,13 +352,12 @@ impl Writer<'_> {
                 let first = quote!(#inverted #new.powf(#exponent));
                 let newest = [[new, quote!(#exponent * #own * #inverse)]];
                 let value = self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse));
-                if self.printer.graph.as_constant(b).is_some() {
-                    return value;
-                }
                 // A parameter may be a whole number, whose power is smooth where its base is zero.
-                let (negative, base) = self.unsigned(fields, a);
-                let base = minus(negative, base.of(&quote!(order)));
-                quote!(#runtime::power_at_zero(#value, #exponent, order, |order| #base))
+                let may_be_smooth = match self.printer.graph.as_constant(b) {
+                    Some(exponent) => exponent > 0.0 && is_sum_of_squares(self.printer.graph, a),
+                    None => true,
+                };
+                if may_be_smooth { self.at_zero(fields, a, &value, &exponent) } else { value }
             }
             node => {
                 let first = match node {
@@ -374,6 +378,20 @@ impl Writer<'_> {
                 self.divided(fields, id, &first, &newest, |x| minus(negated, x))
             }
         }
+    }
+
+    /// The coefficient of a power, of which `value` is right where the base does not begin at zero.
+    fn at_zero(
+        &mut self,
+        fields: &mut Fields,
+        base: NodeId,
+        value: &TokenStream,
+        exponent: &TokenStream,
+    ) -> TokenStream {
+        let runtime = self.printer.runtime;
+        let (negative, base) = self.unsigned(fields, base);
+        let base = minus(negative, base.of(&quote!(order)));
+        quote!(#runtime::power_at_zero(#value, #exponent, order, |order| #base))
     }
 
     /// The coefficient of the present order of a value, without a change of its sign.
