@@ -142,6 +142,25 @@ fn bodies_in_pairs_are_what_the_functions_say() {
     assert_eq!([tally.refused, tally.foreign], [0; 2], "all of them are understood: {:#?}", tally.messages);
 }
 
+/// Energies and forces are finite where those of the functions are, whatever the units of coordinates.
+#[test]
+fn steppers_are_what_the_functions_say_in_units_of_any_size() {
+    let kinds: [(&str, fn(u64) -> System); 3] = [
+        ("system", grammar::system_in_units),
+        ("lattice", grammar::lattice_in_units),
+        ("bodies", grammar::pairs_in_units),
+    ];
+    let mut tally = Tally { judges_panics: true, ..Tally::default() };
+    for (kind, of_seed) in kinds {
+        for seed in seeds(40) {
+            tally.judge(&format!("{kind} {seed} in units"), &of_seed(seed));
+        }
+    }
+    tally.assert_without_faults();
+    assert_eq!(tally.foreign, 0, "the grammar writes what the interpreter knows: {:?}", tally.messages);
+    assert!(tally.judged > tally.refused * 9, "{} were refused: {:#?}", tally.refused, tally.messages);
+}
+
 #[test]
 fn steppers_of_changed_texts_are_what_the_functions_say() {
     let mut tally = Tally::default();

@@ -5,6 +5,7 @@ mod expression;
 mod lattice;
 mod pairs;
 mod statement;
+mod units;
 
 use crate::{
     choice::Choices,
@@ -14,6 +15,7 @@ use crate::{
 pub(crate) use lattice::lattice;
 pub(crate) use pairs::pairs;
 use std::rc::Rc;
+pub(crate) use units::{lattice_in_units, pairs_in_units, system_in_units};
 
 /// Parts of the language that are written or left out.
 pub(crate) struct Parts {
