@@ -73,7 +73,7 @@ impl Limits {
         }
         let may_be_zero = match self.diverges {
             Divergence::Never => false,
-            Divergence::ByMask => graph.masks(slope),
+            Divergence::ByMask => is_mask(graph, slope),
             Divergence::BySlope => !graph.is_never_zero(slope),
         };
         if may_be_zero {
@@ -81,6 +81,22 @@ impl Limits {
             return zero_where_equal(graph, [factor, zero], product);
         }
         product
+    }
+}
+
+/// Whether a slope has a factor that may be zero wherever coordinates are: a parameter or a choice. A distance has none, whose root
+/// has a kink where it is zero.
+fn is_mask(graph: &Graph, id: NodeId) -> bool {
+    let of = |id| is_mask(graph, id);
+    match graph.node(id) {
+        Node::Parameter(_) | Node::External(..) | Node::Select(..) | Node::FromIndex(_) => true,
+        Node::Neg(a) => of(a),
+        Node::Mul(a, b) => of(a) || of(b),
+        Node::Div(a, _) => of(a),
+        Node::Power(a, halves) => halves > 0 && of(a),
+        Node::Add(a, b) => (of(a) || of(b)) && !graph.moves(id),
+        Node::Binary(function, ..) => function.row().chooses.is_some(),
+        _ => false,
     }
 }
 

@@ -337,11 +337,6 @@ impl Function {
         matches!(self.name(), "atan" | "tanh")
     }
 
-    /// Whether it has the same value at many arguments that follow each other: a choice between two or a step.
-    pub(crate) fn is_flat_somewhere(self) -> bool {
-        self.row().chooses.is_some() || matches!(self.row().rule, Rule::Unary(_, None))
-    }
-
     /// Whether it is a series in even powers, so that it is smooth in space as a function of a distance.
     pub(crate) fn is_of_square(self) -> bool {
         matches!(self.name(), "cos" | "cosh")

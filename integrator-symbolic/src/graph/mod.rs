@@ -275,8 +275,6 @@ struct Facts {
     total_of_any: bool,
     /// Whether it contains an exponential of a coordinate, so that it may overflow.
     grows: bool,
-    /// Whether it may be zero wherever some coordinates are: it contains a parameter, a choice or a step.
-    masks: bool,
     /// Where it may be computed.
     access: Access,
     /// Where it may be computed where the sums in it have been.
@@ -339,11 +337,6 @@ impl Graph {
     /// Whether a node contains an exponential of a coordinate, so that it may overflow.
     pub(crate) fn grows(&self, id: NodeId) -> bool {
         self.facts[id.position()].grows
-    }
-
-    /// Whether a node may be zero wherever some coordinates are: by a parameter, a choice or a step.
-    pub(crate) fn masks(&self, id: NodeId) -> bool {
-        self.facts[id.position()].masks
     }
 
     /// Whether a node depends on coordinates of a part.
@@ -418,11 +411,6 @@ impl Graph {
             total: self.is_total_by_itself(node),
             total_of_any: self.is_total_by_itself(node),
             grows: matches!(node, Node::Unary(function, _) if function.overflows()),
-            masks: match node {
-                Node::Parameter(_) | Node::External(..) | Node::Select(..) | Node::FromIndex(_) => true,
-                Node::Unary(function, _) | Node::Binary(function, ..) => function.is_flat_somewhere(),
-                _ => false,
-            },
             access: self.own_access(node),
             beside_sums: self.own_access(node),
             read_in: self.read_in(node, loops),
@@ -440,7 +428,6 @@ impl Graph {
             facts.total &= child.total;
             facts.total_of_any &= child.total_of_any;
             facts.grows |= child.grows;
-            facts.masks |= child.masks;
             facts.access = facts.access.max(child.access);
             if !matches!(node, Node::Sum(..) | Node::Fold(..)) {
                 facts.beside_sums = facts.beside_sums.max(child.beside_sums);
@@ -451,7 +438,6 @@ impl Graph {
         facts.total |= is_constant || node.is_condition();
         facts.total_of_any |= node.is_condition();
         facts.grows &= !facts.prepared;
-        facts.masks &= !matches!(node, Node::Power(_, halves) if halves < 0);
         facts
     }
 
