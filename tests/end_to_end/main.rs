@@ -38,3 +38,4 @@ mod slope;
 mod squares;
 mod systems;
 mod time_dependent;
+mod units;
