@@ -145,7 +145,8 @@ fn bodies_in_pairs_are_what_the_functions_say() {
 /// Energies and forces are finite where those of the functions are, whatever the units of coordinates.
 #[test]
 fn steppers_are_what_the_functions_say_in_units_of_any_size() {
-    let kinds: [(&str, fn(u64) -> System); 3] = [
+    type OfSeed = fn(u64) -> System;
+    let kinds: [(&str, OfSeed); 3] = [
         ("system", grammar::system_in_units),
         ("lattice", grammar::lattice_in_units),
         ("bodies", grammar::pairs_in_units),
