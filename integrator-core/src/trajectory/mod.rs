@@ -1,7 +1,6 @@
 //! One run.
 
 pub(crate) mod admissible;
-#[cfg(feature = "check")]
 pub(crate) mod by_table;
 #[cfg(feature = "checkpoint")]
 #[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]

@@ -8,6 +8,7 @@ use crate::{
     state::{clock::Clock, coords::Coords, precision::Precision},
     system::motion::Motion,
     trajectory::{
+        by_table,
         interleaved::AdvanceAll,
         step_loop::{Advance, AdvanceApart, AdvanceOne, End},
     },
@@ -160,12 +161,16 @@ where
     StepFunctions {
         lanes: R::LANES,
         together: AdvanceAll::<H, X, R, K, E>::TOGETHER,
-        advance: advance::<H, X, R, K, E>,
-        complete: end::<H, X, R, K, E, false>,
+        advance: if const { is_by_table::<H, X, R, K, E>() } {
+            by_table::advance::<H, X, R, K, E>
+        } else {
+            advance::<H, X, R, K, E>
+        },
+        complete: ending::<H, X, R, K, E, false>(),
         show: if const { X::PROCESSOR.after.rows.is_empty() } {
             None
         } else {
-            Some(|motion, clock| end::<H, X, R, K, E, true>(motion, clock, Some(1)))
+            Some(|motion, clock| ending::<H, X, R, K, E, true>()(motion, clock, Some(1)))
         },
         finite: if const { E::REGISTERS == 0 } { all_finite } else { all_finite_in_lanes::<H, R, K> },
         dense: None,
@@ -175,6 +180,27 @@ where
         } else {
             None
         },
+    }
+}
+
+/// Whether the loop over stages reads the table of the composition, and is not compiled for it.
+const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E: Executor>() -> bool {
+    H::Motion::<R, K>::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1
+}
+
+/// What completes a step, or undoes the processor behind it.
+fn ending<H, X, R, K, E, const SHOWN: bool>() -> fn(&mut H::Motion<R, K>, Clock, Option<usize>)
+where
+    H: Hamiltonian,
+    X: Composition<H>,
+    R: Real,
+    K: Precision,
+    E: Executor,
+{
+    if const { is_by_table::<H, X, R, K, E>() } {
+        by_table::end::<H, X, R, K, E, SHOWN>
+    } else {
+        end::<H, X, R, K, E, SHOWN>
     }
 }
 

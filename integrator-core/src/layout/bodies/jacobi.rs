@@ -181,6 +181,7 @@ where
     L: Motion<C, Q> + Rows<D>,
 {
     const MIXES: bool = true;
+    const LARGE_FLOWS: bool = true;
 
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
         if Self::PLAIN {

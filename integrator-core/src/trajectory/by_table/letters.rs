@@ -1,6 +1,9 @@
 //! A composition as flows one after the other.
 
-use crate::composition::{Lead, Processor, Stage, Stages, corrected_durations::Between};
+use crate::{
+    composition::{Lead, Processor, Scheme, Stage, Stages, corrected_durations::Between},
+    hamiltonian::Hamiltonian,
+};
 use alloc::vec::Vec;
 
 /// One flow of a step.
@@ -26,38 +29,56 @@ pub(super) enum Flow {
     },
 }
 
-/// A composition as flows one after the other.
-pub(super) struct Letters {
+/// The table of a composition for a system, of which flows one after the other are made where they are needed.
+#[derive(Clone, Copy)]
+pub(super) struct Table {
     pub(super) stages: Stages,
     pub(super) processor: Processor,
-    pub(super) opening: Vec<Letter>,
-    pub(super) cycle: Vec<Letter>,
-    pub(super) closing: Vec<Letter>,
-    pub(super) undoing: Vec<Letter>,
+    /// What the system has between its first part and its last.
+    pub(super) between: Between,
 }
 
-impl Letters {
-    /// The flows that [`Composition`](crate::Composition) takes, with what a system has between its first part and its last.
-    pub(super) fn new(stages: Stages, processor: Processor, between: Between) -> Self {
-        let paired = |letter: Letter| letter.paired(between == Between::Pair);
-        let moving = |lead, rows: &[Stage]| -> Vec<Letter> {
-            let letters = rows.iter().flat_map(|row| both(lead, row)).filter(|letter| !letter.stands_still());
-            letters.flat_map(paired).collect()
-        };
-        let steps = |first: &Stage| -> Vec<Letter> {
-            let steps = [first].into_iter().chain(&stages.cycle[1..]);
-            steps.flat_map(|stage| all(stages.lead, stage, between)).flat_map(paired).collect()
-        };
-        let mut opening = moving(processor.before.lead, processor.before.rows);
-        opening.extend(steps(&stages.opening));
-        Self {
-            stages,
-            processor,
-            opening,
-            cycle: steps(&stages.cycle[0]),
-            closing: moving(stages.lead, &[stages.closing]),
-            undoing: moving(processor.after.lead, processor.after.rows),
-        }
+impl Table {
+    /// That of a composition for a system.
+    pub(super) fn of<H: Hamiltonian, X: Scheme>() -> Self {
+        Self { stages: X::STAGES, processor: X::PROCESSOR, between: const { Between::of::<H>() } }
+    }
+
+    /// The flows of the first step, behind the processor.
+    pub(super) fn opening(&self) -> Vec<Letter> {
+        let mut opening = self.moving(self.processor.before.lead, self.processor.before.rows);
+        opening.extend(self.steps(&self.stages.opening));
+        opening
+    }
+
+    /// Those of a later step.
+    pub(super) fn cycle(&self) -> Vec<Letter> {
+        self.steps(&self.stages.cycle[0])
+    }
+
+    /// Those of the end of a step.
+    pub(super) fn closing(&self) -> Vec<Letter> {
+        self.moving(self.stages.lead, &[self.stages.closing])
+    }
+
+    /// Those that undo the processor.
+    pub(super) fn undoing(&self) -> Vec<Letter> {
+        self.moving(self.processor.after.lead, self.processor.after.rows)
+    }
+
+    fn moving(&self, lead: Lead, rows: &[Stage]) -> Vec<Letter> {
+        let letters = rows.iter().flat_map(|row| both(lead, row)).filter(|letter| !letter.stands_still());
+        letters.flat_map(|letter| self.paired(letter)).collect()
+    }
+
+    fn steps(&self, first: &Stage) -> Vec<Letter> {
+        let steps = [first].into_iter().chain(&self.stages.cycle[1..]);
+        let letters = steps.flat_map(|stage| all(self.stages.lead, stage, self.between));
+        letters.flat_map(|letter| self.paired(letter)).collect()
+    }
+
+    fn paired(&self, letter: Letter) -> impl Iterator<Item = Letter> + use<> {
+        letter.paired(self.between == Between::Pair)
     }
 }
 

@@ -1,68 +1,33 @@
 //! Any composition by one loop: its table is a value that the loop reads, and not a constant that it was compiled for.
 //!
-//! In: the stages of a composition that may integrate a system. Out: a method with the same steps to the last bit. Always
-//! true: flows are compiled for a system and not for each of its compositions, so that a program that goes through the
-//! whole catalogue compiles about as much as for one of them.
+//! In: the stages of a composition that may integrate a system. Out: the same steps to the last bit, of a method for checks, which go
+//! through the whole catalogue, and of systems with large flows. Always true: flows are compiled for a system and not for each of its
+//! compositions, so that a program that goes through the whole catalogue compiles about as much as for one of them.
 
 mod letters;
+#[cfg(feature = "check")]
+mod method;
 mod walk;
 
+#[cfg(feature = "check")]
+pub(crate) use method::{ByTable, WithGradients};
+
 use crate::{
-    composition::{Processor, Scheme, Stages, corrected_durations::Between},
-    error::Unsolved,
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
+    composition::Scheme,
+    hamiltonian::{Flows, Hamiltonian},
     scalar::real::Real,
-    state::{coords::Coords, phase::Phase, precision::Precision},
-    system::{
-        counts::Counts,
-        motion::{Found, Motion},
-    },
+    state::{clock::Clock, precision::Precision},
     trajectory::{
         by_table::{
-            letters::Letters,
+            letters::Table,
             walk::{Portion, walk},
         },
-        method::{Described, Facts, Method},
-        step_functions::{Executor, StepFunctions, all_finite},
+        step_functions::Executor,
     },
 };
-use alloc::{sync::Arc, vec::Vec};
-use core::marker::PhantomData;
-
-/// A composition as a method with its table as a value; `G` says whether it has kicks with force gradients.
-pub(crate) struct ByTable<G> {
-    facts: Facts,
-    stages: Stages,
-    processor: Processor,
-    gradients: PhantomData<G>,
-}
 
 /// Kicks of the potential alone.
 pub(crate) struct Plain;
-
-/// Kicks with force gradients beside them.
-pub(crate) struct WithGradients;
-
-impl<G> ByTable<G> {
-    /// This composition. It has to be one for the system that it is run with.
-    pub(crate) fn of<X: Scheme>(composition: X) -> Self {
-        Self { facts: composition.facts(), stages: X::STAGES, processor: X::PROCESSOR, gradients: PhantomData }
-    }
-}
-
-impl<G> Clone for ByTable<G> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<G> Copy for ByTable<G> {}
-
-impl<G: Send + Sync + 'static> Described for ByTable<G> {
-    fn facts(self) -> Facts {
-        self.facts
-    }
-}
 
 /// How kicks of a table are applied.
 pub(crate) trait Kicks<H: Hamiltonian>: Send + Sync + 'static {
@@ -78,114 +43,27 @@ impl<H: Hamiltonian> Kicks<H> for Plain {
     fn gradient_kick(_: &mut impl Flows<H>, _: f64, _: f64, _: f64) {}
 }
 
-impl<H: QuadraticKinetic> Kicks<H> for WithGradients {
-    const GRADIENTS: bool = true;
-    #[inline(always)]
-    fn gradient_kick(flows: &mut impl Flows<H>, duration: f64, gradient: f64, time: f64) {
-        flows.gradient_kick(duration, gradient, time);
+/// Takes so many steps with motions of [large flows](crate::system::motion::Motion::LARGE_FLOWS), by a composition without force gradients.
+pub(super) fn advance<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor>(
+    motions: &mut [H::Motion<R, K>],
+    clock: Clock,
+    steps: u64,
+    threads: Option<usize>,
+) {
+    for motion in motions {
+        walk::<H, Plain, R, K, E>(motion, Table::of::<H, X>(), clock, Portion::Steps(steps), threads);
     }
 }
 
-impl<H: Hamiltonian, G: Kicks<H>> Method<H> for ByTable<G> {
-    type Constants = Constants<H::Parameters<f64>>;
-    type Motion<R: Real, K: Precision> = Tabled<H::Motion<R, K>>;
-
-    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-        let letters = Arc::new(Letters::new(self.stages, self.processor, Between::of::<H>()));
-        Arc::new(Constants { parameters, letters })
-    }
-    fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
-        StepFunctions {
-            lanes: R::LANES,
-            together: 1,
-            advance: |motions, clock, steps, threads| {
-                for motion in motions {
-                    walk::<H, G, R, K, E>(motion, clock, Portion::Steps(steps), threads);
-                }
-            },
-            complete: |motion, clock, threads| walk::<H, G, R, K, E>(motion, clock, Portion::Closing, threads),
-            show: Some(|motion, clock| walk::<H, G, R, K, E>(motion, clock, Portion::Undoing, Some(1))),
-            finite: all_finite,
-            dense: None,
-            #[cfg(feature = "check")]
-            squares: None,
-        }
-    }
+/// Completes the step under way, or undoes the processor behind it, in the same way.
+pub(super) fn end<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor, const SHOWN: bool>(
+    motion: &mut H::Motion<R, K>,
+    clock: Clock,
+    threads: Option<usize>,
+) {
+    let portion = if SHOWN { Portion::Undoing } else { Portion::Closing };
+    walk::<H, Plain, R, K, E>(motion, Table::of::<H, X>(), clock, portion, threads);
 }
 
-/// The constants of a system with the flows of a composition.
-pub(crate) struct Constants<P> {
-    parameters: Arc<P>,
-    letters: Arc<Letters>,
-}
-
-/// A motion of the system with the flows of a composition.
-#[derive(Clone)]
-pub(crate) struct Tabled<M> {
-    motion: M,
-    letters: Arc<Letters>,
-}
-
-impl<M> Tabled<M> {
-    fn new<P>(constants: &[&Constants<P>], load: impl FnOnce(&[&P]) -> M) -> Self {
-        let parameters: Vec<&P> = constants.iter().map(|constants| &*constants.parameters).collect();
-        Self { motion: load(&parameters), letters: constants[0].letters.clone() }
-    }
-}
-
-impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P>> for Tabled<M> {
-    const MIXES: bool = M::MIXES;
-
-    fn load(constants: &[&Constants<P>], states: &[&Phase<C>]) -> Self {
-        Self::new(constants, |parameters| M::load(parameters, states))
-    }
-    fn load_own(constants: &[&Constants<P>], states: &[&Phase<C>]) -> Self {
-        Self::new(constants, |parameters| M::load_own(parameters, states))
-    }
-    fn gathered<'a>(of_lane: &dyn Fn(usize) -> (&'a Constants<P>, &'a Self, usize)) -> Option<Self>
-    where
-        P: 'a,
-    {
-        let motion = M::gathered(&|lane| {
-            let (constants, tabled, lane) = of_lane(lane);
-            (&*constants.parameters, &tabled.motion, lane)
-        })?;
-        Some(Self { motion, letters: of_lane(0).0.letters.clone() })
-    }
-    fn store(&self, lane: usize, to: &mut Phase<C>) {
-        self.motion.store(lane, to);
-    }
-    fn store_own(&self, lane: usize, to: &mut Phase<C>) {
-        self.motion.store_own(lane, to);
-    }
-    fn copy_state(&mut self, from: &Self) {
-        self.motion.copy_state(&from.motion);
-    }
-    fn copy_state_on(&mut self, from: &Self, threads: Option<usize>) {
-        self.motion.copy_state_on(&from.motion, threads);
-    }
-    fn found(&self) -> Option<Found> {
-        self.motion.found()
-    }
-    fn use_found(&mut self, found: &Found) {
-        self.motion.use_found(found);
-    }
-    fn share_among(&mut self, threads: Option<usize>) {
-        self.motion.share_among(threads);
-    }
-    fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
-        self.motion.unsolved(lane)
-    }
-    fn counts(&self) -> Option<Counts> {
-        self.motion.counts()
-    }
-    fn finite(&self) -> bool {
-        self.motion.finite()
-    }
-    fn finite_on(&self, threads: Option<usize>) -> bool {
-        self.motion.finite_on(threads)
-    }
-}
-
-#[cfg(test)]
+#[cfg(all(test, feature = "check"))]
 mod tests;

@@ -1,22 +1,21 @@
 //! The loop over the flows of a table.
 
 use crate::{
-    composition::{
-        Lead, Stage, Stages,
-        corrected_durations::{Between, Corrections},
-    },
-    hamiltonian::{Flows, Hamiltonian, Single},
+    composition::{Lead, Stage, Stages, corrected_durations::Corrections},
+    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Single},
     layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
+    system::motion::Motion,
     trajectory::{
         by_table::{
-            Kicks, Tabled,
-            letters::{Flow, Letter, Letters},
+            Kicks,
+            letters::{Flow, Letter, Table},
         },
         step_functions::Executor,
     },
 };
+use alloc::vec::Vec;
 use core::{marker::PhantomData, ops::Range};
 
 /// What is done with a motion.
@@ -32,7 +31,8 @@ pub(super) enum Portion {
 
 /// Takes a motion a portion further.
 pub(super) fn walk<H, G, R, K, E>(
-    tabled: &mut Tabled<H::Motion<R, K>>,
+    motion: &mut H::Motion<R, K>,
+    table: Table,
     clock: Clock,
     portion: Portion,
     threads: Option<usize>,
@@ -43,28 +43,89 @@ pub(super) fn walk<H, G, R, K, E>(
     K: Precision,
     E: Executor,
 {
-    let letters = &*tabled.letters;
-    if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
-        let mut flows = TimeTiling::<H, R, K>::new(&mut tabled.motion, threads);
-        Walk::<_, H, G>::new(&mut flows, letters, clock, portion).call();
+    if const { H::Motion::<R, K>::LARGE_FLOWS && !G::GRADIENTS } {
+        Walk::<_, H, G>::new(Apart::<H, R, K>(motion), table, clock, portion).call();
+    } else if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
+        let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
+        Walk::<_, H, G>::new(&mut flows, table, clock, portion).call();
         flows.finish();
     } else {
-        R::enter(Walk::<_, H, G>::new(Single::<H, R, K>(&mut tabled.motion), letters, clock, portion));
+        R::enter(Walk::<_, H, G>::new(Single::<H, R, K>(motion), table, clock, portion));
+    }
+}
+
+/// One motion whose flows are functions of their own, which all stages of all compositions call.
+struct Apart<'m, H: Hamiltonian, R: Real, K: Precision>(&'m mut H::Motion<R, K>);
+
+impl<H: Hamiltonian, R: Real, K: Precision> Apart<'_, H, R, K> {
+    fn flow(&mut self, flow: Flow, duration: f64, time: f64) {
+        entered::<R, _>(OneFlow::<H, R, K> { motion: self.0, flow, duration, time });
+    }
+}
+
+/// A call of its own: on the least instruction set, what is entered would be inlined.
+#[inline(never)]
+fn entered<R: Real, F: Kernel>(flow: F) -> F::Out {
+    R::enter(flow)
+}
+
+/// A flow of a motion.
+struct OneFlow<'m, H: Hamiltonian, R: Real, K: Precision> {
+    motion: &'m mut H::Motion<R, K>,
+    flow: Flow,
+    duration: f64,
+    time: f64,
+}
+
+impl<H: Hamiltonian, R: Real, K: Precision> Kernel for OneFlow<'_, H, R, K> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { motion, flow, duration, time } = self;
+        match flow {
+            Flow::Drift => H::drift::<R, K>(motion, duration, time),
+            Flow::Middle { backwards } => H::middle::<R, K>(motion, duration, time, backwards),
+            Flow::Kick | Flow::GradientKick => H::kick::<R, K>(motion, duration, time),
+        }
+    }
+}
+
+impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Apart<'_, H, R, K> {
+    const COMPENSATED: bool = K::COMPENSATED;
+
+    fn begin_step(&mut self, middle: f64) {
+        H::begin_step::<R, K>(self.0, middle);
+    }
+    fn drift(&mut self, duration: f64, time: f64) {
+        self.flow(Flow::Drift, duration, time);
+    }
+    fn kick(&mut self, duration: f64, time: f64) {
+        self.flow(Flow::Kick, duration, time);
+    }
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
+        self.flow(Flow::Middle { backwards }, duration, time);
+    }
+    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+    where
+        H: QuadraticKinetic,
+    {
+        H::gradient_kick::<R, K>(self.0, duration, gradient, time);
     }
 }
 
 /// The loop over flows.
-struct Walk<'l, F, H, G> {
+struct Walk<F, H, G> {
     flows: F,
-    letters: &'l Letters,
+    table: Table,
     clock: Clock,
     portion: Portion,
     marker: PhantomData<(fn(H), G)>,
 }
 
-impl<'l, F, H, G> Walk<'l, F, H, G> {
-    fn new(flows: F, letters: &'l Letters, clock: Clock, portion: Portion) -> Self {
-        Self { flows, letters, clock, portion, marker: PhantomData }
+impl<F, H, G> Walk<F, H, G> {
+    fn new(flows: F, table: Table, clock: Clock, portion: Portion) -> Self {
+        Self { flows, table, clock, portion, marker: PhantomData }
     }
 }
 
@@ -77,20 +138,29 @@ struct Pass<'l> {
     corrected: bool,
 }
 
+/// The flows of a portion; lists that it does not read are empty.
+#[derive(Default)]
+struct Lists {
+    opening: Vec<Letter>,
+    cycle: Vec<Letter>,
+    closing: Vec<Letter>,
+    undoing: Vec<Letter>,
+}
+
 /// What a step consists of where pieces of H meet in time: the end of the last one, what undoes the processor, and all up
 /// to its own end.
 const WHOLE_STEP: u64 = 3;
 
-impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<'_, F, H, G> {
+impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<F, H, G> {
     type Out = ();
 
     #[inline(always)]
     fn call(mut self) {
         let corrections = if F::COMPENSATED { self.corrections() } else { Corrections::NONE };
-        let passes = self.passes();
+        let (passes, lists) = (self.passes(), self.lists());
         // One loop, so that each flow is compiled once for all of these.
         for number in 0..passes {
-            let Some(Pass { letters, step, corrected }) = self.pass(number) else { continue };
+            let Some(Pass { letters, step, corrected }) = self.pass(number, &lists) else { continue };
             let (h, time) = (self.clock.h, self.clock.at(step));
             if const { H::PIECEWISE_IN_TIME } {
                 self.flows.begin_step(time + h / 2.0);
@@ -110,14 +180,14 @@ impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<'_, F, H, G> {
     }
 }
 
-impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
+impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<F, H, G> {
     /// Whether cycles go in drifts and kicks by turns, which keeps small states in registers.
     const IN_PAIRS: bool = !H::PIECEWISE_IN_TIME && H::PARTS.len() == 2;
 
     /// Cycles in a loop without a branch.
     #[inline(always)]
     fn cycles(&mut self, steps: Range<u64>, corrections: Corrections) {
-        let (h, Stages { lead, cycle, .. }) = (self.clock.h, &self.letters.stages);
+        let (h, Stages { lead, cycle, .. }) = (self.clock.h, self.table.stages);
         match lead {
             Lead::Drift => {
                 for step in steps {
@@ -184,35 +254,52 @@ impl<'l, F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<'l, F, H, G> {
         }
     }
 
+    /// The lists that passes read.
+    fn lists(&self) -> Lists {
+        let (table, none) = (&self.table, Lists::default());
+        match self.portion {
+            Portion::Closing => Lists { closing: table.closing(), ..none },
+            Portion::Undoing => Lists { undoing: table.undoing(), ..none },
+            Portion::Steps(_) if H::PIECEWISE_IN_TIME => {
+                Lists { opening: table.opening(), closing: table.closing(), undoing: table.undoing(), ..none }
+            }
+            Portion::Steps(_) => {
+                let opening = if self.clock.steps == 0 { table.opening() } else { Vec::new() };
+                Lists { opening, cycle: if Self::IN_PAIRS { Vec::new() } else { table.cycle() }, ..none }
+            }
+        }
+    }
+
     /// The pass of this number; `None` for the end of a step before the first one.
     #[inline]
-    fn pass(&self, number: u64) -> Option<Pass<'l>> {
-        let (letters, begin) = (self.letters, self.clock.steps);
-        let ending = |letters, step: u64| Some(Pass { letters, step: step.checked_sub(1)?, corrected: false });
+    fn pass<'l>(&self, number: u64, lists: &'l Lists) -> Option<Pass<'l>> {
+        let begin = self.clock.steps;
+        let ending =
+            |letters: &'l [Letter], step: u64| Some(Pass { letters, step: step.checked_sub(1)?, corrected: false });
         match self.portion {
-            Portion::Closing => ending(&letters.closing, begin),
-            Portion::Undoing => ending(&letters.undoing, begin),
+            Portion::Closing => ending(&lists.closing, begin),
+            Portion::Undoing => ending(&lists.undoing, begin),
             Portion::Steps(_) if H::PIECEWISE_IN_TIME => {
                 let step = begin + number / WHOLE_STEP;
                 match number % WHOLE_STEP {
-                    0 => ending(&letters.closing, step),
-                    1 => ending(&letters.undoing, step),
-                    _ => Some(Pass { letters: &letters.opening, step, corrected: true }),
+                    0 => ending(&lists.closing, step),
+                    1 => ending(&lists.undoing, step),
+                    _ => Some(Pass { letters: &lists.opening, step, corrected: true }),
                 }
             }
             Portion::Steps(_) => match begin + number {
-                0 => Some(Pass { letters: &letters.opening, step: 0, corrected: false }),
-                step => Some(Pass { letters: &letters.cycle, step, corrected: true }),
+                0 => Some(Pass { letters: &lists.opening, step: 0, corrected: false }),
+                step => Some(Pass { letters: &lists.cycle, step, corrected: true }),
             },
         }
     }
 
     fn corrections(&self) -> Corrections {
-        let Letters { stages, processor, .. } = self.letters;
+        let Table { stages, processor, between } = &self.table;
         if H::PIECEWISE_IN_TIME {
-            Corrections::of_whole_steps(stages, processor, self.clock.h, Between::of::<H>())
+            Corrections::of_whole_steps(stages, processor, self.clock.h, *between)
         } else {
-            Corrections::new(stages, self.clock.h, Between::of::<H>())
+            Corrections::new(stages, self.clock.h, *between)
         }
     }
 
