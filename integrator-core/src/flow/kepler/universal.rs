@@ -98,9 +98,10 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
         radial = q[d].fma(p[d], radial);
         momentum = p[d].fma(p[d], momentum);
     }
-    // What no force acts on goes straight on: its root is zero, and where it is does not matter.
+    // What no force acts on goes straight on: its root is zero, and where it is does not matter. Its unit of length is another one, in
+    // which powers of the radial motion could leave the range of the scalar.
     let free = strength.equal(zero);
-    let square = W::select(free, W::of(1.0), square);
+    let [square, radial] = [(square, 1.0), (radial, 0.0)].map(|(sum, of_free)| W::select(free, W::of(of_free), sum));
     let distance = square.sqrt();
     // A root and a division that wait for each other take longer than the two side by side and what rounds them again.
     let quotient = distance * (W::of(1.0) / square);
