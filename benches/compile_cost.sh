@@ -23,6 +23,7 @@ edition = "2024"
 pendulum = []
 chain = []
 bodies = []
+planets = []
 run = []
 certify = []
 ensemble = []
@@ -48,8 +49,9 @@ mkdir -p target
 echo system,use,lines > "$rows"
 failed=0
 printf '%-10s %-10s %10s %10s %10s\n' system use seconds lines kept
-for system in pendulum chain bodies; do
-    for use in run certify ensemble taylor five; do
+uses() { if [ "$1" = planets ]; then echo run ensemble five; else echo run certify ensemble taylor five; fi; }
+for system in pendulum chain bodies planets; do
+    for use in $(uses "$system"); do
         taken=-
         if $seconds; then
             cargo build --release --quiet --features "$system,$use"

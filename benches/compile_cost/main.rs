@@ -3,6 +3,7 @@
 #[cfg_attr(feature = "pendulum", path = "pendulum.rs")]
 #[cfg_attr(feature = "chain", path = "chain.rs")]
 #[cfg_attr(feature = "bodies", path = "bodies.rs")]
+#[cfg_attr(feature = "planets", path = "planets.rs")]
 mod user;
 
 use integrator_core::prelude::*;

@@ -52,7 +52,6 @@ pub(crate) mod inverse_mass;
 pub(crate) mod iterations;
 mod limit;
 pub(crate) mod line;
-
 mod logarithm;
 mod method;
 mod rates;
