@@ -159,7 +159,8 @@ fn steppers_are_what_the_functions_say_in_units_of_any_size() {
     }
     tally.assert_without_faults();
     assert_eq!(tally.foreign, 0, "the grammar writes what the interpreter knows: {:?}", tally.messages);
-    assert!(tally.judged > tally.refused * 9, "{} were refused: {:#?}", tally.refused, tally.messages);
+    // Coordinates in units are an array of values, which no table of indices may index: a third of the systems have one.
+    assert!(tally.judged > tally.refused * 4, "{} were refused: {:#?}", tally.refused, tally.messages);
 }
 
 #[test]
