@@ -91,9 +91,13 @@ pub struct SecondPart {
 }
 
 /// Generalised orders as `(10, 6, 4)`.
-pub(crate) fn write_orders(orders: &[u32], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
-    write!(f, "({})", orders.join(", "))
+pub(crate) struct Orders(pub(crate) &'static [u32]);
+
+impl fmt::Display for Orders {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let orders: Vec<String> = self.0.iter().map(u32::to_string).collect();
+        write!(f, "({})", orders.join(", "))
+    }
 }
 
 /// One line for each measurement that could be made.
@@ -132,9 +136,11 @@ impl fmt::Display for Certificate {
             write!(f, "{left_out} could not be compared")?;
         }
         if let Some(SecondPart { size, orders }) = self.second_part {
-            write!(f, "\n  second part        {size:.1e} of the first or of both (orders ")?;
-            write_orders(orders, f)?;
-            write!(f, ", where it is small)")?;
+            let orders = Orders(orders);
+            write!(
+                f,
+                "\n  second part        {size:.1e} of the first or of both (orders {orders}, where it is small)"
+            )?;
         }
         for invariant in &self.invariants {
             write!(f, "\n  invariant          {invariant}")?;

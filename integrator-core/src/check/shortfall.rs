@@ -2,7 +2,7 @@
 
 use crate::{
     check::{
-        certificate::{Certificate, SecondPart, write_orders},
+        certificate::{Certificate, Orders, SecondPart},
         error::CheckError,
         property::{energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
     },
@@ -130,8 +130,9 @@ pub enum Shortfall {
     },
     /// The second part of H is not small, and the composition claims its orders for a small one.
     #[error(
-        "the second part of H is {:.1e} of the first or of both together, where the orders {} are claimed for a small one: these parts should be taken \
-         by a composition for any two parts, or H split so that its second part is small", .0.size, Orders(.0.orders)
+        "the second part of H is {:.1e} of the first or of both together, where the orders {} are claimed for a small one: these \
+         parts should be taken by a composition for any two parts, or H split so that its second part is small",
+        .0.size, Orders(.0.orders)
     )]
     NotSmall(SecondPart),
     /// A flow is not that of its energy.
@@ -218,15 +219,6 @@ fn derivative(function: &str, order: u32) -> String {
         ("potential", _) => "the derivative of the force, a second one of `potential`,".to_owned(),
         (_, 1) => format!("a derivative of `{function}`, a force or a velocity,"),
         _ => format!("a derivative of a force or a velocity, a second one of `{function}`,"),
-    }
-}
-
-/// Generalised orders.
-struct Orders(&'static [u32]);
-
-impl fmt::Display for Orders {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write_orders(self.0, f)
     }
 }
 
