@@ -98,7 +98,7 @@ fn kinked_radicands(graph: &Graph, reachable: &[NodeId]) -> BTreeSet<NodeId> {
         Node::Binary(function, a, b) if is_power(function) && graph.is_prepared(b) => Some(a),
         _ => None,
     };
-    reachable.iter().filter_map(radicand).filter(|id| is_sum_of_squares(graph, *id)).collect()
+    reachable.iter().filter_map(radicand).filter(|id| touches_zero(graph, *id)).collect()
 }
 
 fn is_root(node: Node) -> bool {
@@ -106,7 +106,7 @@ fn is_root(node: Node) -> bool {
 }
 
 /// Whether a value moves and can be zero, but not below.
-pub(super) fn is_sum_of_squares(graph: &Graph, id: NodeId) -> bool {
+pub(super) fn touches_zero(graph: &Graph, id: NodeId) -> bool {
     fn may_vanish(graph: &Graph, id: NodeId) -> bool {
         let of = |id| may_vanish(graph, id);
         match graph.node(id) {

@@ -5,7 +5,7 @@
 //! a₀`; for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with
 //! coefficients that have been known for long.
 
-use super::{edges::is_sum_of_squares, orders::Writer, tape::Kept};
+use super::{edges::touches_zero, orders::Writer, tape::Kept};
 use crate::{
     emit::printer::fields::Fields,
     graph::{Node, NodeId},
@@ -340,7 +340,7 @@ impl Writer<'_> {
                 let first = quote!(#inverted #runtime::half_power(#new, #halves));
                 let newest = [[new, quote!(#exponent * #own * #inverse)]];
                 let value = self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse));
-                if is_root && is_sum_of_squares(self.printer.graph, a) {
+                if is_root && touches_zero(self.printer.graph, a) {
                     return self.at_zero(fields, a, &value, &exponent);
                 }
                 value
@@ -354,7 +354,7 @@ impl Writer<'_> {
                 let value = self.divided(fields, id, &first, &newest, |x| quote!(#x * #inverse));
                 // A parameter may be a whole number, whose power is smooth where its base is zero.
                 let may_be_smooth = match self.printer.graph.as_constant(b) {
-                    Some(exponent) => exponent > 0.0 && is_sum_of_squares(self.printer.graph, a),
+                    Some(exponent) => exponent > 0.0 && touches_zero(self.printer.graph, a),
                     None => true,
                 };
                 if may_be_smooth { self.at_zero(fields, a, &value, &exponent) } else { value }
