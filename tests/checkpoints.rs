@@ -216,10 +216,10 @@ fn what_belongs_to_another_run_is_refused_with_a_reason() {
         "this is no checkpoint of what is to be resumed: it does not begin like one"
     );
     let mut newer = bytes.clone();
-    newer[8] = 4;
+    newer[8] = 5;
     assert_eq!(
         text(resumed(&newer).expect_err("from the future")),
-        "this checkpoint has version 4 of its format, which is newer than this library: update integrator-core"
+        "this checkpoint has version 5 of its format, which is newer than this library: update integrator-core"
     );
     let mut older = bytes.clone();
     older[8] = 1;

@@ -23,7 +23,7 @@ use crate::{
         dispatch::Deviations,
         engine::Engine,
         method::Memoryless,
-        motions::{Motions, show},
+        motions::{Form, Motions, show},
         tangent::{BETWEEN_SCALES, far_exponent, may_be_far, refused, scaled, square},
     },
 };
@@ -449,7 +449,7 @@ impl<C: Coords> Batch<C> {
 
     fn go_on(&mut self, lanes: &[Phase<C>]) {
         let motions = &self.engine.motions;
-        self.engine.resume_own(&all_lanes(lanes, motions.lanes() * motions.count()));
+        self.engine.resume(Form::Own, &all_lanes(lanes, motions.lanes() * motions.count()));
     }
 }
 

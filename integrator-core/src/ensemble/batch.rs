@@ -4,7 +4,10 @@
 //! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
 #[cfg(feature = "checkpoint")]
-use crate::{ensemble::members::Finished, trajectory::motions::load_own};
+use crate::{
+    ensemble::members::Finished,
+    trajectory::motions::{Form, load_from},
+};
 use crate::{
     ensemble::request::{AdvanceRequest, Ended},
     error::{Divergence, Error},
@@ -340,10 +343,10 @@ impl Batch {
         Alone { engine, opened: self.opened, opened_at: self.opened_at[index] }
     }
 
-    /// A member alone, from a state in the middle of the step under way, in the coordinates of its motion.
+    /// A member alone, from a state in the middle of the step under way.
     #[cfg(feature = "checkpoint")]
-    pub(crate) fn alone_from(&self, member: usize, state: &dyn Point) -> Engine {
-        Engine::of_member(load_own(&*self.engine.motions, vec![(member, state)]), member)
+    pub(crate) fn alone_from(&self, member: usize, form: Form, state: &dyn Point) -> Engine {
+        Engine::of_member(load_from(&*self.engine.motions, form, vec![(member, state)]), member)
     }
 
     /// Takes a member out of the lanes that was lost beyond the steps of all.
@@ -377,16 +380,16 @@ impl Batch {
         self.opened
     }
 
-    /// Shows all members, in their order: those under way in the middle of the step, in the coordinates of their motions.
+    /// Shows all members, in their order: those under way in the middle of the step.
     #[cfg(feature = "checkpoint")]
-    pub(crate) fn unfinished(&self, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
+    pub(crate) fn unfinished(&self, form: Form, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
         let (mut sample, mut lane) = (self.sample.boxed_clone(), 0);
         for finished in &self.finished {
             if let Some(Finish { steps, time, state }) = finished {
                 visit(Some(Finished { steps: *steps, time: *time }), &**state);
                 continue;
             }
-            self.engine.motions.store_own(lane, &mut *sample);
+            self.engine.unfinished(form, lane, &mut *sample);
             visit(None, &*sample);
             lane += 1;
         }
@@ -394,14 +397,20 @@ impl Batch {
 
     /// Goes on from what [`Batch::unfinished`] has shown.
     #[cfg(feature = "checkpoint")]
-    pub(crate) fn resume(&mut self, opened: u64, states: &States, finished: &dyn Fn(usize) -> Option<Finished>) {
+    pub(crate) fn resume(
+        &mut self,
+        form: Form,
+        opened: u64,
+        states: &States,
+        finished: &dyn Fn(usize) -> Option<Finished>,
+    ) {
         for (member, end) in (self.first..).zip(&mut self.finished) {
             let state = || states(member).boxed_clone();
             *end = finished(member).map(|Finished { steps, time }| Finish { steps, time, state: state() });
         }
         self.lanes = (0..self.finished.len()).filter(|index| self.finished[*index].is_none()).collect();
         let members = with_states(self.first, &self.lanes, states);
-        self.engine = Engine::new(load_own(&*self.engine.motions, members));
+        self.engine = Engine::new(load_from(&*self.engine.motions, form, members));
         self.opened = opened;
     }
 

@@ -1,4 +1,5 @@
-//! Ensembles as bytes: what all members have in common, and behind it each of them, in the middle of the step under way.
+//! Ensembles as bytes: what all members have in common, and behind it each of them, in the middle of the step under way or,
+//! before the first step, as it was given.
 //!
 //! ```text
 //! magic (8 bytes) | version (2 bytes) | record | CRC-64 of all before (8 bytes)
@@ -23,7 +24,7 @@ use std::ops::Range;
 const MAGIC: [u8; 8] = *b"symplens";
 
 /// The form of what is written.
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 
 /// All there is to an ensemble.
 #[derive(Serialize, Deserialize)]

@@ -8,7 +8,7 @@ use crate::{
     },
     error::{Divergence, Error},
     state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, point::shaped},
-    trajectory::run::Run,
+    trajectory::{motions::Form, run::Run},
 };
 use alloc::vec::Vec;
 
@@ -101,7 +101,7 @@ pub fn divergence<C: Coords>(
 ) -> Result<Divergence, Error> {
     let clock = Clock { steps, ..ensemble.members.clock };
     let Some(batch) = ensemble.members.batch_of(member) else { return Err(of_member(member)(Error::NoMembers)) };
-    let engine = batch.alone_from(member, state);
+    let engine = batch.alone_from(member, Form::after(steps - opened), state);
     let mut run = Run::of_engine(engine, ensemble.energies_of(member), state.clone(), clock, opened);
     let last = flat(&run.state());
     Ok(match run.take_step() {

@@ -1,5 +1,7 @@
 //! The members of an ensemble, whatever they are: dealt out to batches that threads take in turns.
 
+#[cfg(feature = "checkpoint")]
+use crate::trajectory::motions::Form;
 use crate::{
     ensemble::{
         batch::{Batch, States},
@@ -124,11 +126,12 @@ impl Members {
         self.batches.first().map_or(0, Batch::opened)
     }
 
-    /// Shows all members, in their order: those under way in the middle of the step, in the coordinates of their motions.
+    /// Shows all members, in their order: those under way in the middle of the step.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
+        let form = Form::after(self.clock.steps - self.opened());
         for batch in &self.batches {
-            batch.unfinished(visit);
+            batch.unfinished(form, visit);
         }
     }
 
@@ -144,7 +147,7 @@ impl Members {
         self.clock = clock;
         self.starts_unchecked = false;
         for batch in &mut self.batches {
-            batch.resume(opened, states, finished);
+            batch.resume(Form::after(clock.steps - opened), opened, states, finished);
         }
     }
 

@@ -88,7 +88,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
         Self: Sized + 'a,
     {
     }
-    /// Writes the state of one lane.
+    /// Writes the state of one lane: that which was loaded, to the last bit, until the first flow.
     fn store(&self, lane: usize, to: &mut Phase<C>);
     /// Writes the state of one lane in the coordinates of the motion itself: what it goes on from, to the last bit.
     fn store_own(&self, lane: usize, to: &mut Phase<C>) {

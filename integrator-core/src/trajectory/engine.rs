@@ -10,7 +10,7 @@ use crate::{
         point::Point,
     },
     trajectory::{
-        motions::{Motions, elapsed, load, show, shown},
+        motions::{Form, Motions, elapsed, load, show, shown},
         panics::attempt,
     },
 };
@@ -161,17 +161,25 @@ impl Engine {
         if self.carries_constants { lane } else { self.member }
     }
 
-    /// Goes on with a state in the coordinates of the motion, and what it carries beside.
-    pub(crate) fn resume_own(&mut self, lanes: &[&dyn Point]) {
+    /// Goes on with what [`Engine::unfinished`] has written of a state, and of what it carries beside.
+    pub(crate) fn resume(&mut self, form: Form, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(self.motions.count());
         let lanes = lanes.iter().enumerate();
         let lanes: Vec<_> = lanes.map(|(lane, point)| (self.constants_of(lane), *point)).collect();
         for lanes in lanes.chunks(motions.lanes()) {
-            motions.push(lanes, true);
+            motions.push(lanes, form);
         }
         motions.share_among(self.threads);
         self.motions = motions;
         self.completed_at = None;
+    }
+
+    /// Writes a lane in the middle of the step under way: what it goes on from, to the last bit.
+    pub(crate) fn unfinished(&self, form: Form, lane: usize, to: &mut dyn Point) {
+        match form {
+            Form::Given => self.motions.store(lane, to),
+            Form::Own => self.motions.store_own(lane, to),
+        }
     }
 
     /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.

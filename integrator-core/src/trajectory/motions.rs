@@ -32,9 +32,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn count(&self) -> usize;
     /// An empty list of such motions, with room for so many.
     fn none(&self, room: usize) -> Box<dyn Motions>;
-    /// Adds a motion of members, one in each lane, from their states; in the coordinates of the motion, if these are its
-    /// own.
-    fn push(&mut self, lanes: &[(usize, &dyn Point)], own: bool);
+    /// Adds a motion of members, one in each lane, from their states in this form.
+    fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
     /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
     /// Gives the last motion what states do not tell, from lanes of others.
@@ -84,6 +83,22 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn share_among(&mut self, threads: Option<usize>);
 }
 
+/// The coordinates of a state in the middle of the step under way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// The user's own, as they were given: no step was taken since.
+    Given,
+    /// Those of the motion.
+    Own,
+}
+
+impl Form {
+    /// That of states which were given before the first of so many steps.
+    pub(crate) fn after(steps: u64) -> Self {
+        if steps == 0 { Self::Given } else { Self::Own }
+    }
+}
+
 /// The lane of a member.
 #[derive(Clone, Copy)]
 pub(crate) struct Lane<'m> {
@@ -94,19 +109,14 @@ pub(crate) struct Lane<'m> {
 
 /// Motions of members, from their states, of the same type as some.
 pub(crate) fn load(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
-    loaded(like, members, false)
+    load_from(like, Form::Given, members)
 }
 
-/// The same from states in the coordinates of the motions.
-#[cfg(all(feature = "checkpoint", feature = "std"))]
-pub(crate) fn load_own(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
-    loaded(like, members, true)
-}
-
-fn loaded(like: &dyn Motions, members: Vec<(usize, &dyn Point)>, own: bool) -> Box<dyn Motions> {
+/// The same from states in this form.
+pub(crate) fn load_from(like: &dyn Motions, form: Form, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
-        motions.push(lanes, own);
+        motions.push(lanes, form);
     }
     motions
 }
@@ -123,7 +133,7 @@ pub(crate) fn gather(like: &dyn Motions, members: Vec<Lane>, shape: &dyn Point) 
             from.motions.store(from.lane, &mut **state);
         }
         let states = lanes.iter().zip(&states);
-        motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>(), false);
+        motions.push(&states.map(|(from, state)| (from.member, &**state)).collect::<Vec<_>>(), Form::Given);
         motions.take_over(lanes);
     }
     motions
@@ -249,9 +259,12 @@ where
         Self::empty(self.functions, self.constants.clone(), room)
     }
 
-    fn push(&mut self, lanes: &[(usize, &dyn Point)], own: bool) {
+    fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form) {
         let (constants, states) = filling(&self.constants, lanes);
-        self.motions.push(if own { L::load_own(&constants, &states) } else { L::load(&constants, &states) });
+        self.motions.push(match form {
+            Form::Given => L::load(&constants, &states),
+            Form::Own => L::load_own(&constants, &states),
+        });
     }
 
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool {

@@ -26,7 +26,7 @@ use crate::{
         dispatch::{Carried, Nothing, engine},
         engine::Engine,
         method::Method,
-        motions::{Motions, elapsed, show},
+        motions::{Form, Motions, elapsed, show},
         watch::Watch,
     },
 };
@@ -493,9 +493,8 @@ impl<C: Coords> Run<C> {
     /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
     /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
     ///
-    /// From there, the run has the bits of a new one that starts from the changed state [at this time](Run::at_time). In
-    /// Jacobi coordinates, [`Run::state`] may differ from the changed state by roundings, as at a start. A
-    /// [watch](Run::watch_energy) goes on with the energy of this state.
+    /// From there, the run has the bits of a new one that starts from the changed state [at this time](Run::at_time), and
+    /// [`Run::state`] returns this very state until the next step. A [watch](Run::watch_energy) goes on with its energy.
     ///
     /// [`Run::on_crossing`] changes states within steps.
     ///
@@ -596,22 +595,28 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// The state in the middle of the step under way, in the coordinates of the motion.
+    /// The state in the middle of the step under way, in [`Run::form`].
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {
         self.unfinished_lane(0)
     }
 
-    /// A lane in the middle of the step under way, in the coordinates of the motion.
+    /// A lane in the middle of the step under way, in [`Run::form`].
     pub(crate) fn unfinished_lane(&self, lane: usize) -> Phase<C> {
         let mut point = self.shape.clone();
-        self.engine.motions.store_own(lane, &mut point);
+        self.engine.unfinished(self.form(), lane, &mut point);
         point
     }
 
-    /// Goes on with lanes in the middle of the step under way, in the coordinates of the motion.
+    /// The coordinates of states in the middle of the step under way.
+    fn form(&self) -> Form {
+        Form::after(self.since_opened().steps)
+    }
+
+    /// Goes on with lanes in the middle of the step under way, in [`Run::form`].
     pub(crate) fn resume_lanes(&mut self, lanes: &[Phase<C>]) {
-        self.engine.resume_own(&lanes.iter().map(|point| point as &dyn Point).collect::<Vec<_>>());
+        let lanes: Vec<_> = lanes.iter().map(|point| point as &dyn Point).collect();
+        self.engine.resume(self.form(), &lanes);
     }
 
     /// Goes back to motions of the same lanes, after so many steps.

@@ -3,12 +3,13 @@
 //! The first part moves the centre of mass on a line and every other body on its Kepler orbit about the centre of mass of
 //! those before it; the second is `V` without these attractions. Always true: states are the user's own, inertial
 //! coordinates; the map is applied where they are loaded and stored, with twice the digits where `R` is a plain number, so
-//! that what is shown is rounded once.
+//! that what is shown is rounded once. Until the first flow, the state that was loaded is shown itself.
 
 use crate::{
     error::Unsolved,
     flow::kepler::{moved, universal::Body},
     layout::bodies::{
+        given::Given,
         jacobi_map::{JacobiConstants, Part, body_at, parts, to_inertial, to_jacobi},
         load_store::{body_and_lane, values},
         rows::{Coordinates, Rows, bodies_of_row, body, points, set_points},
@@ -37,6 +38,8 @@ pub struct Jacobi<L: Rows<D>, const D: usize> {
     weights: Arc<[Weights<L::Row>]>,
     /// The number of the body that leads, which is the first one of rows.
     leading: usize,
+    /// The user's states, until the first flow.
+    given: Given<L::Leaf>,
     /// Why the Kepler flow could not be solved, by lanes; empty as long as it was.
     unsolved: Vec<Option<Unsolved>>,
 }
@@ -145,7 +148,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         let weights = (0..bodies.rows()[0].len()).map(|row| Weights::of::<L, D>(row, &members)).collect();
         // Members in lanes are alike in all integers.
         let leading = constants[0].leading_body();
-        Self { inertial: bodies.at_rest(), bodies, weights, leading, unsolved: Vec::new() }
+        Self { inertial: bodies.at_rest(), bodies, weights, leading, given: Given::default(), unsolved: Vec::new() }
     }
 
     /// The shares of all bodies in the member that a lane belongs to. Its other lanes hold derivatives, and those of
@@ -184,6 +187,7 @@ where
     const LARGE_FLOWS: bool = true;
 
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
+        let given = Given::of(states);
         if Self::PLAIN {
             let (mut own, bodies) = (Vec::with_capacity(states.len()), states[0].q.length());
             for (constants, state) in constants.iter().zip(states) {
@@ -191,7 +195,7 @@ where
                 let state = led::<C, D>(state, constants.leading_body());
                 own.push(mapped(&shares, &state, to_jacobi::<DoubleDouble, D>));
             }
-            return Self::load_own(constants, &own.iter().collect::<Vec<_>>());
+            return Self { given, ..Self::load_own(constants, &own.iter().collect::<Vec<_>>()) };
         }
         let leading = |(constants, state): (&&Q, &&Phase<C>)| led::<C, D>(state, constants.leading_body());
         let states: Vec<_> = constants.iter().zip(states).map(leading).collect();
@@ -200,7 +204,7 @@ where
         for (rows, points) in motion.bodies.rows_mut().into_iter().zip(&points) {
             set_points::<L, D>(rows, points);
         }
-        motion
+        Self { given, ..motion }
     }
     fn load_own(constants: &[&Q], states: &[&Phase<C>]) -> Self {
         Self::new(constants, L::load(constants, states))
@@ -210,6 +214,11 @@ where
         Q: 'a,
     {
         let (mut constants, mut states) = (Vec::new(), Vec::new());
+        let given = (0..L::Scalar::LANES).map(|lane| {
+            let (_, motion, lane) = of_lane(lane);
+            (&motion.given, lane)
+        });
+        let given = Given::gathered(given);
         for lane in 0..L::Scalar::LANES {
             let (own, motion, lane) = of_lane(lane);
             let zeros = alloc::vec![L::Leaf::default(); motion.bodies.bodies() * D];
@@ -218,9 +227,12 @@ where
             constants.push(own);
             states.push(state);
         }
-        Some(Self::load_own(&constants, &states.iter().collect::<Vec<_>>()))
+        Some(Self { given, ..Self::load_own(&constants, &states.iter().collect::<Vec<_>>()) })
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
+        if self.given.show(lane, to) {
+            return;
+        }
         if Self::PLAIN {
             self.store_own(lane, to);
             *to = mapped(&self.shares(lane), to, to_inertial::<DoubleDouble, D>);
@@ -244,6 +256,7 @@ where
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {
         self.bodies.copy_state(&from.bodies);
+        self.given.copy(&from.given);
         self.unsolved.clone_from(&from.unsolved);
     }
     fn share_among(&mut self, threads: Option<usize>) {
@@ -382,6 +395,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn drift(&mut self, duration: f64) {
+        self.given.forget();
         let (count, step) = (self.bodies.bodies(), L::Row::of(duration));
         let [q, p] = self.bodies.rows_mut();
         for row in 0..q.len() {
@@ -416,6 +430,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn close_kick(&mut self, duration: f64) {
+        self.given.forget();
         let (count, step) = (self.bodies.bodies(), L::Row::of(duration));
         let ([q, p], [_, kick]) = (self.bodies.rows_mut(), self.inertial.rows());
         map_momenta::<L, D>(&self.weights, count, kick, p);
@@ -453,12 +468,14 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     #[inline(always)]
     pub fn at_rest(&self) -> Jacobi<L::AtRest, D> {
         let (bodies, weights) = (self.bodies.at_rest(), self.weights.clone());
-        Jacobi { inertial: bodies.at_rest(), bodies, weights, leading: self.leading, unsolved: Vec::new() }
+        let (inertial, leading) = (bodies.at_rest(), self.leading);
+        Jacobi { inertial, bodies, weights, leading, given: Given::default(), unsolved: Vec::new() }
     }
 
     /// Adds a multiple of another motion's momenta.
     #[inline(always)]
     pub fn push(&mut self, factor: L::Scalar, other: &Jacobi<L::AtRest, D>) {
+        self.given.forget();
         let ([_, p], [_, momenta]) = (self.bodies.rows_mut(), other.bodies.rows());
         let factor = L::Row::splat(factor);
         for row in 0..p.len() {

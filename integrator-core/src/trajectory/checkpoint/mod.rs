@@ -8,7 +8,7 @@
 //! beside positions and momenta.
 //!
 //! Always true: what is stored is the unfinished state, in the middle of a step, so that a resumed run takes the very
-//! steps of one that was never interrupted.
+//! steps of one that was never interrupted; before the first step, it is the state that the user gave.
 
 mod error;
 mod record;
@@ -25,6 +25,7 @@ use crate::{
         admissible::admissible_with,
         dispatch::Nothing,
         method::{Facts, Resumable},
+        motions::Form,
         run::Run,
     },
 };
@@ -168,7 +169,7 @@ impl<C: Coords> Run<C> {
         let record = Record { q: numbers(&q), p: numbers(&p), ..record };
         let over = Some(self.origin.over.to_owned());
         let own = self.engine.motions.beside().map(|beside| OwnTime { beside, opened_at: self.opened_at });
-        Stored { record, over, own }.to_bytes()
+        Stored::new(record, over, own).to_bytes()
     }
 
     /// Writes [`Run::checkpoint`] to a file. Whenever the program is killed, the file is whole: it holds the previous
@@ -279,6 +280,7 @@ impl<C: Coords> Run<C> {
             return Err(CheckpointError::Copies { system: stored.record.system });
         }
         stored.belongs_to::<H, C::Leaf>(composition.facts())?;
+        let form = stored.form;
         let Stored { record: Record { formulas, parameters, steps, opened, h, t0, q, p, .. }, own, .. } = stored;
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
@@ -293,7 +295,7 @@ impl<C: Coords> Run<C> {
             clock,
             opened,
         )?;
-        run.resume_own(&unfinished, own)?;
+        run.resume_stored(form, &unfinished, own)?;
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {
             return Err(CheckpointError::Formulas { system: name() });
@@ -311,10 +313,14 @@ impl<C: Coords> Run<C> {
         Ok(run)
     }
 
-    /// Goes on from a state in the middle of the step under way, in the coordinates of the motion, and from what the run
-    /// had beside it.
-    fn resume_own(&mut self, unfinished: &Phase<C>, own: Option<OwnTime>) -> Result<(), CheckpointError> {
-        self.engine.resume_own(&[unfinished]);
+    /// Goes on from a state in the middle of the step under way, and from what the run had beside it.
+    fn resume_stored(
+        &mut self,
+        form: Form,
+        unfinished: &Phase<C>,
+        own: Option<OwnTime>,
+    ) -> Result<(), CheckpointError> {
+        self.engine.resume(form, &[unfinished]);
         match (own, self.engine.motions.beside()) {
             (None, None) => Ok(()),
             (Some(OwnTime { beside, opened_at }), Some(Beside { exponent, .. })) => {

@@ -6,7 +6,7 @@ use crate::{
     hamiltonian::Hamiltonian,
     state::precision::Precision,
     system::motion::Beside,
-    trajectory::method::Facts,
+    trajectory::{method::Facts, motions::Form},
 };
 use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
 use crc::{CRC_64_XZ, Crc};
@@ -16,10 +16,13 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 const MAGIC: [u8; 8] = *b"symplrun";
 
 /// The form of what is written.
-pub(super) const VERSION: u16 = 3;
+pub(super) const VERSION: u16 = 4;
 
 /// The oldest form that is read. It does not name the composition that a method is over.
 pub(super) const OLDEST: u16 = 2;
+
+/// The oldest form that has states as they were given, where no step was taken since.
+const AS_GIVEN: u16 = 4;
 
 const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 
@@ -27,6 +30,8 @@ const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 #[cfg_attr(test, derive(Debug, PartialEq))]
 pub(crate) struct Stored {
     pub(crate) record: Record,
+    /// The coordinates of its state.
+    pub(super) form: Form,
     /// The composition that the method is over; empty where it is over none, and nothing where that is not known.
     pub(super) over: Option<String>,
     pub(super) own: Option<OwnTime>,
@@ -62,10 +67,16 @@ pub(super) struct OwnTime {
 }
 
 impl Stored {
+    pub(super) fn new(record: Record, over: Option<String>, own: Option<OwnTime>) -> Self {
+        // That there are no more of them than steps is looked at later.
+        let form = Form::after(record.steps.saturating_sub(record.opened));
+        Self { record, form, over, own }
+    }
+
     /// What others than runs have stored: they have nothing beside states.
     #[cfg(feature = "std")]
     pub(crate) fn of_record(record: Record, over: String) -> Self {
-        Self { record, over: Some(over), own: None }
+        Self::new(record, Some(over), None)
     }
 
     pub(super) fn to_bytes(&self) -> Vec<u8> {
@@ -93,11 +104,15 @@ impl Stored {
             OLDEST => (None, rest),
             _ => postcard::take_from_bytes(rest).map(|(over, rest)| (Some(over), rest)).ok()?,
         };
-        if rest.is_empty() {
-            return Some(Self { record, over, own: None });
+        let (own, rest) = match rest {
+            [] => (None, rest),
+            _ => postcard::take_from_bytes(rest).map(|(own, rest)| (Some(own), rest)).ok()?,
+        };
+        let mut stored = rest.is_empty().then(|| Self::new(record, over, own))?;
+        if version < AS_GIVEN {
+            stored.form = Form::Own;
         }
-        let (own, rest) = postcard::take_from_bytes(rest).ok()?;
-        rest.is_empty().then_some(Self { record, over, own: Some(own) })
+        Some(stored)
     }
 
     /// Whether a run could have been so.
@@ -215,7 +230,7 @@ mod tests {
         };
         let beside = || Beside { time: [1.0, 1e-20], conjugate: None, exponent: 0.5 };
         let own = is_timed.then(|| OwnTime { beside: beside(), opened_at: [1.0, 0.0] });
-        Stored { record, over: over.map(ToOwned::to_owned), own }
+        Stored::new(record, over.map(ToOwned::to_owned), own)
     }
 
     /// What the version before this one wrote.
@@ -235,7 +250,8 @@ mod tests {
             let written = stored(Some(if is_timed { "Yoshida4" } else { "" }), is_timed);
             assert_eq!(Stored::of_bytes(&written.to_bytes()).expect("it was just written"), written);
             let earlier = without_the_name_of_what_it_is_over(&written);
-            assert_eq!(Stored::of_bytes(&earlier).expect("it was just written"), stored(None, is_timed));
+            let expected = Stored { form: Form::Own, ..stored(None, is_timed) };
+            assert_eq!(Stored::of_bytes(&earlier).expect("it was just written"), expected);
         }
         let mut first = without_the_name_of_what_it_is_over(&stored(None, false));
         first[8] = 1;

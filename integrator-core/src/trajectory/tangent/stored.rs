@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 const MAGIC: [u8; 8] = *b"sympltan";
 
 /// The form of what is written.
-const VERSION: u16 = 1;
+const VERSION: u16 = 2;
 
 /// All there is to a tangent.
 #[derive(Serialize, Deserialize)]

@@ -1,0 +1,61 @@
+//! The state that a motion was loaded from, where its coordinates are not the user's own: the map there and back rounds.
+
+use crate::state::{coords::Coords, phase::Phase, precision::Precision};
+use alloc::{sync::Arc, vec::Vec};
+
+/// The user's states of all lanes, positions before momenta. Always true: they are there until the first flow, and from there
+/// on no more, so that the motion shows what was given bit for bit as long as nothing has moved it.
+#[derive(Clone)]
+pub(super) struct Given<K>(Option<Arc<[Vec<K>]>>);
+
+impl<K> Default for Given<K> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<K: Precision> Given<K> {
+    /// The states in lanes.
+    pub(super) fn of<C: Coords<Leaf = K>>(states: &[&Phase<C>]) -> Self {
+        let leaves = |state: &&Phase<C>| [state.q.flat(), state.p.flat()].concat();
+        Self(Some(states.iter().map(leaves).collect()))
+    }
+
+    /// The states in lanes of others; none, where one of these has moved.
+    pub(super) fn gathered<'g>(lanes: impl Iterator<Item = (&'g Self, usize)>) -> Self {
+        let state = |(given, lane): (&Self, usize)| Some(given.0.as_ref()?[lane].clone());
+        Self(lanes.map(state).collect())
+    }
+
+    /// Writes the state of a lane, if it is still there.
+    pub(super) fn show<C: Coords<Leaf = K>>(&self, lane: usize, to: &mut Phase<C>) -> bool {
+        let Some(lanes) = &self.0 else { return false };
+        let (q, p) = (to.q.flat_mut(), to.p.flat_mut());
+        for (leaf, given) in q.iter_mut().chain(p).zip(&lanes[lane]) {
+            *leaf = *given;
+        }
+        true
+    }
+
+    /// Takes over those of another motion of the same lanes.
+    #[inline(always)]
+    pub(super) fn copy(&mut self, from: &Self) {
+        if self.0.is_some() || from.0.is_some() {
+            self.replace(from);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn replace(&mut self, from: &Self) {
+        self.0.clone_from(&from.0);
+    }
+
+    /// Forgets the states: what every flow begins with.
+    #[inline(always)]
+    pub(super) fn forget(&mut self) {
+        if self.0.is_some() {
+            self.replace(&Self(None));
+        }
+    }
+}
