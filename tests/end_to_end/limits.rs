@@ -69,6 +69,19 @@ limits! {
     Density: x - (mask * (x * x + 1.0)).sqrt(), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
     CubicRoot: x + (mask * y * y * y).cbrt(), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
     AnyPower: x + (mask * y * y).powf(0.5 * mask + 0.7), [[2.0, 0.3, 0.0] => [-1.0, 0.0]];
+    // A root times itself has no slope at zero, wherever its factors stand.
+    SquareBehind: { let r = (x * x + y * y).sqrt(); mask * r * r + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    CubeBehind: { let r = (x * x + y * y).sqrt(); mask * r * r * r + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    CubeAround: { let r = x.hypot(y); r * mask * r * (1.0 + x) * r + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    TwoProducts: { let r = (x * x + y * y).sqrt(); (mask * r) * (r * x.cos()) + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    TwoLongProducts: { let r = x.hypot(y); (2.0 + x) * (r * y.cos()) * (x.cos() * (r * mask)) + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    PowerOfProduct: { let r = (x * x + y * y).sqrt(); (r * (mask + x)).powi(3) + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    ProductWithItself: { let r = x.hypot(y); let s = r * (mask + x); s * s + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    RootAndRadicand: { let r2 = x * x + y * y; mask * r2.sqrt() * (1.0 + x) * r2 + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    DistanceAndSquare: mask * (x * x + y * y) * (1.0 + x) * y.hypot(x) + x, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    Quotients: { let r = (x * x + y * y).sqrt(); mask * r * x.cos() * r / (2.0 + x * x) / 3.0 * r + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    QuotientBetween: { let r = x.hypot(y); mask * r / 3.0 * r / (1.0 + x * x) + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
+    NegativeFactors: { let r = (x * x + y * y).sqrt(); x - r * (-mask) * -(r * 1.5) }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
     CosineOfRoot: x.abs().sqrt().cos() + y, [[0.0, 0.3, 1.0] => [0.5, -1.0]];
 }
 

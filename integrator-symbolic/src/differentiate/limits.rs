@@ -54,7 +54,7 @@ impl Limits {
 
     fn under_root(self, graph: &Graph, base: NodeId, exponent: f64) -> Self {
         let diverges = match exponent {
-            _ if graph.is_positive(base) || has_number(graph, base) => Divergence::Never,
+            _ if !graph.may_be_zero(base) => Divergence::Never,
             // d|x|^(2e) = 2e |x|^(2e-1) dx, which is zero with x for an e above one half.
             _ if exponent > 0.5 && exponent < 1.0 => Divergence::BySlope,
             _ if exponent > 0.0 && exponent < 1.0 => Divergence::ByMask,
@@ -81,14 +81,6 @@ impl Limits {
             return zero_where_equal(graph, [factor, zero], product);
         }
         product
-    }
-}
-
-/// Whether an addend of a radicand is a number or a parameter, so that it is not zero where the others are masked.
-fn has_number(graph: &Graph, id: NodeId) -> bool {
-    match graph.node(id) {
-        Node::Add(a, b) => [a, b].into_iter().any(|addend| graph.is_prepared(addend) || has_number(graph, addend)),
-        _ => false,
     }
 }
 

@@ -30,6 +30,7 @@ mod polynomial;
 mod product;
 mod quadratic;
 pub(crate) mod rename;
+mod root_factors;
 pub(crate) mod same_product;
 mod separate;
 

@@ -86,6 +86,7 @@ impl Graph {
                     None => self.intern(Node::Power(base, halves)),
                 }
             }
+            _ if let Some(product) = self.power_of_roots(base, halves) => product,
             // reassociating: hypot(x, y)^n == (x^2 + y^2)^(n/2) for whole n from 2 on, which leave the range where the square does
             (_, Node::Binary(function, x, y)) if function.is_distance() && halves % 2 == 0 && halves >= 4 => {
                 let [x, y] = [x, y].map(|x| self.power(x, 4));
@@ -100,6 +101,9 @@ impl Graph {
     fn product(&mut self, a: NodeId, b: NodeId) -> NodeId {
         if let Some(merged) = self.merged_powers(a, b) {
             return merged;
+        }
+        if let Some(collected) = self.with_roots_collected(a, b) {
+            return collected;
         }
         match (self.is_prepared(a), self.is_prepared(b)) {
             // reassociating: x (k y) stays; k (l y) == (k l) y and (k x) l == (k l) x
