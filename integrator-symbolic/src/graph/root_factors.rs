@@ -3,34 +3,34 @@
 
 use super::{Graph, Node, NodeId};
 
-/// How deep products are searched for a factor.
-const DEEP: usize = 64;
+/// How many factors are looked at for those of one root, so that the search takes no longer where factors are shared.
+const LOOKED_AT: usize = 64;
 
 impl Graph {
     /// reassociating: (x r^a)(y r^b) == x r^(a+b) y, where `r` is a root that may be zero.
     pub(super) fn with_roots_collected(&mut self, a: NodeId, b: NodeId) -> Option<NodeId> {
-        self.collected(a, b, DEEP)
+        self.collected(a, b, &mut { LOOKED_AT })
     }
 
-    fn collected(&mut self, product: NodeId, other: NodeId, deep: usize) -> Option<NodeId> {
-        let within = deep.checked_sub(1)?;
+    fn collected(&mut self, product: NodeId, other: NodeId, left: &mut usize) -> Option<NodeId> {
+        *left = left.checked_sub(1)?;
         match self.node(other) {
             Node::Mul(a, b) => {
-                let (product, rest) = match self.collected(product, b, within) {
+                let (product, rest) = match self.collected(product, b, left) {
                     Some(product) => (product, a),
-                    None => (self.collected(product, a, within)?, b),
+                    None => (self.collected(product, a, left)?, b),
                 };
                 Some(self.mul(product, rest))
             }
             Node::Div(a, b) => {
-                let product = self.collected(product, a, within)?;
+                let product = self.collected(product, a, left)?;
                 Some(self.div(product, b))
             }
             Node::Neg(a) => {
-                let product = self.collected(product, a, within)?;
+                let product = self.collected(product, a, left)?;
                 Some(self.neg(product))
             }
-            _ if self.may_belong_to_root(other) => self.absorbed(product, other, DEEP),
+            _ if self.may_belong_to_root(other) => self.absorbed(product, other, left),
             _ => None,
         }
     }
@@ -38,7 +38,7 @@ impl Graph {
     /// reassociating: (x r)^n == x^n r^n for whole n from 2 on, where `r` is a root that may be zero.
     pub(super) fn power_of_roots(&mut self, base: NodeId, halves: i32) -> Option<NodeId> {
         let (Node::Mul(a, b) | Node::Div(a, b)) = self.node(base) else { return None };
-        if halves < 4 || halves % 2 != 0 || !self.has_root(base, DEEP) {
+        if halves < 4 || halves % 2 != 0 || !self.has_root(base, &mut { LOOKED_AT }) {
             return None;
         }
         let is_product = matches!(self.node(base), Node::Mul(..));
@@ -47,25 +47,25 @@ impl Graph {
     }
 
     /// A product that has taken up a factor into a power of the same root, if it has one.
-    fn absorbed(&mut self, product: NodeId, factor: NodeId, deep: usize) -> Option<NodeId> {
+    fn absorbed(&mut self, product: NodeId, factor: NodeId, left: &mut usize) -> Option<NodeId> {
+        *left = left.checked_sub(1)?;
         if let Some(power) = self.power_of_root(product, factor) {
             return Some(power);
         }
-        let deep = deep.checked_sub(1)?;
         match self.node(product) {
-            Node::Mul(a, b) => match self.absorbed(b, factor, deep) {
+            Node::Mul(a, b) => match self.absorbed(b, factor, left) {
                 Some(b) => Some(self.mul(a, b)),
                 None => {
-                    let a = self.absorbed(a, factor, deep)?;
+                    let a = self.absorbed(a, factor, left)?;
                     Some(self.mul(a, b))
                 }
             },
             Node::Div(a, b) => {
-                let a = self.absorbed(a, factor, deep)?;
+                let a = self.absorbed(a, factor, left)?;
                 Some(self.div(a, b))
             }
             Node::Neg(a) => {
-                let a = self.absorbed(a, factor, deep)?;
+                let a = self.absorbed(a, factor, left)?;
                 Some(self.neg(a))
             }
             _ => None,
@@ -94,11 +94,12 @@ impl Graph {
     }
 
     /// Whether a product has a factor that is a root which may be zero.
-    fn has_root(&self, id: NodeId, deep: usize) -> bool {
-        let of = |id| deep > 0 && self.has_root(id, deep - 1);
+    fn has_root(&self, id: NodeId, left: &mut usize) -> bool {
+        let Some(others) = left.checked_sub(1) else { return false };
+        *left = others;
         match self.node(id) {
-            Node::Mul(a, b) => of(b) || of(a),
-            Node::Neg(a) | Node::Div(a, _) => of(a),
+            Node::Mul(a, b) => self.has_root(b, left) || self.has_root(a, left),
+            Node::Neg(a) | Node::Div(a, _) => self.has_root(a, left),
             _ => self.is_root(id),
         }
     }
