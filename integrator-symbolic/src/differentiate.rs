@@ -300,8 +300,8 @@ fn in_one_context(graph: &mut Graph, id: NodeId, adjoints: &[Adjoint]) -> Adjoin
     let (sum, any) = (sum_of_branches(graph, &values), is_any_taken(graph, &values));
     let mut context = first[..common].to_vec();
     let is_harmless = adjoints.iter().all(|(left, _)| graph.is_harmless(id, &left[common..]));
-    if !is_harmless && graph.as_truth(any).is_none() {
-        context.push(Scope::Branch(any, true));
+    if !is_harmless {
+        context.extend(branches(graph, any));
     }
     (context, sum)
 }
@@ -513,13 +513,13 @@ fn guards(graph: &mut Graph, id: NodeId, left: &[Scope]) -> Vec<Scope> {
 }
 
 /// A condition as branches, one inside the other where one of its terms is only evaluated where another one holds.
-fn branches(graph: &Graph, condition: NodeId) -> Vec<Scope> {
+fn branches(graph: &mut Graph, condition: NodeId) -> Vec<Scope> {
     match graph.node(condition) {
         _ if graph.as_truth(condition).is_some() => Vec::new(),
         Node::And(first, second) if graph.protects(Scope::Branch(first, true), second) => {
             [first, second].into_iter().flat_map(|part| branches(graph, part)).collect()
         }
-        _ => vec![Scope::Branch(condition, true)],
+        _ => vec![Scope::Branch(graph.in_order(condition), true)],
     }
 }
 

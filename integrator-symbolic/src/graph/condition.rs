@@ -114,6 +114,17 @@ impl Graph {
         }
     }
 
+    /// The same condition as a choice between numbers, if it has terms that are only evaluated where others hold: branches are
+    /// taken one after the other, but conditions evaluated as a whole.
+    pub(crate) fn in_order(&mut self, condition: NodeId) -> NodeId {
+        if !self.is_ordered(condition) {
+            return condition;
+        }
+        let [zero, one] = [0.0, 1.0].map(|number| self.constant(number));
+        let chosen = self.select(condition, one, zero);
+        self.compare(Comparison::Less, zero, chosen)
+    }
+
     /// The condition that the loops and conditions `around` a use of a node are entered: that its loops have an
     /// iteration in which its conditions hold.
     pub(crate) fn happens(&mut self, around: &[Scope], id: NodeId) -> NodeId {
@@ -234,11 +245,11 @@ impl Graph {
             // exact: choosing the other way round
             (None, Node::Not(inner)) => self.select(inner, b, a),
             // exact: the second of two conditions is evaluated where the first one holds
-            (None, Node::And(first, second)) if self.protects(Scope::Branch(first, true), second) => {
+            (None, Node::And(first, second)) if self.is_ordered(condition) => {
                 let inner = self.select(second, a, b);
                 self.select(first, inner, b)
             }
-            (None, Node::Or(first, second)) if self.protects(Scope::Branch(first, true), second) => {
+            (None, Node::Or(first, second)) if self.is_ordered(condition) => {
                 let inner = self.select(second, a, b);
                 self.select(first, a, inner)
             }

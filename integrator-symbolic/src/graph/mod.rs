@@ -282,6 +282,8 @@ struct Facts {
     beside_sums: Access,
     /// The loops that all it reads depends on, but for what can be read anywhere.
     read_in: LoopSet,
+    /// Whether it is a condition with a term that is only evaluated where another one holds, or does not.
+    ordered: bool,
 }
 
 /// The arena.
@@ -338,6 +340,11 @@ impl Graph {
     /// Whether a node contains an exponential of a coordinate, so that it may overflow.
     pub(crate) fn grows(&self, id: NodeId) -> bool {
         self.facts[id.position()].grows
+    }
+
+    /// Whether a condition has a term that is only evaluated where another one holds, or does not.
+    pub(super) fn is_ordered(&self, condition: NodeId) -> bool {
+        self.facts[condition.position()].ordered
     }
 
     /// Whether a node depends on coordinates of a part.
@@ -415,6 +422,14 @@ impl Graph {
             access: self.own_access(node),
             beside_sums: self.own_access(node),
             read_in: self.read_in(node, loops),
+            ordered: match node {
+                Node::And(first, second) | Node::Or(first, second) => {
+                    self.protects(Scope::Branch(first, true), second)
+                        || [first, second].iter().any(|id| self.is_ordered(*id))
+                }
+                Node::Not(inner) => self.is_ordered(inner),
+                _ => false,
+            },
         };
         for child in node.children() {
             let child = self.facts[child.position()];
