@@ -11,6 +11,7 @@ mod side_by_side;
 
 use crate::scalar::{
     functions::fast_functions,
+    implicit::{Image, Implicit},
     real::{Kernel, Mask, Real, elementary_functions},
     simd::lanes::Lanes,
 };
@@ -75,6 +76,32 @@ impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Dual<F, N,
         }
         constant
     }
+}
+
+impl<F: Real> Dual<F> {
+    /// A number with its derivative along one direction.
+    #[inline(always)]
+    pub(crate) fn along(value: F, slope: F) -> Self {
+        Self { value, along: [slope] }
+    }
+
+    /// That derivative.
+    #[inline(always)]
+    pub(crate) fn slope(self) -> F {
+        self.along[0]
+    }
+}
+
+/// Numbers of points without derivatives, or their derivatives along one direction.
+macro_rules! apart {
+    ($duals:expr, $dual:ident => $part:expr) => {{
+        let duals = $duals;
+        let mut numbers = [F::of(0.0); _];
+        for (number, $dual) in numbers.iter_mut().zip(duals) {
+            *number = $part;
+        }
+        numbers
+    }};
 }
 
 /// Whether every lane of a number is a number of its own, and none a derivative of another one.
@@ -391,6 +418,30 @@ macro_rules! dual_real {
                     }
                 }
                 result
+            }
+            #[inline(always)]
+            fn solved<M: Implicit<D, C>, const D: usize, const C: usize>(
+                [q, p]: [[Self; D]; 2],
+                constants: [Self; C],
+            ) -> Image<Self, D> {
+                let point = [apart!(q, dual => dual.value), apart!(p, dual => dual.value)];
+                let (image, solution) = M::solve(point, apart!(constants, dual => dual.value));
+                let mut to = [[Self::of(0.0); D]; 2];
+                for half in 0..2 {
+                    for d in 0..D {
+                        to[half][d].value = image.point[half][d];
+                    }
+                }
+                for direction in 0..N {
+                    let point = [apart!(q, dual => dual.along[direction]), apart!(p, dual => dual.along[direction])];
+                    let slopes = M::slope(&solution, point, apart!(constants, dual => dual.along[direction]));
+                    for half in 0..2 {
+                        for d in 0..D {
+                            to[half][d].along[direction] = slopes[half][d];
+                        }
+                    }
+                }
+                image.with(to)
             }
             #[inline(always)]
             fn div_pow_3_2(self, x: Self) -> Self {

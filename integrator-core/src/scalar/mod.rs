@@ -10,6 +10,8 @@ pub(crate) mod elementary;
 pub(crate) mod exact;
 pub(crate) mod fma;
 pub(crate) mod functions;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod implicit;
 pub(crate) mod instruction_set;
 pub(crate) mod interval;
 pub(crate) mod real;

@@ -3,6 +3,7 @@
 use crate::scalar::{
     elementary::Elementary,
     functions::{self, fast_functions, fast_kernels, kernel},
+    implicit::{Image, Implicit},
     simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -171,6 +172,14 @@ macro_rules! declare_real {
             ) -> Self {
                 let _ = slopes;
                 Self::state(&|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
+            }
+            /// The image of a point under a map that is solved for. A dual solves in numbers without derivatives.
+            #[inline(always)]
+            fn solved<M: Implicit<D, C>, const D: usize, const C: usize>(
+                point: [[Self; D]; 2],
+                constants: [Self; C],
+            ) -> Image<Self, D> {
+                M::solve(point, constants).0
             }
             /// `self / x^(3/2)`, the radial factor of inverse-square forces. The formula, or on AVX-512 a kernel of at
             /// most two ulp that scalar and vectors share.

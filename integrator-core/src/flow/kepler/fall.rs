@@ -15,12 +15,14 @@
 
 use super::{
     stumpff::shifted,
-    universal::{Body, Orbit, Root, root},
+    universal::{Body, Orbit, Root, orbit, root},
 };
 use crate::scalar::{
+    dual::Dual,
     elementary::Elementary,
     real::{Kernel, Mask, Real},
 };
+use core::array;
 
 /// The hyperbolic tangent of the anomaly from which on a start is far: terms are three times as large as their sum, or more.
 const FAR: f64 = 0.95;
@@ -87,7 +89,7 @@ impl<W: Real, const D: usize> Kernel for Fall<W, D> {
 
         let below = W::select(is_attraction, momentum_squared / (e + one), e + one);
         let from_pericentre = Orbit { mu, distance: scale * below, eta: zero, beta, zeta: m * e, time: rest };
-        let Root { place, d, failed } = root(&from_pericentre, one / from_pericentre.distance);
+        let Root { place, d, failed, .. } = root(&from_pericentre, one / from_pericentre.distance);
         let [first, second, _] = shifted(place.functions, beta, d);
         // Near the pericentre the end follows from the functions there; farther away from the time, to all digits.
         let anomaly = (n * first).asinh();
@@ -113,6 +115,71 @@ impl<W: Real, const D: usize> Kernel for Fall<W, D> {
         }
         End { q, p, failed }
     }
+}
+
+/// The derivatives of ways along a direction, where some bodies fall from far away: those of falls anew, one after the other and
+/// by numbers in double precision, since falls are seldom. Derivatives of these derivatives are not numbers.
+pub(super) struct AlongFalls<F: Real, const D: usize> {
+    pub(super) body: Body<F, D>,
+    pub(super) duration: F,
+    pub(super) falling: F::Mask,
+    /// The derivatives of the other ways.
+    pub(super) others: [[F; D]; 2],
+    /// The direction, of positions and momenta and of the inverse mass, the strength and the duration.
+    pub(super) point: [[F; D]; 2],
+    pub(super) constants: [F; 3],
+}
+
+impl<F: Real, const D: usize> Kernel for AlongFalls<F, D> {
+    type Out = [[F; D]; 2];
+
+    #[inline(always)]
+    fn call(self) -> [[F; D]; 2] {
+        let Self { body: Body { q, p, inverse_mass, strength }, duration, falling, others, point, constants } = self;
+        let (is_fall, parts) = (F::select(falling, F::of(1.0), F::of(0.0)), F::LANES / F::MEMBERS.max(1));
+        let mut slopes = [[F::of(0.0); D]; 2];
+        for lane in (0..F::LANES).step_by(parts).filter(|lane| is_fall.lane(*lane) == 1.0) {
+            let numbers = [q, p, point[0], point[1]].map(|half| half.map(|number| number.lane(lane)));
+            let constants =
+                [[inverse_mass, strength, duration], constants].map(|all| all.map(|number| number.lane(lane)));
+            let found = slope(numbers, constants);
+            for (slopes, found) in slopes.as_flattened_mut().iter_mut().zip(found.as_flattened()) {
+                *slopes += F::state(&|other| match other {
+                    other if other == lane => *found,
+                    other if other / parts == lane / parts => f64::NAN,
+                    _ => 0.0,
+                });
+            }
+        }
+        for (slope, other) in slopes.as_flattened_mut().iter_mut().zip(others.as_flattened()) {
+            *slope = F::select(falling, *slope, *other);
+        }
+        slopes
+    }
+}
+
+/// The derivatives of the way of a body that falls, from its position and momentum, and its direction.
+fn slope<const D: usize>(numbers: [[f64; D]; 4], constants: [[f64; 3]; 2]) -> [[f64; D]; 2] {
+    if const { D > 3 } {
+        return slope_of(numbers, constants);
+    }
+    let found = slope_in_space(numbers.map(|half| array::from_fn(|d| half.get(d).copied().unwrap_or(0.0))), constants);
+    found.map(|half| array::from_fn(|d| half[d]))
+}
+
+/// The same in three dimensions, of which the plane is a part: compiled with the library, and not for each system.
+#[inline(never)]
+fn slope_in_space(numbers: [[f64; 3]; 4], constants: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
+    slope_of(numbers, constants)
+}
+
+fn slope_of<const D: usize>([q, p, dq, dp]: [[f64; D]; 4], [constants, direction]: [[f64; 3]; 2]) -> [[f64; D]; 2] {
+    let [q, p]: [[_; D]; 2] =
+        [(q, dq), (p, dp)].map(|(half, along)| array::from_fn(|d| Dual::along(half[d], along[d])));
+    let [inverse_mass, strength, duration] = array::from_fn(|i| Dual::along(constants[i], direction[i]));
+    let body = Body { q, p, inverse_mass, strength };
+    let End { q, p, .. } = Fall { body, orbit: orbit(&body, duration).0 }.call();
+    [array::from_fn(|d| (q[d] - body.q[d]).slope()), array::from_fn(|d| (p[d] - body.p[d]).slope())]
 }
 
 /// The cosine and the sine of the true anomaly, from `e sinh H` and `e cosh H`.

@@ -6,6 +6,7 @@
 //! could not be solved for becomes NaN, with a note of it.
 
 mod fall;
+mod slope;
 mod stumpff;
 #[cfg(test)]
 mod tests;
@@ -14,6 +15,7 @@ pub(crate) mod universal;
 use crate::{
     error::Unsolved,
     scalar::{
+        implicit::Image,
         real::{Kernel, Mask, Real},
         simd::row::Row,
     },
@@ -21,7 +23,8 @@ use crate::{
     system::motion::Solver,
 };
 use alloc::{vec, vec::Vec};
-use universal::{Body, Increments, increments};
+use slope::Way;
+use universal::{Body, Increments};
 
 /// The largest number of bodies that are computed side by side.
 const ROW: usize = 8;
@@ -144,7 +147,7 @@ impl Kepler {
 #[inline(always)]
 pub(crate) fn moved<R: Real, W: Real, const D: usize>(body: Body<W, D>, duration: W) -> Increments<W, D> {
     if const { R::LANES == R::MEMBERS } {
-        return increments(&body, duration);
+        return way(body, duration);
     }
     // With derivatives it is so much code that one copy has to do for all stages.
     R::enter(OneCopy { body, duration })
@@ -161,8 +164,16 @@ impl<W: Real, const D: usize> Kernel for OneCopy<W, D> {
 
     #[inline(always)]
     fn call(self) -> Increments<W, D> {
-        increments(&self.body, self.duration)
+        way(self.body, self.duration)
     }
+}
+
+/// The way of a row of bodies, of which a dual finds the value first.
+#[inline(always)]
+fn way<W: Real, const D: usize>(body: Body<W, D>, duration: W) -> Increments<W, D> {
+    let Body { q, p, inverse_mass, strength } = body;
+    let Image { point: [q, p], failed } = W::solved::<Way, D, 3>([q, p], [inverse_mass, strength, duration]);
+    Increments { q, p, failed }
 }
 
 /// The coordinates of a row of bodies.

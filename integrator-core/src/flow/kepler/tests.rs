@@ -224,6 +224,30 @@ fn tangent_maps_are_symplectic_and_those_of_the_flow() {
     }
 }
 
+/// A row of duals is solved in its own numbers, so that derivatives go through the search.
+#[test]
+fn derivatives_of_a_root_are_those_through_the_search_for_it() {
+    for (start, [inverse_mass, strength], duration) in STARTS {
+        let [x, y, px, py] = start;
+        let numbers = [x, y, px, py, inverse_mass, strength];
+        for direction in 0..6 {
+            let coordinate = |i: usize| Dual::along(numbers[i], f64::from(i == direction));
+            let row = |i: usize| Lanes::<Dual, 2>::of_parts([coordinate(i); 2]);
+            let found = flown([0, 1, 2, 3].map(coordinate), [4, 5].map(coordinate), duration);
+            let expected = flown([0, 1, 2, 3].map(row), [4, 5].map(row), duration);
+            let size: f64 = expected.iter().map(|number| number.lane(1) * number.lane(1)).sum();
+            for i in 0..4 {
+                assert_eq!(found[i].lane(0), expected[i].lane(0), "{start:?} for {duration}");
+                // Roundings of some dozen numbers move the end by the first derivatives, and these by the second ones,
+                // which are of the size of products of two of them.
+                let error = found[i].lane(1) - expected[i].lane(1);
+                let bound = 1e3 * f64::EPSILON * (1.0 + size);
+                assert!(within(error, bound), "{i} by {direction} of {start:?} for {duration}: {error:e} of {bound:e}");
+            }
+        }
+    }
+}
+
 /// The relative error of the energy after so many stages of an orbit, the largest one along them and the mean over
 /// the second half.
 struct Walk {

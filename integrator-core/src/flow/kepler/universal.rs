@@ -9,7 +9,8 @@
 //! where `t` grows with `s` on every conic: there is one root. The first guess is the series for a short arc, cut after
 //! its fourth order. One correction, of fourth order as well and with one division, takes it to the root wherever that
 //! is near; elsewhere the root is searched for in a bracket first, by Laguerre's method (Conway 1986). The correction is
-//! always last and in the scalar itself, so that the tangent of a dual is exact, wherever the search came from.
+//! always last and in the scalar itself, so that the tangent of a dual is exact, wherever the search came from. That is for
+//! duals over duals: a dual solves for its value alone ([`super::slope`]).
 
 use super::{
     fall::{End, Fall, come_from_far, falls},
@@ -50,6 +51,21 @@ pub(crate) struct Increments<W: Real, const D: usize> {
     pub(crate) failed: W::Mask,
 }
 
+/// An arc from where a body is to where it will be.
+pub(super) struct Solution<W: Real> {
+    pub(super) orbit: Orbit<W>,
+    /// One over the distance at the start, and at the end.
+    pub(super) inverse: [W; 2],
+    /// The universal variable at the end, and `G₁` to `G₃` there.
+    pub(super) s: W,
+    pub(super) functions: [W; 3],
+    /// The bodies that no force acts on, those that fall from far away, whose ends are found otherwise, and those of which positions
+    /// follow without the time.
+    pub(super) free: W::Mask,
+    pub(super) falling: W::Mask,
+    pub(super) bound: W::Mask,
+}
+
 /// An orbit from where the body is, and the time that it takes.
 #[derive(Clone, Copy)]
 pub(super) struct Orbit<W> {
@@ -83,13 +99,14 @@ pub(super) struct Place<W> {
 /// The root of Kepler's equation: a place nearby, the correction of `s` from there, and the lanes in which there is none.
 pub(super) struct Root<W: Real> {
     pub(super) place: Place<W>,
+    pub(super) s: W,
     pub(super) d: W,
     pub(super) failed: W::Mask,
 }
 
-/// The way of a body in a time `duration`.
+/// The orbit of a body, one over its distance, and the lanes in which no force acts on it.
 #[inline(always)]
-pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> Increments<W, D> {
+pub(super) fn orbit<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> (Orbit<W>, W, W::Mask) {
     let Body { q, p, inverse_mass, strength } = *body;
     let zero = W::of(0.0);
     let (mut square, mut radial, mut momentum) = (zero, zero, zero);
@@ -111,9 +128,18 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
     let beta = (mu + mu).fma(inverse, -velocity);
     let (eta, zeta) = (inverse_mass * radial, velocity.fma(distance, -mu));
     let time = within_a_period(mu, beta, duration);
-    let orbit = Orbit { mu, distance, eta, beta, zeta, time };
+    (Orbit { mu, distance, eta, beta, zeta, time }, inverse, free)
+}
+
+/// The way of a body in a time `duration`, and the arc that it follows from.
+#[inline(always)]
+pub(super) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> (Increments<W, D>, Solution<W>) {
+    let Body { q, p, inverse_mass, strength } = *body;
+    let zero = W::of(0.0);
+    let (orbit, inverse, free) = orbit(body, duration);
+    let Orbit { mu, distance, eta, beta, time, .. } = orbit;
     let falling = falls(&orbit).and(free.not());
-    let Root { place, d, failed } = root(&Orbit { time: W::select(free.or(falling), zero, time), ..orbit }, inverse);
+    let Root { place, s, d, failed } = root(&Orbit { time: W::select(free.or(falling), zero, time), ..orbit }, inverse);
     let [first, second, third] = shifted(place.functions, beta, d);
     let [r, slope, curvature] = place.distance;
     let farther = small(beta, d, [slope, curvature]);
@@ -148,7 +174,9 @@ pub(crate) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
         by_p[d] = W::select(failed, W::of(f64::NAN), -arrival.fma(pull, correction));
     }
     let increments = Increments { q: by_q, p: by_p, failed };
-    if falling.any() { increments.of_falls(body, orbit, falling) } else { increments }
+    let increments = if falling.any() { increments.of_falls(body, orbit, falling) } else { increments };
+    let functions = [first, second, third];
+    (increments, Solution { orbit, inverse: [inverse, arrival + rest], s: s + d, functions, free, falling, bound })
 }
 
 impl<W: Real, const D: usize> Increments<W, D> {
@@ -231,7 +259,7 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let (d, near) = place.correction(orbit.beta, s);
     // Within half a period no arc is longer. Where the series has gone astray, what follows is no number to judge by.
     let failed = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST))).not();
-    if failed.any() { search(orbit, s, failed) } else { Root { place, d, failed } }
+    if failed.any() { search(orbit, s, failed) } else { Root { place, s, d, failed } }
 }
 
 /// The same where the arc is not short in the lanes of `open`; nothing changes in the others.
@@ -251,7 +279,7 @@ fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> Root<W> {
         open = open.and(near.or(reached).not());
         steps += 1;
         if !open.any() || steps == SEARCH {
-            return Root { place, d, failed: open };
+            return Root { place, s, d, failed: open };
         }
         reached = reached.or(open.and(orbit.is_rounding(&place, s)));
         s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);

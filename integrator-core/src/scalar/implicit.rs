@@ -1,0 +1,32 @@
+//! Maps that are solved for: their derivatives follow from the solution, and do not go through the way to it.
+
+use crate::scalar::real::Real;
+
+/// A map of positions and momenta with some constants. Values are found in numbers of any kind, derivatives from what these found.
+pub trait Implicit<const D: usize, const C: usize> {
+    /// What the derivatives follow from.
+    type Solution<F: Real>;
+
+    /// The image of a point, the lanes in which there is none, and what its derivatives follow from; implementations are
+    /// `inline(always)`.
+    fn solve<F: Real>(point: [[F; D]; 2], constants: [F; C]) -> (Image<F, D>, Self::Solution<F>);
+
+    /// The derivative of the image along a direction, in which constants may change, too; implementations are `inline(always)`.
+    fn slope<F: Real>(at: &Self::Solution<F>, point: [[F; D]; 2], constants: [F; C]) -> [[F; D]; 2];
+}
+
+/// The image of a point, and the lanes in which there is none.
+pub struct Image<F: Real, const D: usize> {
+    /// Positions and momenta.
+    pub point: [[F; D]; 2],
+    /// Where they are no numbers.
+    pub failed: F::Mask,
+}
+
+impl<F: Real, const D: usize> Image<F, D> {
+    /// The image in other numbers, whose mask is the same.
+    #[inline(always)]
+    pub(crate) fn with<G: Real<Mask = F::Mask>>(self, point: [[G; D]; 2]) -> Image<G, D> {
+        Image { point, failed: self.failed }
+    }
+}
