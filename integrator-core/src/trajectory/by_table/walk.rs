@@ -58,7 +58,7 @@ pub(super) fn walk<H, G, R, K, E>(
 struct Apart<'m, H: Hamiltonian, R: Real, K: Precision>(&'m mut H::Motion<R, K>);
 
 impl<H: Hamiltonian, R: Real, K: Precision> Apart<'_, H, R, K> {
-    fn flow(&mut self, flow: Flow, duration: f64, time: f64) {
+    fn flow(&mut self, flow: Plain, duration: f64, time: f64) {
         entered::<R, _>(OneFlow::<H, R, K> { motion: self.0, flow, duration, time });
     }
 }
@@ -69,10 +69,17 @@ fn entered<R: Real, F: Kernel>(flow: F) -> F::Out {
     R::enter(flow)
 }
 
+/// The flow of a part.
+enum Plain {
+    Drift,
+    Kick,
+    Middle { backwards: bool },
+}
+
 /// A flow of a motion.
 struct OneFlow<'m, H: Hamiltonian, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
-    flow: Flow,
+    flow: Plain,
     duration: f64,
     time: f64,
 }
@@ -84,9 +91,9 @@ impl<H: Hamiltonian, R: Real, K: Precision> Kernel for OneFlow<'_, H, R, K> {
     fn call(self) {
         let Self { motion, flow, duration, time } = self;
         match flow {
-            Flow::Drift => H::drift::<R, K>(motion, duration, time),
-            Flow::Middle { backwards } => H::middle::<R, K>(motion, duration, time, backwards),
-            Flow::Kick | Flow::GradientKick => H::kick::<R, K>(motion, duration, time),
+            Plain::Drift => H::drift::<R, K>(motion, duration, time),
+            Plain::Kick => H::kick::<R, K>(motion, duration, time),
+            Plain::Middle { backwards } => H::middle::<R, K>(motion, duration, time, backwards),
         }
     }
 }
@@ -98,13 +105,13 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Apart<'_, H, R, K> {
         H::begin_step::<R, K>(self.0, middle);
     }
     fn drift(&mut self, duration: f64, time: f64) {
-        self.flow(Flow::Drift, duration, time);
+        self.flow(Plain::Drift, duration, time);
     }
     fn kick(&mut self, duration: f64, time: f64) {
-        self.flow(Flow::Kick, duration, time);
+        self.flow(Plain::Kick, duration, time);
     }
     fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
-        self.flow(Flow::Middle { backwards }, duration, time);
+        self.flow(Plain::Middle { backwards }, duration, time);
     }
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
