@@ -13,6 +13,7 @@ pub mod std {}
 pub mod attributes;
 pub mod const_generics;
 pub mod locals;
+pub mod macros;
 pub mod names;
 pub mod no_parameters;
 pub mod no_prelude;

@@ -83,6 +83,7 @@ use sorted_parts::sorted;
 use std::collections::HashMap;
 use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 use text::standing_alone;
+pub(crate) use text::with_own_self;
 use value::{Opaque, Value, View};
 
 /// An expression of parameters that is evaluated once per run.

@@ -88,7 +88,7 @@ pub(super) fn mentions_item(text: &TokenStream) -> bool {
 pub(super) fn standing_alone(text: TokenStream, uses: &[ItemUse]) -> TokenStream {
     let mut names = Vec::new();
     identifiers(text.clone(), &mut names);
-    let text: TokenStream = text.into_iter().map(with_own_self).collect();
+    let text = with_own_self(text);
     let used: Vec<&ItemUse> = uses.iter().filter(|item| imports(&item.tree, &names)).collect();
     if used.is_empty() {
         return text;
@@ -107,18 +107,20 @@ fn imports(tree: &UseTree, names: &[Ident]) -> bool {
     }
 }
 
-fn with_own_self(tree: TokenTree) -> TokenTree {
-    match tree {
+/// Text whose `self` is that of the function it is moved to.
+pub(crate) fn with_own_self(text: TokenStream) -> TokenStream {
+    let own = |tree| match tree {
         TokenTree::Ident(name) if name == "self" => {
             Ident::new("self", name.span().resolved_at(Span::call_site())).into()
         }
         TokenTree::Group(group) => {
-            let mut own = Group::new(group.delimiter(), group.stream().into_iter().map(with_own_self).collect());
+            let mut own = Group::new(group.delimiter(), with_own_self(group.stream()));
             own.set_span(group.span());
             own.into()
         }
         other => other,
-    }
+    };
+    text.into_iter().map(own).collect()
 }
 
 /// Every identifier of a text that could be a variable, once: no field or method, but the bound of a range.

@@ -7,7 +7,7 @@ use crate::{
         index::{Index, Loop, LoopId},
         rename::{Parameters, Renaming, rename},
     },
-    model::{Jacobi, Model, Shape, Texts},
+    model::{Jacobi, Model, Shape, Texts, with_own_self},
     pairs::{Pairs, attraction, canonical, inverse_mass, pairs, per_body, softening},
     pattern::all_pairs::AllPairs,
     syntax::Coordinates,
@@ -93,7 +93,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let partners = graph.loops.range(partners);
     texts.name_in_place(bodies, pair[0], &pair);
     texts.name_in_place(partners, pair[1], &pair.map(|by| if by == bodies { partners } else { by }));
-    let masses = coordinates.masses.to_token_stream();
+    let masses = masses(coordinates);
     let mass = texts.item(graph, &masses, bodies);
     let (leading, leader) = leader(&masses, bodies, graph, &mut texts, names);
     texts.name(leader, partners);
@@ -117,6 +117,11 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
                 .to_owned(),
         )
     })
+}
+
+/// The list of masses, whose `self` may be that of a macro of the user.
+fn masses(coordinates: &Coordinates) -> TokenStream {
+    with_own_self(coordinates.masses.to_token_stream())
 }
 
 /// The number of the body that leads, as a parameter, and the loop over it for those bodies that come before it in the
@@ -232,7 +237,7 @@ pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStrea
 
 /// The function that tells whether a run may begin.
 pub(crate) fn admissible(coordinates: &Coordinates, names: &Names) -> TokenStream {
-    let (Names { runtime, .. }, masses) = (names, &coordinates.masses);
+    let (Names { runtime, .. }, masses) = (names, masses(coordinates));
     quote! {
         fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
             #runtime::are_masses(&(#masses)[..], length)?;
