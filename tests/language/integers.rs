@@ -93,6 +93,21 @@ macro_rules! linear {
 linear! {
     (self, q)
 
+    bits_of_indices {
+        let mut v = 0.0;
+        for i in 0..4 {
+            v += self.table[i ^ 1] * q[i] + self.weights[i >> 1] * q[i ^ 1] + ((i & 1) << 2) as f64 * q[i];
+        }
+        for i in 0..4_u32 {
+            for j in 0..=i {
+                if (i + j) & 1 == 0 {
+                    v += (j ^ 1) as f64 * q[(i >> 1) as usize];
+                }
+            }
+        }
+        v
+    }
+
     tables_of_two_lists {
         let mut v = 0.0;
         for i in 0..4 {

@@ -192,6 +192,7 @@ rows! {
     compressed_rows { let mut v = 0.0; for i in 0..4 { for k in self.starts[i]..self.starts[i + 1] { v += self.table[k] * q[i] * q[self.columns[k]]; } } v } => [4.0 * b + 3.0 * c, 4.0 * a + d, 3.0 * a + 2.0 * d, 2.0 * c + b];
     chosen_indices { let mut v = 0.0; for i in 0..4 { let next = if i + 1 == q.len() { 0 } else { i + 1 }; let before = if i == 0 { 3 } else { i - 1 }; let far = if i < 2 { 3 } else { 1 }; v += q[i] * q[next] + 2.0 * q[i] * q[before] + q[i] * q[far]; } v } => [3.0 * (b + d) + d, 3.0 * (a + c) + d + c + d, 3.0 * (b + d) + b, 3.0 * (a + c) + a + b + b];
     index_arithmetic { let mut v = 0.0; for i in 0..2 { for j in 0..2 { v += q[i * 2 + j] * q[i * 2 + (j + 1) % 2]; } } v } => [2.0 * b, 2.0 * a, 2.0 * d, 2.0 * c];
+    bits_of_indices { let mut v = 0.0; for i in 0..4 { v += (i & 1) as f64 * q[i] * q[i ^ 1] + q[i >> 1]; } v } => [2.0 + b, 2.0 + a, d, c];
     named_indices { let mut v = 0.0; for i in 0..4 { let next = (i + 1) % 4; v += q[i] * q[next]; } v } => [b + d, a + c, b + d, a + c];
     signed_integers { let mut v = 0.0; for i in 0..4 { v += (i as i32 - 2) as f64 * q[i]; } v } => [-2.0, -1.0, 0.0, 1.0];
     signed_remainders { let mut v = 0.0; for i in 0..4 { v += q[i as usize] * q[((i - 1 + 4) % 4) as usize]; } v } => [b + d, a + c, b + d, a + c];

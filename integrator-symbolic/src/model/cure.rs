@@ -142,6 +142,14 @@ pub(super) fn power_by_exclusive_or(link: &ExprBinary) -> Power {
     power_of(link, "the exclusive or of bits", leftmost(&link.right))
 }
 
+/// What to write for an operator on the bits of integers.
+pub(super) fn bits_by_arithmetic(op: &str) -> String {
+    format!(
+        "`{op}` of integers that depend on loops is supported as `<< n`, `>> n`, `& (2^n - 1)` and `^ 1` with a number on the right, \
+         for integers that are never negative: write this one with `+`, `-`, `*`, `/` and `%`"
+    )
+}
+
 fn power_of(link: &ExprBinary, is: &str, exponent: &Expr) -> Power {
     let (base, op) = (rightmost(&link.left), &link.op);
     let sign = if let BinOp::Mul(_) = op { "**" } else { "^" };

@@ -7,6 +7,7 @@
 
 mod adaptor;
 mod arm;
+mod bits;
 mod branch;
 mod call;
 mod closure;

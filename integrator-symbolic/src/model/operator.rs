@@ -135,6 +135,8 @@ impl Reader<'_> {
                     self.errors.at(place, message);
                     None
                 }
+                _ if let Some(index) = self.of_bits(op, &left, &right) => Some(Value::Integer(index)),
+                _ if self.refuses_bits(op, [&left, &right], whole) => None,
                 _ => self.refused(whole),
             };
         }

@@ -574,6 +574,18 @@ pub(crate) const BODIES: &[Row] = &[
             "2:0 this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this impl, `let`, `if` and `for i in a..b` are",
         ],
     ),
+    (
+        "let mut v = 0.0; for i in 0..2 { v += q[i | 1]; } v",
+        &[
+            "2:40 `|` of integers that depend on loops is supported as `<< n`, `>> n`, `& (2^n - 1)` and `^ 1` with a number on the right, for integers that are never negative: write this one with `+`, `-`, `*`, `/` and `%`",
+        ],
+    ),
+    (
+        "let mut v = 0.0; for i in 0..2 { for j in 0..2 { v += (i ^ j) as f64 * q[i]; } } v",
+        &[
+            "2:55 `^` of integers that depend on loops is supported as `<< n`, `>> n`, `& (2^n - 1)` and `^ 1` with a number on the right, for integers that are never negative: write this one with `+`, `-`, `*`, `/` and `%`",
+        ],
+    ),
     ("let v = 2; (v + 1) * q[0]", &["2:11 this is an integer: write `(v as f64 + 1.0)`"]),
     ("for i in 0..2 { q[i] * i; } q[0]", &["2:23 this is an integer: write `i as f64`"]),
     ("sqrt(q[0])", &["2:0 there is no function `sqrt` in Rust: write `q[0].sqrt()`"]),

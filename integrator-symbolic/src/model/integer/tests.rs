@@ -30,6 +30,9 @@ fn energies_over_integers_are_those_of_the_code() {
         { let mut v = 0.0; for i in 0..4 { for j in 0..3 - i { v += q[i] * q[j]; } } v }
         { let mut v = 0.0; for n in 0..4 { v += q[0].powi(n as i32) + q[3].powi(2 - n as i32); } v }
         { (0..4).map(|i| ((i as i64 - 5) / 2 * 2 + (i as i64 - 5) % 3) as f64 * q[i]).sum::<f64>() }
+        { (0..4_usize).map(|i| (i ^ 1) as f64 * q[i] * q[i ^ 1]).sum::<f64>() }
+        { let mut v = 0.0; for i in 0..8_usize { v += (i & 1) as f64 * q[i >> 1] + q[(i << 1) & 3]; } v }
+        { let mut v = 0.0; for i in 0..4_u32 { for j in 0..4_u32 { if (i + j) & 1 == 0 { v += (i ^ 1) as f64 * q[j as usize]; } } } v }
         { (1..4).map(|i| (i - 1) as f64 * q[i] * q[i - 1]).sum::<f64>() }
     };
     for (text, expected) in rows {
