@@ -425,7 +425,9 @@ macro_rules! dual_real {
                 constants: [Self; C],
             ) -> Image<Self, D> {
                 let point = [apart!(q, dual => dual.value), apart!(p, dual => dual.value)];
-                let (image, solution) = M::solve(point, apart!(constants, dual => dual.value));
+                let of_constants = apart!(constants, dual => dual.value);
+                let (image, solution) = M::solve(point, of_constants);
+                let at = M::slopes(point, of_constants, solution);
                 let mut to = [[Self::of(0.0); D]; 2];
                 for half in 0..2 {
                     for d in 0..D {
@@ -434,7 +436,7 @@ macro_rules! dual_real {
                 }
                 for direction in 0..N {
                     let point = [apart!(q, dual => dual.along[direction]), apart!(p, dual => dual.along[direction])];
-                    let slopes = M::slope(&solution, point, apart!(constants, dual => dual.along[direction]));
+                    let slopes = M::slope(&at, point, apart!(constants, dual => dual.along[direction]));
                     for half in 0..2 {
                         for d in 0..D {
                             to[half][d].along[direction] = slopes[half][d];

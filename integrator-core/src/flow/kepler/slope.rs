@@ -118,13 +118,22 @@ impl<F: Real, const D: usize> Slopes<F, D> {
 }
 
 impl<const D: usize> Implicit<D, 3> for Way {
-    type Solution<F: Real> = Slopes<F, D>;
+    type Solution<F: Real> = Solution<F>;
+    type Slopes<F: Real> = Slopes<F, D>;
 
     #[inline(always)]
-    fn solve<F: Real>([q, p]: [[F; D]; 2], [inverse_mass, strength, duration]: [F; 3]) -> (Image<F, D>, Slopes<F, D>) {
-        let body = Body { q, p, inverse_mass, strength };
-        let (Increments { q, p, failed }, solution) = increments(&body, duration);
-        (Image { point: [q, p], failed }, Slopes::of(body, duration, solution))
+    fn solve<F: Real>([q, p]: [[F; D]; 2], [inverse_mass, strength, duration]: [F; 3]) -> (Image<F, D>, Solution<F>) {
+        let (Increments { q, p, failed }, solution) = increments(&Body { q, p, inverse_mass, strength }, duration);
+        (Image { point: [q, p], failed }, solution)
+    }
+
+    #[inline(always)]
+    fn slopes<F: Real>(
+        [q, p]: [[F; D]; 2],
+        [inverse_mass, strength, duration]: [F; 3],
+        solution: Solution<F>,
+    ) -> Slopes<F, D> {
+        Slopes::of(Body { q, p, inverse_mass, strength }, duration, solution)
     }
 
     #[inline(always)]
