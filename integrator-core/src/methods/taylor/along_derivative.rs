@@ -19,7 +19,7 @@ impl Segment {
     /// step of the run, or of the time in which a position changes by its own size. `norm(group, m)` is the norm of the
     /// coefficients of order `m` of each group, positions first, in a unit of time.
     #[cold]
-    pub(super) fn along_derivative<C: Coords>(
+    pub(super) fn along_derivative<K: Precision>(
         &mut self,
         h: f64,
         unit: f64,
@@ -34,7 +34,7 @@ impl Segment {
         let time = if time.is_finite() { time.max(h.abs()) } else { h.abs() };
         let longer = f64::from(1_u32 << (2 * self.linear_steps));
         // The second order adds the square of a few roundings.
-        (self.is_linear, self.step) = (true, Some((C::Leaf::EPSILON * time * longer).copysign(h)));
+        (self.is_linear, self.step) = (true, Some((K::EPSILON * time * longer).copysign(h)));
         self.free = f64::INFINITY;
     }
 }

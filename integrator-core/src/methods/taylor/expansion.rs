@@ -245,7 +245,7 @@ impl<H: Recurrences, R: Real, K: Precision> Kernel for AdvanceTo<'_, H, R, K> {
                 let mut tries = [0; WIDEST];
                 loop {
                     expand::<H, R, K>(expansion, layout, [t0, h]);
-                    if choose_steps(expansion, layout, h, H::HAS_EDGES, &mut tries, &mut steps) {
+                    if choose_steps::<H, R, K>(expansion, layout, h, &mut tries, &mut steps) {
                         break;
                     }
                 }
@@ -300,18 +300,17 @@ const MOST_TRIES: u8 = 8;
 /// Chooses the steps of the new polynomials, and stores those of all lanes in `steps`. Returns false if some have to be
 /// expanded again, in a unit of time nearer to their step.
 #[inline(always)]
-fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
-    expansion: &mut Expansion<R, C, P, T>,
+fn choose_steps<H: Recurrences, R: Real, K: Precision>(
+    expansion: &mut Of<H, R, K>,
     layout: Layout,
     h: f64,
-    has_edges: bool,
     tries: &mut [u8; WIDEST],
     steps: &mut [f64; WIDEST],
 ) -> bool {
     let Expansion { method: Taylor { order, tolerance }, q, p, segments, .. } = expansion;
     let (order, tolerance) = (*order, *tolerance);
     let halves = [&*q, &*p];
-    let groups = Half::<R, C>::groups(layout);
+    let groups = Half::<R, Shaped<H, K>>::groups(layout);
     let mut all_norms = [LaneNorms::zero(); 2 * FEW];
     for (group, norms) in all_norms[..2 * groups].iter_mut().enumerate() {
         *norms = halves[group / groups].norms(layout, group % groups, order);
@@ -326,7 +325,7 @@ fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
             }
             let norm = |group: usize, m: usize| halves[group / groups].norm(layout, group % groups, m).lane(lane);
             let mut step = step_size(order, tolerance, &norms[..2 * groups], norm);
-            if has_edges {
+            if const { H::HAS_EDGES } {
                 step = step.min(step_within_radius(order, tolerance, step, 2 * groups, norm));
             }
             let unit = segment.unit::<R>(h);
@@ -341,8 +340,8 @@ fn choose_steps<R: Real, C: Coords, P: Prepared<R>, T>(
                 _ => {
                     segment.exponent = Some(exponent(unit));
                     segment.step = Some((step.number() * unit).copysign(h));
-                    if has_edges && step.number() == 0.0 {
-                        segment.along_derivative::<C>(h, unit, groups, norm);
+                    if const { H::HAS_EDGES } && step.number() == 0.0 {
+                        segment.along_derivative::<K>(h, unit, groups, norm);
                     }
                 }
             }
@@ -381,6 +380,11 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
     let (mut q, mut p) = (q.coefficients(layout, unit), p.coefficients(layout, unit));
     if H::ROLLED {
         for k in (0..last).step_by(H::ORDERS_PER_CALL) {
+            H::order(parameters, length, &mut q, &mut p, tape, k, time);
+        }
+    } else if const { R::LANES != R::MEMBERS } {
+        // With derivatives an order is so much code that one copy has to do for all of them. Its sums have the same bits.
+        for k in 0..last {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
     } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
