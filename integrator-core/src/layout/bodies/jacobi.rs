@@ -137,6 +137,40 @@ fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> 
     state
 }
 
+/// The way of the bodies of a row, and one in the lanes of those whose orbits could not be solved, if there are any. Where a row
+/// is so many numbers, the bodies go one by one: the code for all of them at once would be as many times as long.
+#[inline(always)]
+fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[L::Row; D]; 2], Option<L::Row>) {
+    if const { <L::Row as Row<L::Scalar>>::PARTS == 0 } {
+        let moved = moved::<L::Scalar, L::Row, D>(*body, L::Row::of(duration));
+        let failed = || <L::Row as Real>::select(moved.failed, L::Row::of(1.0), L::Row::of(0.0));
+        let failed = moved.failed.any().then(failed);
+        return ([moved.q, moved.p], failed);
+    }
+    let zero = L::Row::of(0.0);
+    let (mut way, mut failed, mut has_failed) = ([[zero; D]; 2], zero, false);
+    let read = |row: &L::Row, part: usize| Row::<L::Scalar>::parts(row)[part];
+    let write = |row: &mut L::Row, part: usize, number| Row::<L::Scalar>::parts_mut(row)[part] = number;
+    for part in 0..<L::Row as Row<L::Scalar>>::PARTS {
+        let of = |row: &L::Row| read(row, part);
+        let body = Body {
+            q: body.q.each_ref().map(of),
+            p: body.p.each_ref().map(of),
+            inverse_mass: of(&body.inverse_mass),
+            strength: of(&body.strength),
+        };
+        let moved = moved::<L::Scalar, L::Scalar, D>(body, L::Scalar::of(duration));
+        for d in 0..D {
+            write(&mut way[0][d], part, moved.q[d]);
+            write(&mut way[1][d], part, moved.p[d]);
+        }
+        has_failed |= moved.failed.any();
+        let one = L::Scalar::of(1.0);
+        write(&mut failed, part, <L::Scalar as Real>::select(moved.failed, one, L::Scalar::of(0.0)));
+    }
+    (way, has_failed.then_some(failed))
+}
+
 impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     /// Whether the map is applied to lanes one by one, and with more digits.
     const PLAIN: bool = L::Scalar::LANEWISE;
@@ -396,21 +430,20 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn drift(&mut self, duration: f64) {
         self.given.forget();
-        let (count, step) = (self.bodies.bodies(), L::Row::of(duration));
+        let count = self.bodies.bodies();
         let [q, p] = self.bodies.rows_mut();
         for row in 0..q.len() {
             let Weights { inverse_mass, attraction: strength, .. } = self.weights[row];
             let body = Body { q: values(&q[row]), p: values(&p[row]), inverse_mass, strength };
-            let moved = moved::<L::Scalar, L::Row, D>(body, step);
-            if moved.failed.any() {
-                let failed = <L::Row as Real>::select(moved.failed, L::Row::of(1.0), L::Row::of(0.0));
+            let ([of_q, of_p], failed) = way::<L, D>(&body, duration);
+            if let Some(failed) = failed {
                 let bodies = bodies_of_row(row, L::WIDTH, count);
                 let bodies = bodies.map(|place| body_at(self.leading, place));
                 note::<L, D>(&mut self.unsolved, bodies, failed, body.q, duration);
             }
             for d in 0..D {
-                q[row][d].add(moved.q[d]);
-                p[row][d].add(moved.p[d]);
+                q[row][d].add(of_q[d]);
+                p[row][d].add(of_p[d]);
             }
         }
     }
