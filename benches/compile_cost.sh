@@ -24,6 +24,10 @@ pendulum = []
 chain = []
 bodies = []
 planets = []
+orbits = []
+oscillators = []
+liquid = []
+molecule = []
 run = []
 certify = []
 ensemble = []
@@ -48,9 +52,15 @@ rows=target/compile_cost.csv
 mkdir -p target
 echo system,use,lines > "$rows"
 failed=0
-printf '%-10s %-10s %10s %10s %10s\n' system use seconds lines kept
-uses() { if [ "$1" = planets ]; then echo run ensemble five; else echo run certify ensemble taylor five; fi; }
-for system in pendulum chain bodies planets; do
+printf '%-12s %-10s %10s %10s %10s\n' system use seconds lines kept
+uses() {
+    case $1 in
+        planets | orbits) echo run ensemble five ;;
+        oscillators | liquid | molecule) echo run five ;;
+        *) echo run certify ensemble taylor five ;;
+    esac
+}
+for system in pendulum chain bodies planets orbits oscillators liquid molecule; do
     for use in $(uses "$system"); do
         taken=-
         if $seconds; then
@@ -63,7 +73,7 @@ for system in pendulum chain bodies planets; do
         cargo rustc --release --quiet --features "$system,$use" -- --emit=llvm-ir -C no-prepopulate-passes -C codegen-units=1
         lines=$(cat target/release/deps/user-*.ll | wc -l)
         before=$(awk -F, -v row="$system,$use" '$1 "," $2 == row { print $3 }' "$kept")
-        printf '%-10s %-10s %10s %10s %10s\n' "$system" "$use" "$taken" "$lines" "${before:--}"
+        printf '%-12s %-10s %10s %10s %10s\n' "$system" "$use" "$taken" "$lines" "${before:--}"
         echo "$system,$use,$lines" >> "$rows"
         if [ -z "$before" ] || awk "BEGIN { exit !($lines > 1.02 * $before) }"; then failed=1; fi
     done

@@ -4,6 +4,10 @@
 #[cfg_attr(feature = "chain", path = "chain.rs")]
 #[cfg_attr(feature = "bodies", path = "bodies.rs")]
 #[cfg_attr(feature = "planets", path = "planets.rs")]
+#[cfg_attr(feature = "oscillators", path = "oscillators.rs")]
+#[cfg_attr(feature = "orbits", path = "orbits.rs")]
+#[cfg_attr(feature = "liquid", path = "liquid.rs")]
+#[cfg_attr(feature = "molecule", path = "molecule.rs")]
 mod user;
 
 use integrator_core::prelude::*;

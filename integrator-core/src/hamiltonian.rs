@@ -75,6 +75,9 @@ pub trait Hamiltonian: Sized {
     /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code
     /// for numbers one by one can be slower there, and is then compiled for AVX2 at most.
     const WIDE: bool = false;
+    /// Whether a choice among flows costs nothing beside any of them: one loop, which reads the table of the composition, is then
+    /// compiled for all stages of all compositions.
+    const LARGE_FLOWS: bool = false;
     /// A fingerprint of the generated flows and energies: another one, and a checkpoint belongs to another motion.
     const FINGERPRINT: u64 = 0;
     /// The names of the functions that the user says are conserved.

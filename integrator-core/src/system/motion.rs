@@ -58,9 +58,6 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     const TIMED: bool = false;
     /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
     const MIXES: bool = false;
-    /// Whether a call costs nothing beside a flow, so that flows are functions of their own, compiled once for all stages of all
-    /// compositions.
-    const LARGE_FLOWS: bool = false;
     /// For which steps it is moved out of memory.
     const IN_REGISTERS: InRegisters = InRegisters::Never;
 

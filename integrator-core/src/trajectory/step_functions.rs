@@ -185,7 +185,8 @@ where
 
 /// Whether the loop over stages reads the table of the composition, and is not compiled for it.
 const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E: Executor>() -> bool {
-    H::Motion::<R, K>::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1
+    let carried_apart = E::TILES && CarriedApart::<H, R, K>::ENABLED;
+    H::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1 && !carried_apart
 }
 
 /// What completes a step, or undoes the processor behind it.

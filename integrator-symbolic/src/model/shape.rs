@@ -79,6 +79,11 @@ impl Shape {
         std::iter::once(&self.length).chain(&self.inner)
     }
 
+    /// How many numbers positions are, where literals tell it.
+    pub(crate) fn numbers(&self) -> Option<u64> {
+        self.extents().try_fold(1_u64, |numbers, length| numbers.checked_mul(length.literal()?))
+    }
+
     /// How many components a point has, if coordinates are points.
     pub(crate) fn dimension(&self) -> Option<&Length> {
         match &self.inner[..] {

@@ -218,7 +218,6 @@ where
     L: Motion<C, Q> + Rows<D>,
 {
     const MIXES: bool = true;
-    const LARGE_FLOWS: bool = true;
 
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
         let given = Given::of(states);

@@ -116,7 +116,6 @@ impl<M> Tabled<M> {
 
 impl<C: Coords, P: Send + Sync + 'static, M: Motion<C, P>> Motion<C, Constants<P>> for Tabled<M> {
     const MIXES: bool = M::MIXES;
-    const LARGE_FLOWS: bool = M::LARGE_FLOWS;
 
     fn load(constants: &[&Constants<P>], states: &[&Phase<C>]) -> Self {
         Self::new(constants, |parameters| M::load(parameters, states))

@@ -2,11 +2,11 @@
 
 use crate::{
     composition::{Lead, Stage, Stages, corrected_durations::Corrections},
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Single},
+    hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
-    system::motion::Motion,
+    system::motion::{InRegisters, Motion},
     trajectory::{
         by_table::{
             Kicks,
@@ -43,81 +43,31 @@ pub(super) fn walk<H, G, R, K, E>(
     K: Precision,
     E: Executor,
 {
-    if const { H::Motion::<R, K>::LARGE_FLOWS && !G::GRADIENTS } {
-        Walk::<_, H, G>::new(Apart::<H, R, K>(motion), table, clock, portion).call();
-    } else if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
+    if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } {
         let mut flows = TimeTiling::<H, R, K>::new(motion, threads);
         Walk::<_, H, G>::new(&mut flows, table, clock, portion).call();
         flows.finish();
     } else {
-        R::enter(Walk::<_, H, G>::new(Single::<H, R, K>(motion), table, clock, portion));
+        R::enter(WalkOne::<H, G, R, K>(Walk::new(Single(motion), table, clock, portion)));
     }
 }
 
-/// One motion whose flows are functions of their own, which all stages of all compositions call.
-struct Apart<'m, H: Hamiltonian, R: Real, K: Precision>(&'m mut H::Motion<R, K>);
+/// The loop over flows of one motion, moved out of memory where that is worth it for any step.
+struct WalkOne<'m, H: Hamiltonian, G, R: Real, K: Precision>(Walk<Single<'m, H, R, K>, H, G>);
 
-impl<H: Hamiltonian, R: Real, K: Precision> Apart<'_, H, R, K> {
-    fn flow(&mut self, flow: Plain, duration: f64, time: f64) {
-        entered::<R, _>(OneFlow::<H, R, K> { motion: self.0, flow, duration, time });
-    }
-}
-
-/// A call of its own: on the least instruction set, what is entered would be inlined.
-#[inline(never)]
-fn entered<R: Real, F: Kernel>(flow: F) -> F::Out {
-    R::enter(flow)
-}
-
-/// The flow of a part.
-enum Plain {
-    Drift,
-    Kick,
-    Middle { backwards: bool },
-}
-
-/// A flow of a motion.
-struct OneFlow<'m, H: Hamiltonian, R: Real, K: Precision> {
-    motion: &'m mut H::Motion<R, K>,
-    flow: Plain,
-    duration: f64,
-    time: f64,
-}
-
-impl<H: Hamiltonian, R: Real, K: Precision> Kernel for OneFlow<'_, H, R, K> {
+impl<H: Hamiltonian, G: Kicks<H>, R: Real, K: Precision> Kernel for WalkOne<'_, H, G, R, K> {
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
-        let Self { motion, flow, duration, time } = self;
-        match flow {
-            Plain::Drift => H::drift::<R, K>(motion, duration, time),
-            Plain::Kick => H::kick::<R, K>(motion, duration, time),
-            Plain::Middle { backwards } => H::middle::<R, K>(motion, duration, time, backwards),
+        let Walk { flows: Single(motion), table, clock, portion, .. } = self.0;
+        if const { matches!(<H::Motion<R, K> as Motion<_, _>>::IN_REGISTERS, InRegisters::Always) } {
+            let mut own = motion.take();
+            Walk::<_, H, G>::new(Single::<H, R, K>(&mut own), table, clock, portion).call();
+            *motion = own;
+        } else {
+            Walk::<_, H, G>::new(Single::<H, R, K>(motion), table, clock, portion).call();
         }
-    }
-}
-
-impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Apart<'_, H, R, K> {
-    const COMPENSATED: bool = K::COMPENSATED;
-
-    fn begin_step(&mut self, middle: f64) {
-        H::begin_step::<R, K>(self.0, middle);
-    }
-    fn drift(&mut self, duration: f64, time: f64) {
-        self.flow(Plain::Drift, duration, time);
-    }
-    fn kick(&mut self, duration: f64, time: f64) {
-        self.flow(Plain::Kick, duration, time);
-    }
-    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
-        self.flow(Plain::Middle { backwards }, duration, time);
-    }
-    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
-    where
-        H: QuadraticKinetic,
-    {
-        H::gradient_kick::<R, K>(self.0, duration, gradient, time);
     }
 }
 
@@ -189,7 +139,7 @@ impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<F, H, G> {
 
 impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<F, H, G> {
     /// Whether cycles go in drifts and kicks by turns, which keeps small states in registers.
-    const IN_PAIRS: bool = !H::PIECEWISE_IN_TIME && H::PARTS.len() == 2;
+    const IN_PAIRS: bool = !H::PIECEWISE_IN_TIME && !H::LARGE_FLOWS && H::PARTS.len() == 2;
 
     /// Cycles in a loop without a branch.
     #[inline(always)]

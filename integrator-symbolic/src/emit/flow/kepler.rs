@@ -21,6 +21,7 @@ pub(super) fn flow(emitter: &mut Emitter<'_>, orbits: &[Orbits]) -> Flow {
         solver: Some(quote!(#runtime::Kepler)),
         // Bodies are computed side by side.
         is_wide: orbits.iter().any(|orbits| matches!(orbits.bodies, Bodies::Each(_))),
+        is_large: true,
         ..Flow::default()
     }
 }

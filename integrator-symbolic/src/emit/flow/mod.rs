@@ -146,10 +146,16 @@ impl Flows {
                 const WIDE: bool = true;
             )
         });
+        let is_large = self.in_jacobi || [drift, kick].into_iter().chain(middle).any(|flow| flow.is_large);
+        let large = is_large.then(|| {
+            quote!(
+                const LARGE_FLOWS: bool = true;
+            )
+        });
         let lattice = |flow: &Flow| flow.sweep.as_ref().map(Sweep::lattice);
         let alike = lattice(drift).filter(|of_drift| lattice(kick) == Some(*of_drift));
         let (radii, sites) = alike.map(|alike| lattice::parts(alike, names)).unzip();
-        (quote!(#wide #radii), sites)
+        (quote!(#wide #large #radii), sites)
     }
 
     /// The functions `drift` and `kick`, and `middle` where there are more parts.
@@ -258,6 +264,8 @@ pub(crate) struct Flow {
     over_lists: bool,
     /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists side by side.
     is_wide: bool,
+    /// Whether it takes so long that a choice among flows costs nothing beside it.
+    is_large: bool,
     /// The type of what it keeps beside the state, if its equations have to be solved.
     solver: Option<TokenStream>,
     /// What its matrices are made from, if it has some.
@@ -330,7 +338,7 @@ impl Flow {
         let over_lists = has_list_sums(emitter.model, &lines.program);
         let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed || over_lists);
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, over_lists, is_wide, ..Self::default() }
+        Self { body, over_lists, is_wide, is_large: over_lists, ..Self::default() }
     }
 
     /// The lines that move each coordinate by `step` times its component.

@@ -47,6 +47,9 @@ impl Derivatives {
     }
 }
 
+/// The most coupled coordinates whose matrix is held in registers.
+const IN_REGISTERS: u64 = 2;
+
 /// The flow of the part with this number.
 pub(super) fn flow(emitter: &mut Emitter<'_>, number: usize, energy: NodeId) -> Flow {
     let stores = derivatives(emitter.model, energy);
@@ -66,6 +69,7 @@ pub(super) fn flow(emitter: &mut Emitter<'_>, number: usize, energy: NodeId) -> 
             solver.flow::<#runtime::Shaped<Self, #leaf>>(duration, &mut motion.q, &mut motion.p);
         }),
         solver: Some(quote!(#runtime::Quadratic<#scalar, #part, #is_lone>)),
+        is_large: !is_lone && model.shape.numbers().is_none_or(|coordinates| coordinates > IN_REGISTERS),
         derivatives: Some(Derivatives { part, components, lines }),
         ..Flow::default()
     }

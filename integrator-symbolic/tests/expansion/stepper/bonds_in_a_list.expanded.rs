@@ -86,6 +86,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 661567832718261605;
         const WIDE: bool = true;
+        const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: self.bonds.len(),

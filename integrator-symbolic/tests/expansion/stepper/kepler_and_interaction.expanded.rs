@@ -80,6 +80,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 7044536329407685956;
         const WIDE: bool = true;
+        const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: ::core::array::from_fn(|i: usize| 1.0 / self.mass[i]),

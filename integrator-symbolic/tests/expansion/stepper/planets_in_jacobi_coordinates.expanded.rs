@@ -89,6 +89,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 15563840015909197170;
         const WIDE: bool = true;
+        const LARGE_FLOWS: bool = true;
         fn admissible(
             &self,
             length: usize,

@@ -72,6 +72,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 4842975883481660319;
+        const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 rate: self.rate,
