@@ -104,6 +104,26 @@ fn the_test_command_is_the_one_that_is_run() {
     assert!(is_line(text(".ci/run")), ".ci/run runs `{command}`");
 }
 
+/// The names of the tests of a manifest that want the feature `long`.
+fn long_tests(manifest: &str) -> Vec<String> {
+    let manifest: toml::Table = text(manifest).parse().expect("a manifest");
+    let tests = manifest["test"].as_array().expect("tests");
+    let long = tests.iter().filter(|test| test.get("required-features").is_some());
+    long.map(|test| test["name"].as_str().expect("a name").to_owned()).collect()
+}
+
+/// What the command of the README leaves out is run for every change.
+#[test]
+fn the_tests_that_take_longest_are_run_as_well() {
+    let mut expected =
+        [long_tests("Cargo.toml"), long_tests("tests/long/Cargo.toml"), vec!["corpus".to_owned()]].concat();
+    expected.sort();
+    let script = text(".ci/run");
+    let named = script.split_once("long=(").and_then(|(_, rest)| rest.split_once(')')).expect("the list").0;
+    assert_eq!(named.split_whitespace().collect::<Vec<_>>(), expected);
+    assert!(script.contains("\"${long[@]/#/--test=}\""), "the list is run");
+}
+
 #[test]
 fn the_first_command_names_an_example() {
     assert!(text("README.md").contains("\ncargo run --release --example outer_solar_system\n"));

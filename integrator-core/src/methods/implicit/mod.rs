@@ -65,8 +65,6 @@ mod motion;
 #[cfg(feature = "check")]
 mod newton;
 mod tableau;
-#[cfg(all(test, feature = "check"))]
-mod tests;
 
 #[cfg(feature = "reference")]
 pub use backward::BackwardEuler;

@@ -4,6 +4,11 @@
 //! by `reference.py` with fifty digits. These formulas and the reference were written from the formulas, not from each
 //! other. All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
 
+#![cfg_attr(
+    not(feature = "long"),
+    expect(dead_code, reason = "systems below the line are judged where `long` asks for them")
+)]
+
 mod accelerator;
 mod central;
 mod chains;
@@ -29,8 +34,7 @@ use integrator_core::prelude::{Chin4A, Verlet, Yoshida4};
 ///
 /// Behind a system stands the method that it is certified with. For a quadratic `T` this is mostly `Chin4A`, which has
 /// the order 4 only if the generated second derivatives are right. Of the systems below the line, each has the layout
-/// and the kind of function of some system above it, and they are certified where the feature `every-certificate` asks
-/// for it: what is compiled for a certificate takes longer than all else of a system.
+/// and the kind of function of some system above it: the feature `long` asks for them.
 macro_rules! corpus {
     ($($name:ident: $system:ty, $method:ident;)* --- $($more:ident: $more_system:ty, $more_method:ident;)*) => {
         $(#[test]
@@ -39,10 +43,10 @@ macro_rules! corpus {
             verdict::certified::<$system, _>(stringify!($name), $method);
         })*
 
-        $(#[test]
+        $(#[cfg(feature = "long")]
+        #[test]
         fn $more() {
             verdict::judge::<$more_system>(stringify!($more));
-            #[cfg(feature = "every-certificate")]
             verdict::certified::<$more_system, _>(stringify!($more), $more_method);
         })*
 

@@ -1,13 +1,13 @@
 //! A geodesic of Schwarzschild's space, `H = gᵃᵇ pₐ p_b / 2`, in one piece and by two coupled copies.
 
-use crate::{GaussLegendre6, Hamiltonian, Phase, composition::catalogue::KahanLi6};
+use integrator_core::{GaussLegendre6, KahanLi6, Phase, Run, hamiltonian, prelude::Hamiltonian};
 
 macro_rules! geodesic {
     ($name:ident, $($split:tt)*) => {
         struct $name;
 
         /// Coordinates `(t, r, φ)` in the plane of the orbit, about a mass of one; affine parameter in place of the time.
-        #[crate::hamiltonian($($split)*)]
+        #[hamiltonian($($split)*)]
         impl $name {
             fn hamiltonian(&self, [_, r, _]: [f64; 3], [pt, pr, pphi]: [f64; 3]) -> f64 {
                 let metric = 1.0 - 2.0 / r;
@@ -42,7 +42,7 @@ fn a_circular_orbit_stays_one() {
 fn both_ways_lead_along_the_same_orbit() {
     let mut start = circle(10.0);
     start.p[1] = 0.05;
-    let end = |mut run: crate::Run<[f64; 3]>, steps| {
+    let end = |mut run: Run<[f64; 3]>, steps| {
         run.advance(steps).expect("an end");
         run.state()
     };
