@@ -2,6 +2,8 @@
 
 mod inputs;
 mod prove;
+#[cfg(feature = "long")]
+mod repository;
 mod show;
 
 use std::{

@@ -160,9 +160,10 @@ fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[
             strength: of(&body.strength),
         };
         let moved = moved::<L::Scalar, L::Scalar, D>(body, L::Scalar::of(duration));
-        for d in 0..D {
-            write(&mut way[0][d], part, moved.q[d]);
-            write(&mut way[1][d], part, moved.p[d]);
+        for (rows, numbers) in way.iter_mut().zip([moved.q, moved.p]) {
+            for (row, number) in rows.iter_mut().zip(numbers) {
+                write(row, part, number);
+            }
         }
         has_failed |= moved.failed.any();
         let one = L::Scalar::of(1.0);

@@ -4,11 +4,6 @@
 //! by `reference.py` with fifty digits. These formulas and the reference were written from the formulas, not from each
 //! other. All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
 
-#![cfg_attr(
-    not(feature = "long"),
-    expect(dead_code, reason = "systems below the line are judged where `long` asks for them")
-)]
-
 mod accelerator;
 mod central;
 mod chains;
