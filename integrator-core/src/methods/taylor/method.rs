@@ -5,13 +5,12 @@ use super::{
     expansion::{Constants, Expansion, step_functions},
     logarithm::Logarithm,
     series::HIGHEST,
-    table::are_always_few,
 };
 use crate::{
     error::Error,
     hamiltonian::Shaped,
     scalar::real::Real,
-    state::precision::Precision,
+    state::{coords::Coords, precision::Precision},
     trajectory::{
         method::{Described, Differentiable, Facts, Method},
         step_functions::{Executor, StepFunctions},
@@ -96,8 +95,8 @@ impl Described for Taylor {
 
 #[diagnostic::do_not_recommend]
 impl<H: Recurrences> Method<H> for Taylor {
-    /// Few coordinates are computed one by one or in pairs, and the registers of AVX-512 make that no faster.
-    const WIDE: bool = !are_always_few::<H::Coords>();
+    /// Polynomials of one coordinate fit into the registers of any set, and those of AVX-512 make its steps no faster.
+    const WIDE: bool = !matches!((H::Coords::LENGTH, H::Coords::COMPONENTS), (Some(1), 1));
     type Constants = Constants<H::Parameters<f64>>;
     type Motion<R: Real, K: Precision> = Expansion<R, Shaped<H, K>, H::Parameters<R>, H::Tape<R>>;
 
