@@ -4,8 +4,6 @@
 //! and last, one per line, the worst errors, the distance from a reference computed in 113-bit arithmetic, and the time
 //! that all of it took. Look at the two columns of errors: they oscillate, but they do not grow with time.
 //!
-//! `--chaos 200` follows deviations for 200 million years instead, and tells whether the motion is chaotic, and how fast deviations grow.
-//!
 //! With `--features pictures`, two pictures go to `target/pictures`, or to the folder after `--out`:
 //! `outer_solar_system_orbits.png`, the paths of the planets in one revolution each, and
 //! `outer_solar_system_energy.png`, the energy error over 1,000 years for several compositions that compute the same
@@ -17,7 +15,7 @@ mod pictures;
 mod support;
 mod system;
 
-use integrator_core::{chaos, prelude::*};
+use integrator_core::prelude::*;
 use std::{error::Error, time::Instant};
 use support::Watch;
 use system::{Bodies, angular_momentum, measured, norm, reference, relative};
@@ -35,28 +33,7 @@ fn distances(q: &Bodies) -> String {
     q[1..].iter().map(|planet| format!("{:9.3}", norm(&[0, 1, 2].map(|axis| planet[axis] - q[0][axis])))).collect()
 }
 
-/// A step of the long run in days: a tenth of Jupiter's revolution, in which eleven forces are computed.
-const LONG_STEP: f64 = 400.0;
-
-/// Whether the motion is chaotic, over so many million years.
-fn chaos(millions: f64) -> Result<(), Box<dyn Error>> {
-    let clock = Instant::now();
-    let (system, start) = measured()?;
-    let steps = (millions * 1e6 * YEAR / LONG_STEP) as u64;
-    let report = chaos::indicators(&system, BlanesMoanSrkn11, start, LONG_STEP, steps)?;
-    println!("{report}\n");
-    println!("million_years={}", report.time / YEAR / 1e6);
-    println!("mean_megno={}", report.mean_megno);
-    // On a chaotic orbit the mean of MEGNO is half of the exponent times the time; what grows like the time alone is not in it.
-    println!("exponent_per_year={:e}", 2.0 * report.mean_megno / (report.time / YEAR));
-    println!("seconds={}", clock.elapsed().as_secs_f64());
-    Ok(())
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
-    if let Some(millions) = std::env::args().skip_while(|argument| argument != "--chaos").nth(1) {
-        return chaos(millions.parse().map_err(|_| format!("`{millions}` is no number of million years"))?);
-    }
     let clock = Instant::now();
     let (system, start) = measured()?;
     let h = DAYS / STEPS as f64;
