@@ -113,7 +113,7 @@ fn pretty(system: &System) -> String {
 #[test]
 fn steppers_are_what_the_functions_say() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(150) {
+    for seed in seeds(50) {
         tally.judge(&format!("system {seed}"), &grammar::system(seed));
     }
     tally.assert_without_faults();
@@ -125,7 +125,7 @@ fn steppers_are_what_the_functions_say() {
 #[test]
 fn lattices_are_what_the_functions_say() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(100) {
+    for seed in seeds(40) {
         tally.judge(&format!("lattice {seed}"), &grammar::lattice(seed));
     }
     tally.assert_without_faults();
@@ -135,7 +135,7 @@ fn lattices_are_what_the_functions_say() {
 #[test]
 fn bodies_in_pairs_are_what_the_functions_say() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(100) {
+    for seed in seeds(40) {
         tally.judge(&format!("bodies {seed}"), &grammar::pairs(seed));
     }
     tally.assert_without_faults();
@@ -166,7 +166,7 @@ fn steppers_are_what_the_functions_say_in_units_of_any_size() {
 #[test]
 fn steppers_of_changed_texts_are_what_the_functions_say() {
     let mut tally = Tally::default();
-    for seed in seeds(150) {
+    for seed in seeds(50) {
         let (mut system, mut choices) = (grammar::system(seed), Choices::new(seed));
         for _ in 0..1 + choices.below(3) {
             let mutation = &MUTATIONS[choices.below(MUTATIONS.len())];
