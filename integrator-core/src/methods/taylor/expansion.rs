@@ -378,13 +378,9 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
     let Expansion { method, parameters, q, p, tape, .. } = expansion;
     let (last, length) = (method.order, layout.length());
     let (mut q, mut p) = (q.coefficients(layout, unit), p.coefficients(layout, unit));
-    if H::ROLLED {
+    // With derivatives an order is so much code that one copy has to do for all of them. Its sums have the same bits.
+    if const { H::ROLLED || R::LANES != R::MEMBERS } {
         for k in (0..last).step_by(H::ORDERS_PER_CALL) {
-            H::order(parameters, length, &mut q, &mut p, tape, k, time);
-        }
-    } else if const { R::LANES != R::MEMBERS } {
-        // With derivatives an order is so much code that one copy has to do for all of them. Its sums have the same bits.
-        for k in 0..last {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
     } else if const { R::LANES == 1 && are_always_few::<H::Coords>() } {
