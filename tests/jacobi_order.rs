@@ -132,54 +132,42 @@ fn masses_that_are_not_above_zero_are_refused() {
     }
 }
 
-/// Numbers between -1 and 1 that look random and are the same everywhere (xorshift64).
-struct Random(u64);
+/// A number between -1 and 1.
+fn number(random: &mut fastrand::Rng) -> f64 {
+    2.0 * random.f64() - 1.0
+}
 
-impl Random {
-    fn number(&mut self) -> f64 {
-        for (left, by) in [(true, 13), (false, 7), (true, 17)] {
-            self.0 ^= if left { self.0 << by } else { self.0 >> by };
-        }
-        (self.0 >> 11) as f64 / 2_f64.powi(52) - 1.0
+/// A system with its start, whose star is at a place and moves.
+fn random_planets<const N: usize>(random: &mut fastrand::Rng, place: usize) -> (Bodies<N>, Phase<[[f64; 2]; N]>) {
+    let mass: Vec<_> = (0..N).map(|_| 1e-3 * (1.5 + number(random))).collect();
+    let (system, mut start) = with_the_star_at(place, &planets::<N>(|i| mass[i]));
+    for coordinate in start.q.as_flattened_mut().iter_mut().chain(start.p.as_flattened_mut()) {
+        *coordinate += 1e-5 * number(random);
     }
+    (system, start)
+}
 
-    /// One of so many.
-    fn below(&mut self, count: usize) -> usize {
-        ((self.number().abs() * count as f64) as usize).min(count - 1)
-    }
-
-    /// A system with its start, whose star is at a place and moves.
-    fn planets<const N: usize>(&mut self, place: usize) -> (Bodies<N>, Phase<[[f64; 2]; N]>) {
-        let mass: Vec<_> = (0..N).map(|_| 1e-3 * (1.5 + self.number())).collect();
-        let (system, mut start) = with_the_star_at(place, &planets::<N>(|i| mass[i]));
-        for coordinate in start.q.as_flattened_mut().iter_mut().chain(start.p.as_flattened_mut()) {
-            *coordinate += 1e-5 * self.number();
-        }
-        (system, start)
-    }
-
-    /// Changes a coordinate of a body and all of another's momentum.
-    fn kick<const N: usize>(&mut self, state: &mut Phase<[[f64; 2]; N]>) {
-        state.q[self.below(N)][self.below(2)] += 1e-3 * self.number();
-        let body = self.below(N);
-        state.p[body] = state.p[body].map(|p| p * (1.0 + 0.1 * self.number()));
-    }
+/// Changes a coordinate of a body and all of another's momentum.
+fn kick<const N: usize>(random: &mut fastrand::Rng, state: &mut Phase<[[f64; 2]; N]>) {
+    state.q[random.usize(..N)][random.usize(..2)] += 1e-3 * number(random);
+    let body = random.usize(..N);
+    state.p[body] = state.p[body].map(|p| p * (1.0 + 0.1 * number(random)));
 }
 
 /// A run shows a state that it was given bit for bit, and goes on from there as one that starts in it, and as one that is
 /// resumed, wherever the star is and however often it is kicked.
 fn is_begun_anew<const N: usize>(composition: impl Composition<Bodies<N>>) {
     const STEP: f64 = 0.05;
-    let mut random = Random(0x9e37_79b9_7f4a_7c15 ^ N as u64);
+    let mut random = fastrand::Rng::with_seed(N as u64);
     for place in 0..N {
-        let (system, start) = random.planets::<N>(place);
+        let (system, start) = random_planets::<N>(&mut random, place);
         let begin = |start| system.run_with(composition, start, STEP).expect("a run");
         let mut run = begin(start);
         assert_eq!(run.state(), start);
         for _ in 0..2 {
-            run.advance(random.below(15) as u64).expect("steps");
+            run.advance(random.u64(..15)).expect("steps");
             let mut changed = run.state();
-            random.kick(&mut changed);
+            kick(&mut random, &mut changed);
             run.map_state(|state| *state = changed).expect("a kick");
             assert_eq!(run.state(), changed, "{N} bodies, the star at {place}");
             let mut resumed = Run::resume_with(&system, composition, &run.checkpoint()).expect("a checkpoint");
@@ -219,15 +207,15 @@ fn a_changed_state_is_a_new_start_bit_for_bit() {
 fn changed_members_start_anew_as_they_do_alone() {
     const STEP: f64 = 0.05;
     const METHOD: WisdomHolmanTouma3 = WisdomHolmanTouma3;
-    let mut random = Random(1);
-    let members: Vec<_> = (0..9).map(|member| random.planets::<3>(member % 3)).collect();
+    let mut random = fastrand::Rng::with_seed(1);
+    let members: Vec<_> = (0..9).map(|member| random_planets::<3>(&mut random, member % 3)).collect();
     let systems = || members.iter().map(|(system, _)| system.clone());
     let mut ensemble = Ensemble::new(METHOD, members.iter().cloned(), STEP).expect("members");
     assert!(ensemble.states().eq(members.iter().map(|(_, start)| *start)));
     for steps in [0, 17] {
         ensemble.advance(steps).expect("steps");
         let mut changed: Vec<_> = ensemble.states().collect();
-        changed.iter_mut().for_each(|state| random.kick(state));
+        changed.iter_mut().for_each(|state| kick(&mut random, state));
         ensemble.map_states(|member, state| *state = changed[member]).expect("kicks");
         assert!(ensemble.states().eq(changed.iter().copied()));
         let mut resumed = Ensemble::resume(METHOD, systems(), &ensemble.checkpoint()).expect("a checkpoint");
@@ -247,14 +235,14 @@ fn changed_members_start_anew_as_they_do_alone() {
 
 #[test]
 fn other_scalar_types_and_tangents_show_their_starts() {
-    let mut random = Random(2);
+    let mut random = fastrand::Rng::with_seed(2);
     for place in 0..4 {
-        let (system, start) = random.planets::<4>(place);
+        let (system, start) = random_planets::<4>(&mut random, place);
         let single = Phase::new(start.q.map(|q| q.map(|q| q as f32)), start.p.map(|p| p.map(|p| p as f32)));
         assert_eq!(system.run(single, 0.05).expect("a run").state(), single);
         let compensated = Phase::compensated(start.q, start.p);
         assert_eq!(system.run(compensated, 0.05).expect("a run").state(), compensated);
-        let vectors: Vec<_> = (0..3).map(|_| random.planets::<4>(place).1).collect();
+        let vectors: Vec<_> = (0..3).map(|_| random_planets::<4>(&mut random, place).1).collect();
         let tangent = system.tangent(Aba1064, start, vectors.clone(), 0.05).expect("a tangent");
         assert_eq!((tangent.state(), tangent.vectors()), (start, vectors.clone()));
         let resumed = integrator_core::Tangent::resume(&system, Aba1064, &tangent.checkpoint()).expect("a checkpoint");

@@ -22,67 +22,49 @@ impl DoublePendulum {
 
 const HUNG: Phase<[f64; 2]> = Phase { q: [1.0, -0.5], p: [0.2, 0.3] };
 
-/// A system of two parts, and the same H as T + V.
-struct InParts;
+/// The same H in one split or another.
+macro_rules! henon_heiles {
+    ($name:ident, $($split:tt)*) => {
+        struct $name;
 
-#[hamiltonian(split = quadratic + rest)]
-impl InParts {
-    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
-        0.5 * (px * px + py * py + x * x + y * y) + x * x * y - y.powi(3) / 3.0
-    }
+        #[hamiltonian($($split)*)]
+        impl $name {
+            fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+                0.5 * (px * px + py * py + x * x + y * y) + x * x * y - y.powi(3) / 3.0
+            }
+        }
+    };
 }
-
-struct Separate;
-
-#[hamiltonian]
-impl Separate {
-    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
-        0.5 * (px * px + py * py + x * x + y * y) + x * x * y - y.powi(3) / 3.0
-    }
-}
+henon_heiles!(InParts, split = quadratic + rest);
+henon_heiles!(Separate,);
 
 /// Bodies that attract each other, in Jacobi coordinates or not.
-struct Planets {
-    mass: [f64; 3],
-}
+macro_rules! bodies {
+    ($name:ident, $($split:tt)*) => {
+        struct $name {
+            mass: [f64; 3],
+        }
 
-#[hamiltonian(coordinates = jacobi(self.mass), split = kepler + interaction)]
-impl Planets {
-    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
-        (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
-    }
-    fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..3 {
-            for j in 0..i {
-                energy -=
-                    self.mass[i] * self.mass[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+        #[hamiltonian($($split)*)]
+        impl $name {
+            fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
+                (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
+            }
+            fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
+                let mut energy = 0.0;
+                for i in 0..3 {
+                    for j in 0..i {
+                        let [x, y] = [0, 1].map(|d| q[i][d] - q[j][d]);
+                        energy -= self.mass[i] * self.mass[j] / (x.powi(2) + y.powi(2)).sqrt();
+                    }
+                }
+                energy
             }
         }
-        energy
-    }
+    };
 }
-
-struct Inertial {
-    mass: [f64; 3],
-}
-
-#[hamiltonian]
-impl Inertial {
-    fn kinetic(&self, p: [[f64; 2]; 3]) -> f64 {
-        (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * self.mass[i])).sum()
-    }
-    fn potential(&self, q: [[f64; 2]; 3]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..3 {
-            for j in 0..i {
-                energy -=
-                    self.mass[i] * self.mass[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
-            }
-        }
-        energy
-    }
-}
+bodies!(Planets, coordinates = jacobi(self.mass), split = kepler + interaction);
+bodies!(Inertial,);
 
 fn end<H: Hamiltonian, X: Method<H>>(system: &H, method: X, start: &Phase<H::Coords>, h: f64, steps: u64) -> Vec<f64> {
     let mut run = system.run_with::<f64, X>(method, start.clone(), h).expect("a start");
