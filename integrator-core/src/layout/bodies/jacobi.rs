@@ -248,9 +248,13 @@ where
         Q: 'a,
     {
         let (mut constants, mut states) = (Vec::new(), Vec::new());
-        let lanes: Vec<_> = (0..L::Scalar::LANES).map(of_lane).collect();
-        let given = Given::gathered(lanes.iter().map(|(_, motion, lane)| (&motion.given, *lane)));
-        for (own, motion, lane) in lanes {
+        let given = (0..L::Scalar::LANES).map(|lane| {
+            let (_, motion, lane) = of_lane(lane);
+            (&motion.given, lane)
+        });
+        let given = Given::gathered(given);
+        for lane in 0..L::Scalar::LANES {
+            let (own, motion, lane) = of_lane(lane);
             let zeros = alloc::vec![L::Leaf::default(); motion.bodies.bodies() * D];
             let mut state = Phase { q: C::from_flat(zeros.clone())?, p: C::from_flat(zeros)? };
             motion.store_own(lane, &mut state);
