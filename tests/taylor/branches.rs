@@ -14,7 +14,7 @@ struct Branches {
     times: Vec<f64>,
 }
 
-const KINDS: u32 = 10;
+const KINDS: u32 = 11;
 
 #[hamiltonian(taylor)]
 impl Branches {
@@ -65,6 +65,8 @@ impl Branches {
                         let least = x.min(q[1]);
                         least * least
                     }
+                    // Both arguments vanish at the edge, where the angle jumps by half a turn.
+                    9 => x.atan2(2.0 * x) * q[1] * q[1],
                     _ => x.floor() * x - 0.5 * x.floor() * (x.floor() + 1.0),
                 };
         }
@@ -104,7 +106,7 @@ impl Branches {
             let x = self.argument(k, q);
             let of = |conditions: &[bool]| conditions.iter().fold(0, |side, holds| 2 * side + i64::from(*holds));
             sides.push(match kind {
-                0..=2 | 7 => of(&[x > 0.0]),
+                0..=2 | 7 | 9 => of(&[x > 0.0]),
                 3 => of(&[x > -0.5, x > 0.5]),
                 4 => of(&[x > 0.0, x > 0.7]),
                 5 => of(&[t > self.times[k]]),
@@ -176,6 +178,11 @@ impl Branches {
                         force[1] -= self.weights[k] * 2.0 * q[1];
                     }
                     if is(0) { 2.0 * x } else { 0.0 }
+                }
+                9 => {
+                    let angle = 0.5_f64.atan() - if is(0) { 0.0 } else { std::f64::consts::PI };
+                    force[1] -= self.weights[k] * 2.0 * angle * q[1];
+                    0.0
                 }
                 _ => *side as f64,
             };
