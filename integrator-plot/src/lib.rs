@@ -106,11 +106,13 @@ fn drawn(picture: &impl Picture) -> (String, Vec<u8>) {
     (canvas.svg(), canvas.png(1))
 }
 
-/// The programs of the README and of the page on pictures.
+/// The programs of the README, of the page on pictures and of the tutorial.
 #[cfg(doctest)]
 mod pages {
     #[doc = include_str!("../README.md")]
     struct Readme;
     #[doc = include_str!("../../docs/pictures.md")]
     struct Pictures;
+    #[doc = include_str!("../../docs/guide/src/first_hamiltonian.md")]
+    struct FirstHamiltonian;
 }
