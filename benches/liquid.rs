@@ -4,7 +4,7 @@
 //! for each atom and step, lists included; rates count the pairs that
 //! are within the cutoff at this density. The last lines are times over those of
 //! the lists by hand in the same rounds (`ratio_<scene>_to_hand=`), and what a second thread brings. `docs/performance.md`
-//! tells what was measured; `--large` adds a million atoms. The picture has the times against the number of atoms.
+//! has the results; `--large` adds a million atoms. The picture has the times against the number of atoms.
 
 #[cfg(target_arch = "x86_64")]
 use integrator_bench::by_hand::liquid::Liquid;

@@ -3,7 +3,7 @@
 //! The generated stepper, which finds the lists, against one written by hand for the same instructions: it gathers the atoms
 //! of a vector of terms, computes their forces side by side, and scatters them. Times are for each step, over the number of
 //! bonds. The last line, `ratio_molecule_to_hand=`, is the median of the ratios of interleaved rounds: 1.1 is asked.
-//! `docs/performance.md` tells what was measured.
+//! `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand,

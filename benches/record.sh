@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Runs the benches and writes what they print, and the pictures they draw, into docs/performance.md and docs/pictures.
+# Runs the benches and writes what they print, and the pictures they draw, into docs/contributing/performance-notes.md and docs/pictures.
+# docs/performance.md and README.md quote these figures; tests/readme.rs compares them.
 # With names of benches as arguments, those alone. On a quiet machine it takes some ten minutes, most of them to compile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-page=docs/performance.md
+page=docs/contributing/performance-notes.md
 mkdir -p docs/pictures target/bench
 
 # Puts a file between the markers of its name.
@@ -22,15 +23,11 @@ fill() {
 }
 
 if [ $# -eq 0 ]; then
-    set -- step throughput work_precision taylor skips compile_cost
+    set -- step throughput work_precision taylor skips
 fi
 for bench in "$@"; do
     output=target/bench/$bench.txt
-    if [ "$bench" = compile_cost ]; then
-        benches/compile_cost.sh > "$output"
-    else
-        cargo bench -p integrator --bench "$bench" > "$output"
-    fi
+    cargo bench -p integrator --bench "$bench" > "$output"
     # Every run of every method is in target/bench/work_precision.csv and taylor.csv; the page has the fastest.
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
     fill "$bench" "$output"

@@ -3,7 +3,7 @@
 //! Small systems in Verlet and in two long compositions, large ones in Verlet. The hand-written steppers are plain safe
 //! Rust, and where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code
 //! gets. The last lines, `ratio_<problem>_<what>=`, are the generated time over that of the best hand-written stepper
-//! in the same round, medians of interleaved rounds: 1.05 is asked. `docs/performance.md` tells what was measured.
+//! in the same round, medians of interleaved rounds: 1.05 is asked. `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand::{

@@ -3,7 +3,7 @@
 //! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain
 //! loops and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over
 //! those of the best hand-written stepper in the same round (`ratio_<scene>_to_hand=`, 0.9 is asked), and what a second
-//! thread brings (`speedup_<scene>_two_threads=`). `docs/performance.md` tells what was measured.
+//! thread brings (`speedup_<scene>_two_threads=`). `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand::{
