@@ -23,9 +23,10 @@ fn pages_in(folder: &str) -> Vec<PathBuf> {
 
 /// Every document that is written for readers.
 fn pages() -> Vec<PathBuf> {
-    let pages = ["", "docs", "docs/guide/src", "integrator-core", "integrator-macros", "integrator-symbolic"]
-        .map(pages_in)
-        .concat();
+    let crates = ["cli", "core", "gpu", "laboratory", "macros", "mpi", "plot", "symbolic"];
+    let folders = ["", "docs", "docs/contributing", "docs/guide/src"].map(str::to_owned).to_vec();
+    let folders = folders.into_iter().chain(crates.map(|name| format!("integrator-{name}")));
+    let pages: Vec<PathBuf> = folders.flat_map(|folder| pages_in(&folder)).collect();
     assert!(pages.len() > 20, "the pages are found: {pages:?}");
     pages
 }
@@ -47,11 +48,13 @@ fn anchor(heading: &str) -> String {
     kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
 }
 
-/// Two screens: what is longer has a page of its own in `docs`.
+/// Pages that a visitor reads first are short; details are in `docs`.
 #[test]
-fn the_readme_is_short() {
-    let length = text("README.md").len();
-    assert!(length <= 10 * 1024, "README.md has {length} bytes");
+fn the_first_pages_are_short() {
+    for page in ["README.md", "CHANGELOG.md"] {
+        let length = text(page).len();
+        assert!(length <= 6 * 1024, "{page} has {length} bytes");
+    }
 }
 
 #[test]
@@ -64,43 +67,163 @@ fn the_readme_counts_the_catalogue() {
     });
     let count: usize = rows.iter().sum();
     assert!(text("README.md").contains(&format!("{count} compositions of orders 1 to 10,")), "there are {count}");
+    assert!(text("paper.md").contains(&format!("{count} methods of orders 1 to 10 ")), "there are {count}");
 }
 
-/// Times and rates that the README names are those of the page that the benches write.
+/// Each feature that the comparison claims has a test or an example; that links lead somewhere is another test.
 #[test]
-fn the_readme_quotes_what_was_measured() {
-    let numbers = |row: &str| row.split_whitespace().filter_map(|word| word.parse().ok()).collect::<Vec<f64>>();
-    let row_of = |page: &str, row: &str| {
-        let line = page.lines().find_map(|line| line.strip_prefix(row)).unwrap_or_else(|| panic!("no row {row:?}"));
-        numbers(&line.replace("·10⁹", ""))
-    };
-    let page = text("docs/performance.md");
-    let measured = |row| row_of(&page, row);
-    let step = measured("pendulum                 verlet");
-    let ensemble = measured("pendulum                 trajectory-steps/s");
-    let chain = measured("fput_1e7                 site-steps/s");
-    let solar = measured("solar_energy_1e-8");
-    let readme = text("README.md");
-    for (row, expected) in [
-        ("| a pendulum, per force evaluation |", [step[0], step[3]]),
-        ("| an ensemble of pendulums |", [ensemble[0] / 1e9, ensemble[2]]),
-        ("| a chain of 10⁷ sites |", [chain[0] / 1e9, chain[0] / chain[1]]),
-        ("| the outer solar system, to an energy error of 10⁻⁸ |", [solar[0], solar[1]]),
-    ] {
-        let quoted = row_of(&readme, row);
-        // Two digits are off by half a unit of the second, a twentieth of the number at most.
-        let near = |(quoted, expected): (&f64, f64)| (quoted / expected - 1.0).abs() <= 0.05;
-        assert!(quoted.iter().zip(expected).all(near), "{row} {quoted:?} for {expected:?}");
-        assert_eq!(quoted.len(), 2, "{row} {quoted:?}");
+fn every_feature_of_the_comparison_is_shown() {
+    let page = text("docs/comparison.md");
+    let (_, rows) = page.split_once("\n| feature | shown by |\n|---|---|\n").expect("the table");
+    let rows: Vec<&str> = rows.lines().take_while(|line| line.starts_with('|')).collect();
+    assert!(rows.len() > 10, "{rows:?}");
+    for row in rows {
+        let shown = row.split("](../").skip(1);
+        let is_shown =
+            |path: &str| path.starts_with("examples/") || path.split(')').next().unwrap_or("").contains("tests/");
+        assert!(shown.map(is_shown).reduce(|all, one| all && one) == Some(true), "{row}");
     }
 }
 
-/// The command that a reader is told to test with is the one that is run for every change.
+/// The methods of the laboratory are counted, not typed.
+#[test]
+fn pages_count_the_methods_of_the_laboratory() {
+    let source = text("integrator-laboratory/src/rows.rs");
+    let table = source.split_once("\nrows! {").and_then(|(_, rest)| rest.split_once("\n}")).expect("the table").0;
+    let row = |line: &&str| line.starts_with("    ") && line[4..].starts_with(|first: char| first.is_ascii_uppercase());
+    let count = table.lines().filter(row).count();
+    for page in ["README.md", "docs/examples.md"] {
+        assert!(text(page).contains(&format!(" {count} methods")), "{page}: there are {count} methods");
+    }
+}
+
+/// The README says how to depend on the crates; other pages have such a line by path at most, so that no release makes them wrong.
+#[test]
+fn the_readme_alone_says_how_to_depend() {
+    let mut found = 0;
+    for page in pages() {
+        let (shown, text) = (page.display(), text(&page));
+        for line in text.lines().map(|line| line.trim_start_matches(['#', ' '])) {
+            let Some((name, value)) = line.split_once(" = ").filter(|(name, _)| name.starts_with("integrator-")) else {
+                continue;
+            };
+            let path = format!("{{ path = \"../integrator/{name}\"");
+            assert!(value.starts_with(&path), "{shown}: {line}");
+            found += 1;
+        }
+        assert!(
+            page == Path::new("README.md") || !text.contains("--git"),
+            "{shown}: link to the README in place of this"
+        );
+    }
+    assert!(found > 0 && text("README.md").contains("--git"));
+}
+
+/// Figures of the README and of the page for users agree with the tables that the benches write.
+#[test]
+fn figures_are_those_of_the_benches() {
+    fn numbers(row: &str) -> Vec<f64> {
+        row.replace("·10⁹", "").replace("**", "").split_whitespace().filter_map(|word| word.parse().ok()).collect()
+    }
+    let row_of = |page: &str, row: &str| {
+        numbers(page.lines().find_map(|line| line.strip_prefix(row)).unwrap_or_else(|| panic!("no row {row:?}")))
+    };
+    let notes = text("docs/contributing/performance-notes.md");
+    let measured = |scene: &str, unit: &str| row_of(&notes, &format!("{scene:<25}{unit}"));
+    // What is generated, what is by hand, and their ratio, with or without a column of plain loops.
+    let step = |scene: &str, composition: &str| {
+        let row = measured(scene, composition);
+        vec![row[0], row[row.len() - 2], row[row.len() - 1]]
+    };
+    // The rate in units of 1e9, that over the rate by hand, and what a second thread brings.
+    let rate = |scene: &str, unit: &str| {
+        let row = measured(scene, unit);
+        vec![row[0] / 1e9, row[row.len() - 2], row[row.len() - 1]]
+    };
+    let chain = measured("fput_1e7", "site-steps/s");
+    let of_ensemble = rate("pendulum", "trajectory-steps/s");
+    let of_pendulum = step("pendulum", "verlet");
+    let solar = row_of(&notes, "solar_energy_1e-8");
+    let crates = |scene: &str| {
+        let row = row_of(&notes, &format!("{scene}_energy_1e-8"));
+        vec![row[0], row[1], row[1] / row[0]]
+    };
+    let taylor = |scene: &str| row_of(&notes, &format!("{scene}_1e-8       "));
+    let (readme, page) = (text("README.md"), text("docs/performance.md"));
+    let (beside_crates, by_hand) = page.split_once("\n## Against hand-written code\n").expect("the section");
+    let beside_crates = beside_crates.split_once("\n## Against Rust crates\n").expect("the section").1;
+    let (steps, rates) = by_hand.split_once("\nThroughput per second").expect("the table");
+    let pages: [(&str, &[(&str, Vec<f64>)]); 4] = [
+        (
+            &readme,
+            &[
+                ("pendulum, one force evaluation", vec![of_pendulum[0], of_pendulum[2]]),
+                ("ensemble of pendulums, steps per second", vec![of_ensemble[0], of_ensemble[1]]),
+                ("chain of 10⁷ sites, site-steps per second", vec![chain[0] / 1e9, chain[0] / chain[1]]),
+                ("outer solar system, energy error 10⁻⁸", solar),
+            ],
+        ),
+        (
+            beside_crates,
+            &[
+                ("pendulum", crates("pendulum")),
+                ("Hénon–Heiles", crates("henon")),
+                ("Kepler, eccentricity 0.6", crates("kepler")),
+                ("outer solar system", crates("solar")),
+                ("FPUT-32", crates("fput")),
+            ],
+        ),
+        (
+            steps,
+            &[
+                ("pendulum", of_pendulum),
+                ("Hénon–Heiles", step("henon", "verlet")),
+                ("Hénon–Heiles, quadratic + rest", step("henon_parts", "aba864")),
+                ("Kepler", step("kepler", "verlet")),
+                ("outer solar system, six bodies", step("solar", "verlet")),
+                ("FPUT-32", step("fput", "verlet")),
+                ("FPUT, 10⁶ sites", step("fput_1e6", "verlet")),
+                ("Toda, 10⁴ sites", step("toda_1e4", "verlet")),
+                ("sine-Gordon, 10⁴ sites", step("sine_gordon_1e4", "verlet")),
+                ("φ⁴ plane, 256 × 256 sites", step("phi4_2d", "verlet")),
+                ("1,000 bodies", step("nbody_1000", "verlet")),
+            ],
+        ),
+        (
+            rates,
+            &[
+                ("pendulum ensemble, steps", of_ensemble),
+                ("pendulum ensemble, `functions = fast`", rate("pendulum_fast", "trajectory-steps/s")),
+                ("pendulum ensemble, `f32`", rate("pendulum_f32", "trajectory-steps/s")),
+                ("Hénon–Heiles ensemble, steps", rate("henon", "trajectory-steps/s")),
+                ("Kepler ensemble, steps", rate("kepler", "trajectory-steps/s")),
+                ("Kepler ensemble, `f32`", rate("kepler_f32", "trajectory-steps/s")),
+                ("FPUT, 10⁷ sites, site-steps", rate("fput_1e7", "site-steps/s")),
+                ("φ⁴, 4096 × 4096 sites, site-steps", rate("phi4_4096x4096", "site-steps/s")),
+                ("φ⁴, 128³ sites, site-steps", rate("phi4_128x128x128", "site-steps/s")),
+                ("1,000 bodies, pairs", rate("nbody_1000", "pairs/s")),
+                ("Taylor's method, pendulum to 10⁻⁸", taylor("pendulum")),
+                ("Taylor's method, outer solar system to 10⁻⁸", taylor("solar")),
+            ],
+        ),
+    ];
+    for (page, rows) in pages {
+        for (row, expected) in rows {
+            let quoted = row_of(page, &format!("| {row} |"));
+            assert_eq!(quoted.len(), expected.len(), "{row}: {quoted:?} for {expected:?}");
+            // Two digits are off by half a unit of the second, a twentieth of the number at most.
+            let near = |(quoted, expected): (&f64, &f64)| (quoted / expected - 1.0).abs() <= 0.05;
+            assert!(quoted.iter().zip(expected).all(near), "{row}: {quoted:?} for {expected:?}");
+        }
+    }
+}
+
+/// The test command of the README is the one that is run for every change.
 #[test]
 fn the_test_command_is_the_one_that_is_run() {
     let command = "cargo test --workspace";
     let is_line = |text: String| text.lines().any(|line| line == command);
-    assert!(is_line(text("README.md")), "the README tells `{command}`");
+    assert!(is_line(text("README.md")), "the README has `{command}`");
     assert!(is_line(text(".ci/run")), ".ci/run runs `{command}`");
 }
 
@@ -170,7 +293,7 @@ fn every_link_leads_somewhere() {
 #[test]
 fn every_program_of_a_page_is_run() {
     let libraries = ["integrator-core", "integrator-plot"].map(|folder| text(format!("{folder}/src/lib.rs")));
-    for page in ["", "docs"].map(pages_in).concat() {
+    for page in ["", "docs", "docs/contributing"].map(pages_in).concat() {
         if text(&page).contains("\nuse integrator_core::") {
             let included = format!("include_str!(\"../../{}\")", page.display());
             assert!(libraries.iter().any(|library| library.contains(&included)), "no library has {included}");
