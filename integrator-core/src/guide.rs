@@ -10,11 +10,11 @@ macro_rules! chapters {
     };
 }
 
-chapters!(cookbook introduction step splitting pace composing ensembles beyond_one_machine big_systems expansion command_line limits);
+chapters!(cookbook introduction step splitting pace composing ensembles beyond_one_machine big_systems expansion command_line limits for_molecular_dynamics);
 // What these measure takes the feature `check`.
 #[cfg(feature = "check")]
-chapters!(choosing chaos conserved precision certificates messages);
+chapters!(choosing chaos conserved precision certificates messages for_rebound_users for_accelerators for_samplers);
 #[cfg(feature = "output")]
 chapters!(seeing_and_saving);
 #[cfg(feature = "reference")]
-chapters!(reference_methods);
+chapters!(reference_methods for_teachers);
