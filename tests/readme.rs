@@ -279,16 +279,12 @@ const NOT_OF_THE_FIELD: [(&str, &str); 8] = [
     ("not met", "a ratio"),
 ];
 
-/// Pages that still have some of these words: the list shrinks.
-const IN_DIALECT: [&str; 4] = ["docs/language.md", "docs/reliability.md", "docs/scale.md", "docs/taylor.md"];
-
 #[test]
 fn pages_use_the_words_of_the_field() {
     for page in pages() {
         let text = text(&page);
         let prose = prose(&text).collect::<Vec<_>>().join(" ").to_lowercase();
-        let is_known = IN_DIALECT.iter().any(|known| page == Path::new(known));
-        if let Some((word, instead)) = NOT_OF_THE_FIELD.iter().find(|(word, _)| prose.contains(word) && !is_known) {
+        if let Some((word, instead)) = NOT_OF_THE_FIELD.iter().find(|(word, _)| prose.contains(word)) {
             panic!("{}: write {instead} in place of `{word}`", page.display());
         }
     }
