@@ -153,7 +153,9 @@ fn figures_are_those_of_the_benches() {
     let (beside_crates, by_hand) = page.split_once("\n## Against hand-written code\n").expect("the section");
     let beside_crates = beside_crates.split_once("\n## Against Rust crates\n").expect("the section").1;
     let (steps, rates) = by_hand.split_once("\nThroughput per second").expect("the table");
-    let pages: [(&str, &[(&str, Vec<f64>)]); 4] = [
+    /// A row by its first cell, and the numbers that it should have.
+    type Rows<'a> = &'a [(&'a str, Vec<f64>)];
+    let pages: [(&str, Rows); 4] = [
         (
             &readme,
             &[
