@@ -111,7 +111,9 @@ fn every_chapter_is_listed_and_tested() {
     let mut tested: BTreeSet<String> = tested.flat_map(str::split_whitespace).map(str::to_owned).collect();
     // A chapter that draws is tested where pictures are.
     let drawing = text(&chapters().join("../../../integrator-plot/src/lib.rs"));
-    tested.extend(drawing.split("docs/guide/src/").skip(1).filter_map(|rest| rest.split(".md").next()).map(str::to_owned));
+    tested.extend(
+        drawing.split("docs/guide/src/").skip(1).filter_map(|rest| rest.split(".md").next()).map(str::to_owned),
+    );
     assert_eq!(tested, names());
 }
 
