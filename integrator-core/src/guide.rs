@@ -10,7 +10,7 @@ macro_rules! chapters {
     };
 }
 
-chapters!(cookbook introduction orbits_and_chains step splitting pace composing ensembles beyond_one_machine big_systems expansion command_line limits for_molecular_dynamics);
+chapters!(cookbook introduction orbits_and_chains step splitting planets pace composing ensembles beyond_one_machine big_systems expansion command_line limits for_molecular_dynamics);
 // What these measure takes the feature `check`.
 #[cfg(feature = "check")]
 chapters!(choosing chaos conserved precision certificates messages for_rebound_users for_accelerators for_samplers);
