@@ -75,17 +75,19 @@ fn every_package_has_an_allowed_licence_and_comes_from_the_registry() {
     }
 }
 
-/// The oldest compiler is the one that everything is built and tested with, and the README tells it.
+/// The README names the oldest compiler, which is not newer than the compiler that runs the tests.
 #[test]
-fn the_oldest_compiler_is_the_one_in_use() {
+fn the_readme_names_the_oldest_compiler() {
     let (manifest, toolchain, readme) = (text("Cargo.toml"), text("rust-toolchain.toml"), text("README.md"));
     let quoted = |page: &str, key: &str| {
         let rest = page.split_once(key).unwrap_or_else(|| panic!("no {key}")).1;
         rest.split('"').nth(1).expect("a value").to_owned()
     };
     let oldest = quoted(&manifest, "\nrust-version");
-    assert_eq!(quoted(&toolchain, "channel"), format!("{oldest}.0"));
-    assert!(readme.contains(&format!("Rust {oldest} or newer")), "the README tells the oldest compiler, {oldest}");
+    let numbers =
+        |version: &str| -> Vec<u32> { version.split('.').map(|part| part.parse().expect("a number")).collect() };
+    assert!(numbers(&oldest) <= numbers(&quoted(&toolchain, "channel")));
+    assert!(readme.contains(&format!("Rust {oldest} or newer")), "the README names the oldest compiler, {oldest}");
     for member in PUBLISHED {
         assert!(text(&format!("{member}/Cargo.toml")).contains("rust-version.workspace = true"), "{member}");
     }

@@ -361,41 +361,35 @@ impl Sweep {
                 let slope = graph.mul(exponent, lowered);
                 self.push_product(graph, a, context, adjoint, slope);
             }
-            Node::Unary(function, a)
-                if function.is_of_square()
-                    && self.depends[a.position()]
-                    && let Some(distance) = distance(graph, a) =>
-            {
-                if let Some(slope) = graph.slope(function, a, id) {
-                    // Both are zero where the distance is, and the quotient is one.
-                    let least = graph.constant(LEAST);
-                    let (negative, size) = graph.signed(slope);
-                    let (size, divisor) = (graph.add(size, least), graph.call_two("max", a, least));
-                    let quotient = graph.div(size, divisor);
-                    let quotient = if negative { graph.neg(quotient) } else { quotient };
-                    self.push_distance(graph, &distance, context, adjoint, quotient);
-                }
-            }
             Node::Unary(function, a) if self.depends[a.position()] => {
-                if let Some(slope) = graph.slope(function, a, id) {
-                    self.push_product(graph, a, context, adjoint, slope);
+                let Some(slope) = graph.slope(function, a, id) else { return };
+                match distance(graph, a) {
+                    Some(distance) if function.is_of_square() => {
+                        // Both are zero where the distance is, and the quotient is one.
+                        let least = graph.constant(LEAST);
+                        let (negative, size) = graph.signed(slope);
+                        let (size, divisor) = (graph.add(size, least), graph.call_two("max", a, least));
+                        let quotient = graph.div(size, divisor);
+                        let quotient = if negative { graph.neg(quotient) } else { quotient };
+                        self.push_distance(graph, &distance, context, adjoint, quotient);
+                    }
+                    _ => self.push_product(graph, a, context, adjoint, slope),
                 }
-            }
-            Node::Binary(function, a, b) if let Some(first) = self.choice(graph, function, [a, b], adjoint) => {
-                self.push_chosen(graph, [a, b], first, context, adjoint);
-            }
-            Node::Binary(function, ..)
-                if function.is_distance()
-                    && let Some(distance) = distance(graph, id) =>
-            {
-                let reciprocal = graph.power(id, -2);
-                self.push_distance(graph, &distance, context, adjoint, reciprocal);
             }
             Node::Binary(function, a, b) => {
-                let slopes = graph.slopes(function, a, b, id);
-                for (child, slope) in [a, b].into_iter().zip(slopes) {
-                    if let Some(slope) = slope {
-                        self.push_product(graph, child, context, adjoint, slope);
+                if let Some(first) = self.choice(graph, function, [a, b], adjoint) {
+                    self.push_chosen(graph, [a, b], first, context, adjoint);
+                } else if function.is_distance()
+                    && let Some(distance) = distance(graph, id)
+                {
+                    let reciprocal = graph.power(id, -2);
+                    self.push_distance(graph, &distance, context, adjoint, reciprocal);
+                } else {
+                    let slopes = graph.slopes(function, a, b, id);
+                    for (child, slope) in [a, b].into_iter().zip(slopes) {
+                        if let Some(slope) = slope {
+                            self.push_product(graph, child, context, adjoint, slope);
+                        }
                     }
                 }
             }

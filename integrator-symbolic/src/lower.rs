@@ -94,11 +94,8 @@ impl Lowering {
                 graph.quotient(one, divisor)
             }
             Node::Power(base, halves) => self.power(graph, base, halves),
-            Node::Add(a, b)
-                if !self.compared.contains(&id)
-                    && let Some(product) = self.factored(graph, a, b) =>
-            {
-                product
+            Node::Add(a, b) if !self.compared.contains(&id) => {
+                self.factored(graph, a, b).unwrap_or_else(|| graph.rebuilt(Node::Add(of(a), of(b))))
             }
             node => graph.rebuilt(node.map(of)),
         }

@@ -165,9 +165,11 @@ impl Graph {
             Node::Flag(_) => access >= Access::InIterations,
             Node::And(a, b) | Node::Or(a, b) => self.bears_on(a, access) || self.bears_on(b, access),
             Node::Not(a) => self.bears_on(a, access),
-            // A loop asks in this way whether it had iterations.
-            Node::Compare(_, _, count) if let Node::Sum(_, body) = self.node(count) => self.bears_on(body, access),
-            Node::Compare(..) => access >= Access::InIterations,
+            Node::Compare(_, _, count) => match self.node(count) {
+                // The comparison by which a loop tests whether it has iterations.
+                Node::Sum(_, body) => self.bears_on(body, access),
+                _ => access >= Access::InIterations,
+            },
             Node::Select(condition, ..) => self.bears_on(condition, access),
             _ => false,
         }

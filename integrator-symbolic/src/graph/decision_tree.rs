@@ -120,10 +120,10 @@ impl Graph {
     pub(super) fn either_bound(&self, a: NodeId, b: NodeId) -> Option<NodeId> {
         let bounds = |id| match self.node(id) {
             Node::Compare(Comparison::Equal, ..) => None,
-            Node::Compare(comparison, x, bound) if let Some(bound) = self.as_constant(bound) => {
-                Some((comparison, x, true, bound))
-            }
-            Node::Compare(comparison, bound, x) => Some((comparison, x, false, self.as_constant(bound)?)),
+            Node::Compare(comparison, left, right) => match self.as_constant(right) {
+                Some(bound) => Some((comparison, left, true, bound)),
+                None => Some((comparison, right, false, self.as_constant(left)?)),
+            },
             _ => None,
         };
         let ((kind, x, is_upper, first), (other, y, is_other_upper, second)) = (bounds(a)?, bounds(b)?);

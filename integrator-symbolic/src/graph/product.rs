@@ -86,7 +86,9 @@ impl Graph {
                     None => self.intern(Node::Power(base, halves)),
                 }
             }
-            _ if let Some(product) = self.power_of_roots(base, halves) => product,
+            (_, Node::Mul(..) | Node::Div(..)) => {
+                self.power_of_roots(base, halves).unwrap_or_else(|| self.intern(Node::Power(base, halves)))
+            }
             // reassociating: hypot(x, y)^n == (x^2 + y^2)^(n/2) for whole n from 2 on, which leave the range where the square does
             (_, Node::Binary(function, x, y)) if function.is_distance() && halves % 2 == 0 && halves >= 4 => {
                 let [x, y] = [x, y].map(|x| self.power(x, 4));

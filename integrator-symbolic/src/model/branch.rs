@@ -298,46 +298,56 @@ impl Reader<'_> {
                 Some(Value::Array(parts.collect::<Option<_>>()?))
             }
             (Value::View(a), Value::View(b)) if a == b => Some(Value::View(a)),
-            (
-                a @ (Value::List(_) | Value::Array(_) | Value::View(_)),
-                b @ (Value::List(_) | Value::Array(_) | Value::View(_)),
-            ) if let (Some(a), Some(b)) = (self.as_list(&a), self.as_list(&b))
-                && (a.from, a.to) == (b.from, b.to) =>
-            {
-                let place = place.to_token_stream();
-                Some(Value::List(Sequence::new(a.from, a.to, move |reader, index| {
-                    let [a, b] = [(&a, true), (&b, false)].map(|(list, holds)| {
-                        reader.under(Some(condition), holds, |reader| reader.item_of(list, index))
-                    });
-                    reader.either(condition, a?.value, b?.value, &place)
-                })))
-            }
             (Value::Tuple(a), Value::Tuple(b)) if a.len() == b.len() => {
                 let parts = a.into_iter().zip(b).map(|(a, b)| self.either(condition, a, b, place));
                 Some(Value::Tuple(parts.collect::<Option<_>>()?))
             }
-            (a, b)
+            (a, b) => {
+                if let Some(list) = self.either_list(condition, [&a, &b], place) {
+                    return Some(Value::List(list));
+                }
                 if [&a, &b].iter().any(|value| matches!(value, Value::Integer(_)))
-                    && let Some(own) = self.own_choice(condition, &a, &b) =>
-            {
-                Some(Value::Opaque(own))
+                    && let Some(own) = self.own_choice(condition, &a, &b)
+                {
+                    return Some(Value::Opaque(own));
+                }
+                self.either_number(condition, [&a, &b], place)
             }
-            (a, b) => match [(&a, true), (&b, false)]
-                .map(|(value, holds)| self.under(Some(condition), holds, |reader| reader.real(value)))
-            {
-                [Some(first), Some(second)] => {
-                    let own = self.own_choice(condition, &a, &b);
-                    Some(Self::joint(self.graph.select(condition, first, second), own))
-                }
-                numbers if self.notes_whole_branch([&a, &b], numbers, place) => None,
-                _ => {
-                    let message =
-                        format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());
-                    self.errors.at(place.to_token_stream(), message);
-                    None
-                }
-            },
         }
+    }
+
+    /// The list of the choices between items of two lists with the same range, or `None` for other values.
+    fn either_list(&mut self, condition: NodeId, [a, b]: [&Value; 2], place: &dyn ToTokens) -> Option<Sequence> {
+        let is_list = |value: &Value| matches!(value, Value::List(_) | Value::Array(_) | Value::View(_));
+        if !is_list(a) || !is_list(b) {
+            return None;
+        }
+        let (a, b) = self.as_list(a).zip(self.as_list(b))?;
+        if (a.from, a.to) != (b.from, b.to) {
+            return None;
+        }
+        let place = place.to_token_stream();
+        Some(Sequence::new(a.from, a.to, move |reader, index| {
+            let [a, b] = [(&a, true), (&b, false)]
+                .map(|(list, holds)| reader.under(Some(condition), holds, |reader| reader.item_of(list, index)));
+            reader.either(condition, a?.value, b?.value, &place)
+        }))
+    }
+
+    /// The first number where the condition holds, else the second.
+    fn either_number(&mut self, condition: NodeId, [a, b]: [&Value; 2], place: &dyn ToTokens) -> Option<Value> {
+        let numbers = [(a, true), (b, false)]
+            .map(|(value, holds)| self.under(Some(condition), holds, |reader| reader.real(value)));
+        if let [Some(first), Some(second)] = numbers {
+            let own = self.own_choice(condition, a, b);
+            return Some(Self::joint(self.graph.select(condition, first, second), own));
+        }
+        if !self.notes_whole_branch([a, b], numbers, place) {
+            let message =
+                format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());
+            self.errors.at(place.to_token_stream(), message);
+        }
+        None
     }
 }
 

@@ -437,10 +437,12 @@ fn where_some(call: &ExprMethodCall) -> Option<Expr> {
         _ => return None,
     };
     let at = call.method.span();
-    let item = match &change {
-        Some(Expr::Closure(closure)) if let [Pat::Ident(name)] = &closure.inputs.iter().collect::<Vec<_>>()[..] => {
-            name.ident.clone()
-        }
+    let only_input = match &change {
+        Some(Expr::Closure(closure)) if closure.inputs.len() == 1 => closure.inputs.first(),
+        _ => None,
+    };
+    let item = match only_input {
+        Some(Pat::Ident(name)) => name.ident.clone(),
         _ => Ident::new("__item", at),
     };
     let found: Expr = match change {

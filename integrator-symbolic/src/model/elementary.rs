@@ -165,16 +165,17 @@ impl Reader<'_> {
             return Some(Value::Real(self.graph.power(x, halves)));
         }
         let exponent = match &self.of_own_type(exponent.clone().into_own()) {
-            Value::Real(number) if let Node::Constant(_) = self.graph.node(*number) => {
+            Value::Real(number) if matches!(self.graph.node(*number), Node::Constant(_)) => {
                 self.errors.at(place, format!("the exponent of `powi` is an integer: write {}", by_powf(place)));
                 return None;
             }
-            Value::Integer(index) => match self.graph.loops.signed_literal(*index).map(i32::try_from) {
-                Some(Ok(whole)) if let Some(halves) = halves_of(whole) => {
-                    return Some(Value::Real(self.graph.power(x, halves)));
+            Value::Integer(index) => {
+                let literal = self.graph.loops.signed_literal(*index).and_then(|literal| i32::try_from(literal).ok());
+                match literal.and_then(halves_of) {
+                    Some(halves) => return Some(Value::Real(self.graph.power(x, halves))),
+                    None => self.graph.number_of(*index),
                 }
-                _ => self.graph.number_of(*index),
-            },
+            }
             exponent => {
                 let Some(Opaque { text, loops }) = self.opaque(exponent) else {
                     let message = "the exponent of `powi` is an integer that does not depend on coordinates";

@@ -26,9 +26,13 @@ fn further_inside(statements: &[Stmt], ends: bool) -> Option<Expr> {
     let (last, _) = statements.split_last()?;
     statements.iter().find_map(|statement| {
         let ends_here = ends && std::ptr::eq(statement, last);
+        if ends && is_skip_unless(statement).is_some() {
+            return None;
+        }
+        if ends && let Some(skip) = Skip::of(statement) {
+            return further_inside(skip.before, true);
+        }
         match statement {
-            _ if ends && is_skip_unless(statement).is_some() => None,
-            _ if ends && let Some(skip) = Skip::of(statement) => further_inside(skip.before, true),
             Stmt::Expr(expression, _) => of_branches(expression, ends_here),
             Stmt::Local(local) => local.init.as_ref().and_then(|init| {
                 let otherwise = init.diverge.as_ref().and_then(|(_, otherwise)| leaving_iteration(otherwise));

@@ -227,18 +227,14 @@ impl Reader<'_> {
         let position = self.graph.loops.unsigned(position);
         match value {
             Value::View(view) => self.coordinate(view, position, index),
-            Value::Array(parts)
-                if self.graph.loops.literal(position).is_none()
-                    && let Some(Opaque { text, loops }) = self.list_text(&parts) =>
-            {
-                let at = self.place_text(&Value::Integer(position))?;
-                let inner = place(at.text);
-                Some(Value::Opaque(Opaque {
-                    text: element(text, inner, index.bracket_token.span.join()),
-                    loops: loops.union(at.loops),
-                }))
-            }
             Value::Array(parts) => {
+                if self.graph.loops.literal(position).is_none()
+                    && let Some(Opaque { text, loops }) = self.list_text(&parts)
+                {
+                    let at = self.place_text(&Value::Integer(position))?;
+                    let text = element(text, place(at.text), index.bracket_token.span.join());
+                    return Some(Value::Opaque(Opaque { text, loops: loops.union(at.loops) }));
+                }
                 let literal = self.known(position);
                 let part = literal.and_then(|literal| parts.get(usize::try_from(literal).ok()?));
                 if literal.is_none()

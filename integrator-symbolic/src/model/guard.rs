@@ -209,10 +209,8 @@ impl Reader<'_> {
 
     /// An index as another one and a literal that is added to it.
     fn with_offset(&self, index: IndexId) -> (IndexId, u64) {
-        match self.graph.loops.index(index) {
-            Index::Add(base, by) if let Some(by) = self.graph.loops.literal(by) => (base, by),
-            _ => (index, 0),
-        }
+        let Index::Add(base, by) = self.graph.loops.index(index) else { return (index, 0) };
+        self.graph.loops.literal(by).map_or((index, 0), |by| (base, by))
     }
 
     /// A condition of parameters and indices as text, for where all conditions around it have been asked.

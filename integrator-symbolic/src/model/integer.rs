@@ -84,8 +84,7 @@ impl Reader<'_> {
         match value {
             Value::Opaque(opaque) => Some(opaque.clone()),
             Value::Closure(callable) => callable.text.clone(),
-            Value::Integer(index) if let Some(own) = self.own_integers.get(index) => Some(own.clone()),
-            Value::Integer(index) => Some(self.typed(*index)),
+            Value::Integer(index) => Some(self.own_integers.get(index).cloned().unwrap_or_else(|| self.typed(*index))),
             Value::Real(node) => {
                 let number = self.graph.as_constant(*node).filter(|number| number.is_finite())?;
                 let literal = number_literal(number.abs());

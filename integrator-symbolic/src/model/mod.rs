@@ -609,24 +609,22 @@ impl<'i> Reader<'i> {
 
     /// The number that a function ends in.
     fn as_energy(&mut self, value: Value, function: &ImplItemFn) -> Option<NodeId> {
-        match self.real(&value) {
-            Some(energy) => Some(energy),
-            // That nothing is returned was noted when the signature was read.
-            None if matches!(function.sig.output, ReturnType::Default) => None,
-            None if let (Value::Integer(_), Some(Stmt::Expr(end, None))) = (&value, function.block.stmts.last()) => {
-                self.number(&value, end)
-            }
-            None => {
-                let place = function.block.stmts.last().map_or_else(|| function.block.span(), Spanned::span);
-                let message = format!(
-                    "`{}` has to end in a number, the energy; this is {}",
-                    function.sig.ident,
-                    value.describe()
-                );
-                self.errors.at_span(place, message);
-                None
-            }
+        if let Some(energy) = self.real(&value) {
+            return Some(energy);
         }
+        // A missing return type was reported when the signature was read.
+        if matches!(function.sig.output, ReturnType::Default) {
+            return None;
+        }
+        let last = function.block.stmts.last();
+        if let (Value::Integer(_), Some(Stmt::Expr(end, None))) = (&value, last) {
+            return self.number(&value, end);
+        }
+        let place = last.map_or_else(|| function.block.span(), Spanned::span);
+        let message =
+            format!("`{}` has to end in a number, the energy; this is {}", function.sig.ident, value.describe());
+        self.errors.at_span(place, message);
+        None
     }
 
     /// Says what is wrong with coordinates that a function may not have: a product that mixes both parts was noted

@@ -125,20 +125,25 @@ impl Reader<'_> {
             }
             let literals =
                 matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
-            return match (self.opaque(&left), self.opaque(&right)) {
-                (Some(left), Some(right)) if !literals => Some(Value::Opaque(joined(&left, op, &right))),
-                _ if is_condition(op) => self.compared(op, &left, &right, (left_place, right_place)),
-                _ if let (BinOp::BitXor(_), Expr::Binary(link)) = (op, whole)
-                    && matches!(left, Value::Real(_) | Value::Joint(_)) =>
-                {
-                    let Power { place, message } = power_by_exclusive_or(link);
-                    self.errors.at(place, message);
-                    None
-                }
-                _ if let Some(index) = self.of_bits(op, &left, &right) => Some(Value::Integer(index)),
-                _ if self.refuses_bits(op, [&left, &right], whole) => None,
-                _ => self.refused(whole),
-            };
+            if let (Some(left), Some(right)) = (self.opaque(&left), self.opaque(&right))
+                && !literals
+            {
+                return Some(Value::Opaque(joined(&left, op, &right)));
+            }
+            if is_condition(op) {
+                return self.compared(op, &left, &right, (left_place, right_place));
+            }
+            if let (BinOp::BitXor(_), Expr::Binary(link)) = (op, whole)
+                && matches!(left, Value::Real(_) | Value::Joint(_))
+            {
+                let Power { place, message } = power_by_exclusive_or(link);
+                self.errors.at(place, message);
+                return None;
+            }
+            if let Some(index) = self.of_bits(op, &left, &right) {
+                return Some(Value::Integer(index));
+            }
+            return if self.refuses_bits(op, [&left, &right], whole) { None } else { self.refused(whole) };
         }
         let literal_only = |value: &Value| matches!(value, Value::Real(_));
         match (&left, &right) {
@@ -271,16 +276,14 @@ impl Reader<'_> {
     pub(super) fn cast(&mut self, cast: &ExprCast) -> Option<Value> {
         let value = self.operand_of_own_type(&cast.expr)?.into_own();
         let to_float = super::shape::is_f64(&cast.ty);
-        match value {
-            Value::Integer(index) if to_float => Some(Value::Real(self.graph.number_of(index))),
-            Value::Integer(index) if let Some(kind) = integer_type(&cast.ty) => {
-                Some(Value::Integer(self.graph.loops.cast(index, kind)))
-            }
-            Value::Real(number) if to_float => Some(Value::Real(number)),
-            Value::Condition(condition) if to_float => Some(Value::Real(self.truth_as_number(condition))),
+        match (value, integer_type(&cast.ty)) {
+            (Value::Integer(index), _) if to_float => Some(Value::Real(self.graph.number_of(index))),
+            (Value::Integer(index), Some(kind)) => Some(Value::Integer(self.graph.loops.cast(index, kind))),
+            (Value::Real(number), _) if to_float => Some(Value::Real(number)),
+            (Value::Condition(condition), _) if to_float => Some(Value::Real(self.truth_as_number(condition))),
             // One or zero, whatever the integer's type.
-            Value::Condition(condition) if integer_type(&cast.ty).is_some() => Some(Value::Condition(condition)),
-            value => match self.opaque(&value) {
+            (Value::Condition(condition), Some(_)) => Some(Value::Condition(condition)),
+            (value, _) => match self.opaque(&value) {
                 Some(Opaque { text, loops }) => {
                     let kind = &cast.ty;
                     Some(Value::Opaque(Opaque { text: quote!((#text as #kind)), loops }))

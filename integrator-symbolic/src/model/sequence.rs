@@ -109,6 +109,17 @@ impl Reader<'_> {
     /// The sequence that an expression is; notes a mistake if it is none.
     pub(super) fn sequence(&mut self, expression: &Expr) -> Option<Sequence> {
         let is_indexed = std::mem::take(&mut self.items_are_indices);
+        if let Expr::Call(call) = expression
+            && let Some(zipped) = zipped(call)
+        {
+            return self.sequence(&zipped);
+        }
+        if let Expr::Index(ExprIndex { expr, index, .. }) = expression
+            && let Expr::Range(range) = &**index
+            && let Some(part) = self.part_of_list(expr, range)
+        {
+            return part;
+        }
         match expression {
             Expr::Paren(inner) => {
                 self.items_are_indices = is_indexed;
@@ -128,13 +139,6 @@ impl Reader<'_> {
                     _ => is_indexed && keeps_items(call),
                 };
                 self.adapted(call)
-            }
-            Expr::Call(call) if let Some(zipped) = zipped(call) => self.sequence(&zipped),
-            Expr::Index(ExprIndex { expr, index, .. })
-                if let Expr::Range(range) = &**index
-                    && let Some(part) = self.part_of_list(expr, range) =>
-            {
-                part
             }
             other => {
                 let value = self.expression(other)?;
@@ -178,6 +182,16 @@ impl Reader<'_> {
     /// The elements of coordinates, of an array, or of a list of parameters.
     pub(super) fn listed(&mut self, value: Value, place: &impl ToTokens) -> Option<Sequence> {
         let zero = self.literal_index(0);
+        if let Value::Array(parts) = &value
+            && parts.len() as u64 > FEW
+        {
+            if let Some(list) = self.list_text(parts) {
+                return self.listed(Value::Opaque(list), place);
+            }
+            if let Some(list) = self.as_list(&value) {
+                return Some(list);
+            }
+        }
         match value {
             Value::View(view) => {
                 let length = self.extent(view.at.len(), place)?;
@@ -185,18 +199,6 @@ impl Reader<'_> {
                     let at = view.at.iter().copied().chain([index]).collect();
                     Some(reader.element(View { part: view.part, at }))
                 }))
-            }
-            Value::Array(parts)
-                if parts.len() as u64 > FEW
-                    && let Some(list) = self.list_text(&parts) =>
-            {
-                self.listed(Value::Opaque(list), place)
-            }
-            Value::Array(ref parts)
-                if parts.len() as u64 > FEW
-                    && let Some(list) = self.as_list(&value) =>
-            {
-                Some(list)
             }
             Value::Array(parts) => {
                 let length = self.literal_index(parts.len() as u64);

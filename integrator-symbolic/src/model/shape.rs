@@ -113,14 +113,9 @@ impl Shape {
     }
 
     fn of(kind: &Type, errors: &mut Errors) -> Option<Self> {
-        let (element, length) = match (unwrapped(kind), peeled(kind)) {
-            (_, Type::Array(array)) => (&*array.elem, Length::of(&array.len)),
-            (Type::Reference(_), Type::Slice(slice)) => (&*slice.elem, Length::OfStart),
-            (Type::Reference(_), list) if let Some(element) = element_of_list(list) => (element, Length::OfStart),
-            (_, other) => {
-                unexpected(other, errors);
-                return None;
-            }
+        let Some((element, length)) = elements(kind) else {
+            unexpected(peeled(kind), errors);
+            return None;
         };
         let (mut inner, mut element) = (Vec::new(), peeled(element));
         while let Type::Array(array) = element
@@ -157,9 +152,11 @@ fn unexpected(kind: &Type, errors: &mut Errors) {
         _ => None,
     };
     let name = name.map(ToString::to_string);
-    let instead = INSTEAD.iter().find(|(kind, _)| name.as_deref() == Some(*kind));
+    if let Some((_, instead)) = INSTEAD.iter().find(|(kind, _)| name.as_deref() == Some(*kind)) {
+        errors.at(kind, instead);
+        return;
+    }
     match name {
-        _ if let Some((_, instead)) = instead => errors.at(kind, instead),
         Some(name) if !PRIMITIVE.contains(&name.as_str()) && integer_type(kind).is_none() => {
             let message = format!(
                 "the macro cannot see what type `{name}` is: write the array itself, `[f64; N]` or `[[f64; D]; N]`"
@@ -170,7 +167,17 @@ fn unexpected(kind: &Type, errors: &mut Errors) {
     }
 }
 
-/// What a `Vec` is a list of.
+/// The type of the elements of an array, or of a list behind a reference, and their number.
+fn elements(kind: &Type) -> Option<(&Type, Length)> {
+    match (unwrapped(kind), peeled(kind)) {
+        (_, Type::Array(array)) => Some((&*array.elem, Length::of(&array.len))),
+        (Type::Reference(_), Type::Slice(slice)) => Some((&*slice.elem, Length::OfStart)),
+        (Type::Reference(_), list) => Some((element_of_list(list)?, Length::OfStart)),
+        _ => None,
+    }
+}
+
+/// The type of the elements of a `Vec`.
 fn element_of_list(kind: &Type) -> Option<&Type> {
     let Type::Path(path) = kind else { return None };
     let last = path.path.segments.last().filter(|last| last.ident == "Vec")?;

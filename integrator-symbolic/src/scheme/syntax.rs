@@ -285,19 +285,17 @@ fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors
     }
     let content;
     let parentheses = parenthesized!(content in input);
-    let item = match spelled.as_str() {
-        _ if let Some((letter, letters)) = Letters::read(&spelled) => {
-            if *named.get_or_insert(letters) != letters {
-                errors.push(syn::Error::new(name.span(), "stages are of `T` and `V`, or of `A` and `B`, not of both"));
-            }
-            errors.keep(stage(letter, &name, &parentheses, &content))
+    let item = if let Some((letter, letters)) = Letters::read(&spelled) {
+        if *named.get_or_insert(letters) != letters {
+            errors.push(syn::Error::new(name.span(), "stages are of `T` and `V`, or of `A` and `B`, not of both"));
         }
-        _ if is_combinator(&spelled) => combined(&name, &parentheses, &content, errors).map(Item::Combined),
-        _ => {
-            let message = format!("unknown combinator `{spelled}`: {STAGES}, the combinators {COMBINATORS}");
-            errors.push(syn::Error::new(name.span(), message));
-            None
-        }
+        errors.keep(stage(letter, &name, &parentheses, &content))
+    } else if is_combinator(&spelled) {
+        combined(&name, &parentheses, &content, errors).map(Item::Combined)
+    } else {
+        let message = format!("unknown combinator `{spelled}`: {STAGES}, the combinators {COMBINATORS}");
+        errors.push(syn::Error::new(name.span(), message));
+        None
     };
     // What an error left unread would be reported a second time.
     content.parse::<TokenStream>()?;

@@ -33,11 +33,12 @@ pub(super) fn pieces(
     for contribution in gradient {
         let (mut context, mut conditions) = (Vec::new(), Vec::new());
         for scope in &contribution.context {
-            match *scope {
-                Scope::Branch(condition, holds) if let Some(compared) = compared(graph, condition) => {
-                    conditions.push((compared, holds == (compared == condition)));
-                }
-                scope => context.push(scope),
+            if let Scope::Branch(condition, holds) = *scope
+                && let Some(compared) = compared(graph, condition)
+            {
+                conditions.push((compared, holds == (compared == condition)));
+            } else {
+                context.push(*scope);
             }
         }
         for (value, conditions) in split(graph, contribution.value, conditions, &leaf)? {

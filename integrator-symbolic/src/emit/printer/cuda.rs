@@ -151,10 +151,12 @@ impl Cuda<'_, '_> {
                 let function = self.reads.native("sin_cos").unwrap_or_else(|| "sin_cos".to_owned());
                 format!("R {sine}, {cosine};\n{function}({argument}, {sine}, {cosine});\n")
             }
-            Item::Begin(id) if let Node::Fold(fold, ..) = self.printer.graph.node(*id) => {
-                self.refuse(format!("the {} of any number of items has no text for devices yet", fold.noun()))
-            }
-            Item::Begin(id) => format!("R {} = R(0.0);\n", self.name(*id)),
+            Item::Begin(id) => match self.printer.graph.node(*id) {
+                Node::Fold(fold, ..) => {
+                    self.refuse(format!("the {} of any number of items has no text for devices yet", fold.noun()))
+                }
+                _ => format!("R {} = R(0.0);\n", self.name(*id)),
+            },
             Item::Loop { by, body } => {
                 let range = self.printer.graph.loops.get(*by);
                 let (from, to) = (self.index(range.from), self.index(range.to));

@@ -150,16 +150,15 @@ impl Printer<'_> {
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
                 Printed::new(Binding::Product, quote!(#a * #b))
             }
-            Node::Div(a, b)
+            Node::Div(a, b) => {
                 if self.dialect == Dialect::Generic
                     && !self.compared.contains(&id)
-                    && let Some(base) = root_cubed(self.graph, b, |id| self.names.contains_key(&id)) =>
-            {
-                let a = self.expression(fields, a).at_least(Binding::Atom);
-                let base = self.expression(fields, base).tokens;
-                Printed::new(Binding::Atom, quote!(#a.div_pow_3_2(#base)))
-            }
-            Node::Div(a, b) => {
+                    && let Some(base) = root_cubed(self.graph, b, |id| self.names.contains_key(&id))
+                {
+                    let a = self.expression(fields, a).at_least(Binding::Atom);
+                    let base = self.expression(fields, base).tokens;
+                    return Printed::new(Binding::Atom, quote!(#a.div_pow_3_2(#base)));
+                }
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));
                 Printed::new(Binding::Product, quote!(#a / #b))

@@ -129,19 +129,19 @@ impl Printer<'_> {
         match known {
             Index::Literal(value) => Literal::u64_unsuffixed(value).to_token_stream(),
             Index::Running(by) => self.running.get(&by).to_token_stream(),
-            Index::Length if let Frame::Sites(lattice) = self.frame => match lattice.lattice() {
-                Lattice::Line => quote!(window.length()),
-                Lattice::Plane => quote!(window.rows()),
-                Lattice::Volume => quote!(window.planes()),
+            Index::Length => match self.frame {
+                Frame::Sites(lattice) => match lattice.lattice() {
+                    Lattice::Line => quote!(window.length()),
+                    Lattice::Plane => quote!(window.rows()),
+                    Lattice::Volume => quote!(window.planes()),
+                },
+                Frame::Constants | Frame::Series { .. } | Frame::Edges => quote!(length),
+                _ if self.dialect == Dialect::Generic => {
+                    let counted = part_name(self.counted);
+                    quote!(motion.#counted.len())
+                }
+                _ => quote!(length),
             },
-            Index::Length
-                if self.dialect == Dialect::Generic
-                    && !matches!(self.frame, Frame::Constants | Frame::Series { .. } | Frame::Edges) =>
-            {
-                let counted = part_name(self.counted);
-                quote!(motion.#counted.len())
-            }
-            Index::Length => quote!(length),
             Index::Parameter(parameter) => {
                 let known = &self.parameters[parameter.0 as usize];
                 // Prepared constants know no path of the user's impl.

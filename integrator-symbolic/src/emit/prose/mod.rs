@@ -425,9 +425,10 @@ fn of_expression(expression: &Expr) -> Formula {
             match (name.as_str(), &arguments[..]) {
                 ("sqrt", [base]) => base.clone().power(1),
                 ("recip", [base]) => base.clone().power(-2),
-                ("powi", [base, exponent]) if let Some(exponent) = exponent.as_number() => {
-                    base.clone().power(2 * exponent as i32)
-                }
+                ("powi", [base, exponent]) => match exponent.as_number() {
+                    Some(exponent) => base.clone().power(2 * exponent as i32),
+                    None => called(&name, &arguments),
+                },
                 _ if crate::model::known_functions().any(|known| known == name) => called(&name, &arguments),
                 _ => other(),
             }

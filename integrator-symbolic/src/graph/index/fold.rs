@@ -4,21 +4,21 @@ use super::{DEEPEST, Index, IndexId, Loops};
 
 impl Loops {
     pub(super) fn fold(&mut self, index: Index) -> Index {
+        // (x + s) + t == x + (s + t)
+        if let Index::Add(a, t) = index
+            && let Index::Add(x, s) = self.index(a)
+            && let Some(both) = self.literal(s).zip(self.literal(t)).and_then(|(s, t)| s.checked_add(t))
+        {
+            return Index::Add(x, self.intern(Index::Literal(both)));
+        }
+        // a - (a - x) == x
+        if let Index::Sub(a, b) = index
+            && let Index::Sub(whole, x) = self.index(b)
+            && whole == a
+        {
+            return self.index(x);
+        }
         match index {
-            // (x + s) + t == x + (s + t)
-            Index::Add(a, t)
-                if let Index::Add(x, s) = self.index(a)
-                    && let Some(both) = self.literal(s).zip(self.literal(t)).and_then(|(s, t)| s.checked_add(t)) =>
-            {
-                return Index::Add(x, self.intern(Index::Literal(both)));
-            }
-            // a - (a - x) == x
-            Index::Sub(a, b)
-                if let Index::Sub(whole, x) = self.index(b)
-                    && whole == a =>
-            {
-                return self.index(x);
-            }
             Index::Monus(a, b) => return self.monus(a, b),
             Index::Min(a, b) => return self.min(a, b),
             _ => {}
@@ -45,11 +45,13 @@ impl Loops {
 
     /// `max(a - b, 0)`, simplified.
     fn monus(&mut self, a: IndexId, b: IndexId) -> Index {
+        if let (Index::Literal(a), Index::Literal(b)) = (self.index(a), self.index(b)) {
+            return Index::Literal(a.saturating_sub(b));
+        }
+        if let Some((a, b)) = self.signed_literal(a).zip(self.signed_literal(b)) {
+            return self.of_signed(a.saturating_sub(b).max(0));
+        }
         match (self.index(a), self.index(b), self.literal(b)) {
-            (Index::Literal(a), Index::Literal(b), _) => Index::Literal(a.saturating_sub(b)),
-            _ if let Some((a, b)) = self.signed_literal(a).zip(self.signed_literal(b)) => {
-                self.of_signed(a.saturating_sub(b).max(0))
-            }
             // (x + s) - (x - t) == s + t
             (Index::Add(x, s), Index::Minus(y, t), _) if x == y => {
                 let both = self.intern(Index::Add(s, t));
@@ -69,14 +71,16 @@ impl Loops {
             _ if a == b => Index::Literal(0),
             (Index::Add(rest, added), ..) if added == b => self.index(rest),
             (Index::Add(added, rest), ..) if added == b => self.index(rest),
-            (Index::Add(rest, added), _, Some(taken)) if let Some(added) = self.literal(added) => {
+            (Index::Add(rest, added), _, Some(taken)) => {
+                let Some(added) = self.literal(added) else { return Index::Monus(a, b) };
                 let (more, less) = (added.saturating_sub(taken), taken.saturating_sub(added));
                 let (more, less) = (self.intern(Index::Literal(more)), self.intern(Index::Literal(less)));
                 let rest = self.intern(Index::Add(rest, more));
                 // One of both is zero.
                 if self.literal(less) == Some(0) { self.index(rest) } else { self.monus(rest, less) }
             }
-            (Index::Monus(rest, first), _, Some(second)) if let Some(first) = self.literal(first) => {
+            (Index::Monus(rest, first), _, Some(second)) => {
+                let Some(first) = self.literal(first) else { return Index::Monus(a, b) };
                 let both = self.intern(Index::Literal(first.saturating_add(second)));
                 Index::Monus(rest, both)
             }
