@@ -19,6 +19,7 @@ mod instruction_sets;
 mod invariants;
 mod kepler;
 mod limits;
+mod measured_order;
 mod orders;
 mod pace;
 mod pace_checkpoints;
@@ -34,6 +35,7 @@ mod refusals;
 mod reversible;
 mod semantics;
 mod sides;
+#[path = "../support/slope.rs"]
 mod slope;
 mod squares;
 mod systems;

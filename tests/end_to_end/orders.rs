@@ -4,7 +4,7 @@
 
 use crate::{
     catalogue::for_each_composition,
-    slope::{assert_order, observed_order},
+    measured_order::{assert_order, observed_order},
     systems::{LOOKS, Problem, State, coupled, error, henon_heiles, kepler, pendulum, relativistic},
 };
 use integrator_core::{QuadraticKinetic, check::symplectic_defect, prelude::*};

@@ -1,6 +1,6 @@
 //! Time transformations: steps that shorten by themselves.
 
-use crate::{kepler::ellipse, slope::observed_order};
+use crate::{kepler::ellipse, measured_order::observed_order};
 use integrator_core::{Coords, Method, check::certify, prelude::*};
 use std::f64::consts::{PI, TAU};
 

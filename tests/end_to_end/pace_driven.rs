@@ -1,6 +1,6 @@
 //! Steps in a time of their own where the potential reads the time: a coordinate whose momentum stands alone in `T`.
 
-use crate::slope::observed_order;
+use crate::measured_order::observed_order;
 use integrator_core::prelude::*;
 
 /// A comet whose star pulses, with the time as its last coordinate.

@@ -1,6 +1,6 @@
 //! Hamiltonians that are defined by pieces in time, whose edges lie where steps end.
 
-use crate::slope::{assert_order, observed_order};
+use crate::measured_order::{assert_order, observed_order};
 use integrator_core::{
     Compensated, InLanes, Method, Visitor,
     check::{ChooseError, Goal, certify, choose},

@@ -3,7 +3,7 @@
 use crate::{
     catalogue::for_each_composition,
     kepler::ellipse,
-    slope::{assert_order, observed_order},
+    measured_order::{assert_order, observed_order},
     systems::error,
 };
 use integrator_core::prelude::*;

@@ -322,6 +322,3 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         Self::once(flows, &Self::PROCESSOR.after, h, time);
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -6,6 +6,3 @@ pub(crate) mod exponential;
 pub(crate) mod kepler;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod quadratic;
-
-#[cfg(test)]
-mod tests;

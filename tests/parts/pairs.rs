@@ -1,16 +1,21 @@
 //! A last part that is itself a symmetric pair: which compositions keep their orders, and what slopes say of it.
 
-use super::many_parts::{ByHand, Middle, TIME, reference, slope_of, walk};
-use crate::{
-    Phase, Visitor,
-    composition::{Composition, Scheme, catalogue::*, catalogue_list::for_each_composition},
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
+use crate::many_parts::{ByHand, Middle, TIME, reference, slope_of, walk};
+use integrator_core::{
+    __private::{Flows, QuadraticKinetic, Scheme},
+    Composition, Hamiltonian, Phase, Visitor,
+    prelude::*,
 };
+
+#[path = "../../integrator-core/src/composition/catalogue_list.rs"]
+mod catalogue;
+
+use catalogue::for_each_composition;
 
 /// The parts of `Twisted`, all but the first of which are one.
 struct Paired;
 
-#[crate::hamiltonian(split = kinetic + (twist + counter + potential))]
+#[hamiltonian(split = kinetic + (twist + counter + potential))]
 impl Paired {
     fn kinetic(&self, p: [f64; 2]) -> f64 {
         (p[0] * p[0] + p[1] * p[1]) / 2.0
@@ -29,7 +34,7 @@ impl Paired {
 /// A system of two parts, whose kicks are those of a pair.
 struct Two;
 
-#[crate::hamiltonian]
+#[hamiltonian]
 impl Two {
     fn kinetic(&self, p: [f64; 2]) -> f64 {
         (p[0] * p[0] + p[1] * p[1]) / 2.0

@@ -1,19 +1,14 @@
 //! More than two parts that read the time: each flow reads it where the composition has come to.
 
-use super::many_parts::{classical, slope_of, walk};
-use crate::{
-    Phase,
-    composition::{Composition, Scheme, catalogue::*},
-    hamiltonian::{Hamiltonian, Single},
-    system::motion::Motion,
-};
+use crate::many_parts::{TIME, classical, slope_of};
+use integrator_core::{__private::Scheme, Composition, Hamiltonian, Phase, prelude::*};
 
 /// Parts that all read the time, split in one way or another.
 macro_rules! driven {
     ($name:ident: $($split:tt)*) => {
         struct $name;
 
-        #[crate::hamiltonian(split = $($split)*)]
+        #[hamiltonian(split = $($split)*)]
         impl $name {
             fn motion(&self, p: [f64; 2], t: f64) -> f64 {
                 (1.0 + 0.3 * t.sin()) * (p[0] * p[0] + p[1] * p[1]) / 2.0
@@ -45,14 +40,11 @@ fn field([x, y, u, v]: [f64; 4], t: f64) -> [f64; 4] {
 }
 
 /// The order of the generated flows by the slope of their errors.
-fn slope<H: Hamiltonian<Coords = [f64; 2]>, X: Composition<H>>(system: &H) -> f64 {
+fn slope<H: Hamiltonian<Coords = [f64; 2]>, X: Composition<H>>(system: &H, composition: X) -> f64 {
     slope_of(X::NAME, classical(numbers(start()), field), |steps| {
-        let parameters = system.parameters(2);
-        let mut motion = H::Motion::<f64, f64>::load(&[&parameters], &[&start()]);
-        walk::<H, X>(&mut Single::<H, f64, f64>(&mut motion), steps);
-        let mut end = start();
-        motion.store(0, &mut end);
-        numbers(end)
+        let mut run = system.run_with(composition, start(), TIME / f64::from(steps)).expect("a start");
+        run.advance(u64::from(steps)).expect("finite");
+        numbers(run.state())
     })
 }
 
@@ -60,7 +52,7 @@ fn slope<H: Hamiltonian<Coords = [f64; 2]>, X: Composition<H>>(system: &H) -> f6
 fn parts_that_read_the_time_keep_the_order() {
     macro_rules! slopes {
         ($system:ident: $($composition:ident)*) => {$(
-            let (found, order) = (slope::<$system, $composition>(&$system), f64::from($composition::ORDER));
+            let (found, order) = (slope(&$system, $composition), f64::from($composition::ORDER));
             let name = $composition::NAME;
             assert!(found > order - 0.4, "{name} on {} has order {found}, not {order}", stringify!($system));
         )*};

@@ -1,15 +1,6 @@
 //! The measured order of a composition: how its error falls with the step.
 
-/// The least-squares slope of `ln error` over `ln step`.
-pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
-    let points: Vec<(f64, f64)> = points.iter().map(|(step, error)| (step.ln(), error.ln())).collect();
-    let count = points.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-    let covariance: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
-    let variance: f64 = points.iter().map(|point| (point.0 - x) * (point.0 - x)).sum();
-    covariance / variance
-}
+use crate::slope::slope;
 
 /// Measures the order of a method that claims `order`, given its error over a fixed time in so many steps per look.
 ///
@@ -47,11 +38,4 @@ pub(crate) fn observed_order(order: u32, error: impl Fn(u64) -> f64) -> f64 {
 pub(crate) fn assert_order(name: &str, proved: u32, observed: f64) {
     let lowest = f64::from(proved) - if proved < 10 { 0.5 } else { 1.5 };
     assert!(observed > lowest, "{name}: order {proved} was proved, {observed:.3} was measured");
-}
-
-#[test]
-fn the_slope_of_a_power_is_its_exponent() {
-    let points: Vec<_> = [0.1_f64, 0.05, 0.02, 0.01].map(|step| (step, 7.0 * step.powi(3))).to_vec();
-    // Logarithms of order one, differences of order 0.1: a hundred roundings are a generous bound.
-    assert!((slope(&points) - 3.0).abs() < 100.0 * f64::EPSILON);
 }
