@@ -13,6 +13,8 @@ mod coordinates;
 mod integers;
 mod rows;
 
+use integrator_core::{__private::Motion, Coords, Hamiltonian, Phase};
+
 /// Where forces are compared; no two coordinates are alike, and every branch of the rows is decided clearly.
 const START: [f64; 4] = [0.4, -0.3, 0.7, 0.2];
 
@@ -42,6 +44,23 @@ fn close(found: &[f64], expected: &[f64]) {
         let distance = (found - expected).abs();
         assert!(distance <= 64.0 * f64::EPSILON * largest, "{found} for {expected}");
     }
+}
+
+/// Returns the gradient of the potential, by one kick from rest, and the generated potential at the start.
+///
+/// A row shows a construct, so that it compiles the flow of a system and none of its steppers: a run of each row takes
+/// rustc four times as long.
+fn kicked<H: Hamiltonian>(system: &H, start: H::Coords, time: f64) -> (Vec<f64>, f64)
+where
+    H::Coords: Coords<Leaf = f64>,
+{
+    let mut state = Phase { p: start.map(|_| 0.0), q: start };
+    let parameters = system.parameters(state.q.length());
+    let mut motion = H::Motion::<f64, f64>::load(&[&parameters], &[&state]);
+    let energy = H::potential::<f64, f64>(&motion, time);
+    H::kick::<f64, f64>(&mut motion, -1.0, time);
+    motion.store(0, &mut state);
+    (state.p.flat().to_vec(), energy)
 }
 
 /// What is documented is what is tested: each accepted example stands in this folder, but for white space and commas.
