@@ -1,35 +1,61 @@
 //! Coordinates that are not there, read in branches that are not taken: Rust does not evaluate these, and neither do steps.
 
-use crate::close;
+use crate::{close, kicked};
 use integrator_core::{check::gradient_error, prelude::*};
+
+/// The system of a row, or of several, whose energies are added.
+macro_rules! system {
+    (|$q:ident, $system:ident| $($options:ident)?: $($energy:expr),+) => {
+        struct System {
+            one: f64,
+            first: bool,
+        }
+
+        #[hamiltonian $(($options))?]
+        impl System {
+            fn kinetic(&self, p: &[f64]) -> f64 {
+                p.iter().map(|p| p * p / 2.0).sum()
+            }
+            fn potential(&self, $q: &[f64]) -> f64 {
+                let $system = self;
+                let energy = 0.0 $(+ $energy)+;
+                energy
+            }
+        }
+
+        fn system() -> System {
+            System { one: 1.0, first: true }
+        }
+    };
+}
 
 /// Potentials of a single coordinate `q[0]` with the numbers `one = 1` and the flag `first`, which holds; their derivatives at -0.5.
 macro_rules! absent {
-    (|$q:ident, $system:ident| $($name:ident: $energy:expr, $derivative:expr;)+) => {$(
-        mod $name {
+    (|$q:ident, $system:ident| $($name:ident: $energy:expr, $derivative:expr;)+) => {
+        $(mod $name {
             use super::*;
 
-            struct System {
-                one: f64,
-                first: bool,
-            }
+            system!(|$q, $system| : $energy);
 
-            #[hamiltonian(taylor)]
-            impl System {
-                fn kinetic(&self, p: &[f64]) -> f64 {
-                    p.iter().map(|p| p * p / 2.0).sum()
-                }
-                fn potential(&self, $q: &[f64]) -> f64 {
-                    let $system = self;
-                    let energy = $energy;
-                    energy
-                }
+            #[test]
+            fn kicks_read_what_the_function_does() {
+                let derivative: f64 = $derivative;
+                let (gradient, energy) = kicked(&system(), vec![-0.5], 0.0);
+                close(&[energy], &[system().potential(&[-0.5])]);
+                close(&gradient, &[derivative]);
             }
+        })+
+
+        /// The sum of all of them by each kind of run.
+        mod together {
+            use super::*;
+
+            system!(|$q, $system| taylor: $($energy),+);
 
             #[test]
             fn steps_read_what_the_function_does() {
-                let (system, start) = (System { one: 1.0, first: true }, Phase::new(vec![-0.5], vec![0.0]));
-                let derivative: f64 = $derivative;
+                let (system, start) = (system(), Phase::new(vec![-0.5], vec![0.0]));
+                let derivative: f64 = [$($derivative),+].iter().sum();
                 let mut run = system.run_with(Euler, start.clone(), 1.0).expect("a run");
                 let energy = run.energy();
                 close(&[energy], &[system.potential(&start.q)]);
@@ -39,7 +65,7 @@ macro_rules! absent {
                 series.advance(2).expect("steps");
                 // The energy is conserved to the tolerance of each step.
                 assert!((series.energy() - energy).abs() < 1e-11);
-                let members = (0..5).map(|_| (System { one: 1.0, first: true }, start.clone()));
+                let members = (0..5).map(|_| (self::system(), start.clone()));
                 let mut swarm = Ensemble::new(Euler, members, 1.0).expect("members");
                 swarm.advance(1).expect("a step");
                 assert!(swarm.states().all(|state| state == run.state()));
@@ -48,7 +74,7 @@ macro_rules! absent {
                 assert!(gradient_error(&system, start, 0.0).is_ok_and(|error| error < 128.0 * f64::EPSILON));
             }
         }
-    )+};
+    };
 }
 
 absent! {
