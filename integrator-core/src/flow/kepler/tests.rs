@@ -29,6 +29,30 @@ fn flown<R: Real>([x, y, px, py]: [R; 4], [inverse_mass, strength]: [R; 2], dura
     [x, y, px, py]
 }
 
+/// A flow of bodies in space, with the instructions of its numbers.
+struct InSpace<'a, R> {
+    solver: &'a mut Kepler,
+    halves: [&'a mut [[R; 3]]; 2],
+    /// Inverse masses and strengths.
+    constants: [&'a [R]; 2],
+    duration: f64,
+}
+
+impl<R: Real> Kernel for InSpace<'_, R> {
+    type Out = ();
+    #[inline(always)]
+    fn call(self) {
+        let [inverse_masses, strengths] = self.constants;
+        self.solver.flow(self.halves, inverse_masses, strengths, self.duration);
+    }
+}
+
+/// Compiled once for each kind of numbers, of all that is tested the most expensive to compile.
+#[inline(never)]
+fn flow_in_space<R: Real>(solver: &mut Kepler, halves: [&mut [[R; 3]]; 2], constants: [&[R]; 2], duration: f64) {
+    R::enter(InSpace { solver, halves, constants, duration });
+}
+
 /// Twice the size of the energy per mass, with the opposite sign, and the radial velocity times the distance.
 fn elements([x, y, px, py]: [f64; 4], [inverse_mass, strength]: [f64; 2]) -> [f64; 2] {
     let velocity = inverse_mass * inverse_mass * (px * px + py * py);
@@ -250,49 +274,31 @@ fn derivatives_of_a_root_are_those_through_the_search_for_it() {
 
 /// The relative error of the energy after so many stages of an orbit, the largest one along them and the mean over
 /// the second half.
-struct Walk {
-    eccentricity: f64,
-    duration: f64,
-    stages: u32,
-}
-
-impl Kernel for Walk {
-    type Out = [f64; 2];
-    #[inline(always)]
-    fn call(self) -> [f64; 2] {
-        self.in_scalar::<Fused<f64>>()
+fn walked<R: Real>(eccentricity: f64, duration: f64, stages: u32) -> [f64; 2] {
+    let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+    let mut q = [[1.0 - eccentricity, 0.0, 0.0].map(R::of)];
+    let mut p = [[0.0, 0.8 * speed, 0.6 * speed].map(R::of)];
+    let (ones, mut solver) = ([R::of(1.0)], Kepler::default());
+    let [mut start, mut worst, mut mean] = [0.0_f64; 3];
+    for stage in 0..=stages {
+        let square = |x: [R; 3]| x.into_iter().map(|x| x.lane(0) * x.lane(0)).sum::<f64>();
+        let energy = 0.5 * square(p[0]) - 1.0 / square(q[0]).sqrt();
+        start = if stage == 0 { energy } else { start };
+        let error = energy / start - 1.0;
+        worst = worst.max(error.abs());
+        mean += if 2 * stage < stages { 0.0 } else { error / f64::from(stages / 2) };
+        flow_in_space(&mut solver, [&mut q, &mut p], [&ones, &ones], duration);
     }
-}
-
-impl Walk {
-    #[inline(always)]
-    fn in_scalar<R: Real>(&self) -> [f64; 2] {
-        let Self { eccentricity, duration, stages } = *self;
-        let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
-        let mut q = [[1.0 - eccentricity, 0.0, 0.0].map(R::of)];
-        let mut p = [[0.0, 0.8 * speed, 0.6 * speed].map(R::of)];
-        let (one, mut solver) = (R::of(1.0), Kepler::default());
-        let [mut start, mut worst, mut mean] = [0.0_f64; 3];
-        for stage in 0..=stages {
-            let square = |x: [R; 3]| x.into_iter().map(|x| x.lane(0) * x.lane(0)).sum::<f64>();
-            let energy = 0.5 * square(p[0]) - 1.0 / square(q[0]).sqrt();
-            start = if stage == 0 { energy } else { start };
-            let error = energy / start - 1.0;
-            worst = worst.max(error.abs());
-            mean += if 2 * stage < stages { 0.0 } else { error / f64::from(stages / 2) };
-            solver.flow([&mut q, &mut p], &one, &one, duration);
-        }
-        [worst, mean]
-    }
+    [worst, mean]
 }
 
 #[test]
 fn the_energy_of_a_lone_body_walks_and_does_not_drift() {
     for (eccentricity, duration) in [0.0, 0.01, 0.2, 0.6].into_iter().flat_map(|e| [0.345_678_9, 2.2].map(|t| (e, t))) {
         let stages = 100_000;
-        let walk = Walk { eccentricity, duration, stages };
         let fused = InstructionSet::available().contains(&InstructionSet::Fused);
-        let [worst, mean] = if fused { <Fused<f64> as Real>::enter(walk) } else { walk.in_scalar::<f64>() };
+        let walked = if fused { walked::<Fused<f64>> } else { walked::<f64> };
+        let [worst, mean] = walked(eccentricity, duration, stages);
         // A walk of as many roundings of half a unit, in terms that the energy is a difference of. Without the amendment
         // of the determinant that of the circular orbit drifts a hundred times as far.
         let unit = 0.5 * f64::EPSILON * (1.0 + eccentricity) / (1.0 - eccentricity);
@@ -316,73 +322,30 @@ fn bodies<R: Real>() -> ([[[R; 3]; 5]; 2], [[R; 5]; 2]) {
 
 type Pair = Lanes<f64, 2>;
 
-/// A flow of two members side by side, compiled once.
-#[inline(never)]
-fn flown_in_lanes(
-    solver: &mut Kepler,
-    halves: [&mut [[Pair; 3]]; 2],
-    [masses, strengths]: [&[Pair]; 2],
-    duration: f64,
-) {
-    solver.flow(halves, masses, strengths, duration);
-}
-
-/// The coordinates of these bodies after a flow, so many of them in a call.
-struct Flown(usize);
-
-impl Flown {
-    #[inline(always)]
-    fn in_scalar<R: Real>(&self) -> Vec<u64> {
-        let ([mut q, mut p], [masses, strengths]) = bodies::<R>();
-        for first in (0..5).step_by(self.0) {
-            let some = first..5.min(first + self.0);
-            let half = [&mut q[some.clone()], &mut p[some.clone()]];
-            Kepler::default().flow(half, &masses[some.clone()], &strengths[some], 1.7);
-        }
-        q.as_flattened().iter().chain(p.as_flattened()).map(|x| x.lane(R::LANES - 1).to_bits()).collect()
+/// The bits of the coordinates of these bodies after a flow, in the last lane, with so many of them in a call.
+fn flown_by<R: Real>(some: usize) -> Vec<u64> {
+    let ([mut q, mut p], [masses, strengths]) = bodies::<R>();
+    for first in (0..5).step_by(some) {
+        let some = first..5.min(first + some);
+        let halves = [&mut q[some.clone()], &mut p[some.clone()]];
+        flow_in_space(&mut Kepler::default(), halves, [&masses[some.clone()], &strengths[some]], 1.7);
     }
-
-    /// Compiled once.
-    #[inline(never)]
-    fn alone(&self) -> Vec<u64> {
-        self.in_scalar::<f64>()
-    }
-}
-
-impl Kernel for Flown {
-    type Out = Vec<u64>;
-    #[inline(always)]
-    fn call(self) -> Vec<u64> {
-        self.in_scalar::<Fused<f64>>()
-    }
+    q.as_flattened().iter().chain(p.as_flattened()).map(|x| x.lane(R::LANES - 1).to_bits()).collect()
 }
 
 #[test]
 fn a_body_has_the_same_bits_alone_and_among_others() {
-    let alone = Flown(1).alone();
-    assert_eq!(Flown(5).alone(), alone);
-    assert_eq!(Flown(2).alone(), alone);
-    let ([mut q, mut p], [masses, strengths]) = bodies();
-    flown_in_lanes(&mut Kepler::default(), [&mut q, &mut p], [&masses, &strengths], 1.7);
-    let lane = q.as_flattened().iter().chain(p.as_flattened()).map(|x| x.lane(1).to_bits());
-    assert_eq!(lane.collect::<Vec<_>>(), alone);
+    let alone = flown_by::<f64>(1);
+    assert_eq!(flown_by::<f64>(5), alone);
+    assert_eq!(flown_by::<f64>(2), alone);
+    assert_eq!(flown_by::<Pair>(5), alone);
     if InstructionSet::available().contains(&InstructionSet::Fused) {
-        let alone = <Fused<f64> as Real>::enter(Flown(1));
-        assert_eq!(<Fused<f64> as Real>::enter(Flown(5)), alone);
+        assert_eq!(flown_by::<Fused<f64>>(5), flown_by::<Fused<f64>>(1));
     }
     #[cfg(target_arch = "x86_64")]
     if InstructionSet::available().contains(&InstructionSet::Avx512) {
         use crate::scalar::fma::Avx512;
-        struct Wide(usize);
-        impl Kernel for Wide {
-            type Out = Vec<u64>;
-            #[inline(always)]
-            fn call(self) -> Vec<u64> {
-                Flown(self.0).in_scalar::<Fused<f64, Avx512>>()
-            }
-        }
-        let alone = <Fused<f64, Avx512> as Real>::enter(Wide(1));
-        assert_eq!(<Fused<f64, Avx512> as Real>::enter(Wide(5)), alone);
+        assert_eq!(flown_by::<Fused<f64, Avx512>>(5), flown_by::<Fused<f64, Avx512>>(1));
     }
 }
 
@@ -398,7 +361,7 @@ fn a_body_in_the_centre_is_reported_in_its_lane_and_the_others_go_on() {
     let (one, zero) = (lanes([1.0, 1.0]), lanes([0.0, 0.0]));
     let (mut q, mut p) = ([[lanes([1.0, 0.0]), zero, zero]], [[lanes([0.0, 1.0]), lanes([1.0, 0.0]), zero]]);
     let mut solver = Kepler::default();
-    flown_in_lanes(&mut solver, [&mut q, &mut p], [&[one], &[one]], 0.5);
+    flow_in_space(&mut solver, [&mut q, &mut p], [&[one], &[one]], 0.5);
     let unsolved = |lane| <Kepler as Solver<()>>::unsolved(&solver, lane).cloned();
     let expected = Unsolved::Kepler { body: 0, distance: 0.0, duration: 0.5 };
     assert_eq!([unsolved(0), unsolved(1)], [None, Some(expected)]);
@@ -407,48 +370,34 @@ fn a_body_in_the_centre_is_reported_in_its_lane_and_the_others_go_on() {
 
 /// Arcs past a pericentre for which the series of a short arc goes so far astray that the functions there are no numbers
 /// to judge by: they once passed as a solution.
-struct Astray;
-
-impl Kernel for Astray {
-    type Out = ();
-    #[inline(always)]
-    fn call(self) {
-        self.in_scalar::<Fused<f64>>();
-    }
-}
-
-impl Astray {
-    #[inline(always)]
-    fn in_scalar<R: Real>(self) {
-        for [q, p] in [
-            [
-                [0.096_968_450_281_213_81, -0.084_011_720_236_881_3, -0.017_030_018_792_371_815],
-                [0.909_285_485_307_426_5, 3.617_779_579_482_280_5, 0.733_360_227_020_141_7],
-            ],
-            [
-                [0.057_608_085_619_976_1, -0.077_219_526_663_446_67, 0.086_425_147_649_951_57],
-                [-3.800_858_586_521_635_6, 0.053_421_605_714_687_515, -0.059_790_189_878_082_6],
-            ],
-            [
-                [0.097_199_301_543_195_98, 0.075_605_638_733_484_69, -0.040_481_954_765_783_756],
-                [3.549_581_217_824_633_8, -1.192_440_821_893_821_8, 0.638_475_333_607_311_5],
-            ],
-        ] {
-            let (mut q, mut p) = ([q.map(R::of)], [p.map(R::of)]);
-            let one = R::of(1.0);
-            Kepler::default().flow([&mut q, &mut p], &one, &one, 1.5);
-            let square = |x: [R; 3]| x.into_iter().map(|x| x.lane(0) * x.lane(0)).sum::<f64>();
-            let energy = 0.5 * square(p[0]) - 1.0 / square(q[0]).sqrt();
-            // All are on orbits of the half axis 1; roundings act on terms of fifteen times the energy.
-            assert!(within(energy + 0.5, 1e-9), "an energy of {energy} instead of -0.5");
-        }
+fn follow_astray<R: Real>() {
+    for [q, p] in [
+        [
+            [0.096_968_450_281_213_81, -0.084_011_720_236_881_3, -0.017_030_018_792_371_815],
+            [0.909_285_485_307_426_5, 3.617_779_579_482_280_5, 0.733_360_227_020_141_7],
+        ],
+        [
+            [0.057_608_085_619_976_1, -0.077_219_526_663_446_67, 0.086_425_147_649_951_57],
+            [-3.800_858_586_521_635_6, 0.053_421_605_714_687_515, -0.059_790_189_878_082_6],
+        ],
+        [
+            [0.097_199_301_543_195_98, 0.075_605_638_733_484_69, -0.040_481_954_765_783_756],
+            [3.549_581_217_824_633_8, -1.192_440_821_893_821_8, 0.638_475_333_607_311_5],
+        ],
+    ] {
+        let (mut q, mut p, ones) = ([q.map(R::of)], [p.map(R::of)], [R::of(1.0)]);
+        flow_in_space(&mut Kepler::default(), [&mut q, &mut p], [&ones, &ones], 1.5);
+        let square = |x: [R; 3]| x.into_iter().map(|x| x.lane(0) * x.lane(0)).sum::<f64>();
+        let energy = 0.5 * square(p[0]) - 1.0 / square(q[0]).sqrt();
+        // All are on orbits of the half axis 1; roundings act on terms of fifteen times the energy.
+        assert!(within(energy + 0.5, 1e-9), "an energy of {energy} instead of -0.5");
     }
 }
 
 #[test]
 fn a_series_that_goes_astray_is_no_solution() {
-    Astray.in_scalar::<f64>();
+    follow_astray::<f64>();
     if InstructionSet::available().contains(&InstructionSet::Fused) {
-        <Fused<f64> as Real>::enter(Astray);
+        follow_astray::<Fused<f64>>();
     }
 }
