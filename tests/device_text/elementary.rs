@@ -28,7 +28,7 @@ fn values<R: Real>(x: f64, y: f64) -> Vec<(&'static str, f64)> {
 /// How many pairs of arguments are held against each other at a time.
 const BATCH: usize = 20_000;
 
-/// How many there are: the gate asks for ten million.
+/// How many there are: `.ci/run` sets the variable for more.
 fn count() -> usize {
     std::env::var("DEVICE_TEXT_POINTS").ok().and_then(|count| count.parse().ok()).unwrap_or(3_000)
 }
