@@ -93,12 +93,13 @@ fn the_readme_names_the_oldest_compiler() {
     }
 }
 
-/// What users find on docs.rs shows what every feature brings.
+/// The pages on docs.rs have the items of all features and name the feature of each item.
 #[test]
 fn the_documentation_of_published_crates_has_all_features() {
     for member in PUBLISHED {
         let manifest = text(&format!("{member}/Cargo.toml"));
-        assert!(manifest.contains("\n[package.metadata.docs.rs]\nall-features = true\n"), "{member}");
+        let expected = "\n[package.metadata.docs.rs]\nall-features = true\nrustdoc-args = [\"--cfg\", \"docsrs\"]\n";
+        assert!(manifest.contains(expected), "{member}");
     }
 }
 

@@ -1,5 +1,5 @@
 //! Which composition is the cheapest, and with which step: `choose SYSTEM TOLERANCE [energy]`, where SYSTEM is one of
-//! pendulum, henon_heiles, kepler, fput and outer_solar_system.
+//! pendulum, `henon_heiles`, kepler, fput and `outer_solar_system`.
 //!
 //! Printed: the compositions that keep the trajectory (or the energy) of the system within the tolerance, cheapest
 //! first: the step to use, the error that was measured with it, and the work in force evaluations. Look at how the

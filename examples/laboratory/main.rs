@@ -1,6 +1,6 @@
 //! The laboratory: every claim about numerical integration that can be seen in a picture, on one system.
 //!
-//! `laboratory [SYSTEM] [--out DIR]`, where SYSTEM is one of pendulum, oscillator, henon_heiles, kepler, double_well and stiff.
+//! `laboratory [SYSTEM] [--out DIR]`, where SYSTEM is one of pendulum, oscillator, `henon_heiles`, kepler, `double_well` and stiff.
 //! It measures the system with all methods and writes one page with all pictures, `DIR/SYSTEM.html`, and the pictures beside
 //! it as SVG and PNG; DIR is `target/laboratory` if it is not given. For a system of your own, take the crate
 //! `integrator-laboratory`: one call writes its page.

@@ -1,6 +1,6 @@
 //! An asteroid of Jupiter's, ahead of it by 60 degrees: the restricted problem of three bodies in a frame that turns.
 //!
-//! The frame adds y p_x - x p_y to H, which mixes q and p. `split = quadratic + rest` puts it with the kinetic energy in
+//! The frame adds `y p_x - x p_y` to H, which mixes q and p. `split = quadratic + rest` puts it with the kinetic energy in
 //! one part, whose flow is a matrix, and attraction in the other one.
 //!
 //! Printed: how far the asteroid goes to and fro over 3,000 years for three starts, the change of its energy, and how

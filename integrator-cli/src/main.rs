@@ -3,6 +3,7 @@
 //! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
 //! wrong, 2 if the command is.
 #![forbid(unsafe_code)]
+#![allow(clippy::doc_markdown, reason = "doc comments are the help that the program prints")]
 
 mod answer;
 mod catalogue;

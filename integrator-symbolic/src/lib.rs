@@ -1,13 +1,13 @@
-//! Everything the macros of `integrator-core` do, as an ordinary library: tokens in, tokens out.
+//! The implementation of the macros of `integrator-core` as an ordinary library: it takes tokens and returns tokens.
 //!
 //! ```text
 //! tokens -> Input -> Model -> Graph + gradients -> Program -> tokens        #[hamiltonian]
 //! tokens -> Sequence -> Scheme -> tokens                                    composition!
 //! ```
 //!
-//! Each arrow is a module; errors end at the model and at the claims of a scheme. All functions return for every input,
-//! report all mistakes at once, and write the same tokens for the same tokens. [`report`], [`declared`] and [`sequence`]
-//! tell people what the macros find.
+//! Each arrow is a module. Errors arise up to the model, or up to the proof of a scheme, and not later. All functions
+//! return for every input, report all mistakes at once, and write the same code for the same input. [`report`],
+//! [`declared`] and [`sequence`] return what the macros derive and prove, for tools that show it.
 #![forbid(unsafe_code)]
 
 mod differentiate;
@@ -41,8 +41,9 @@ pub use scheme::{Proved, ProvedStage, ProvedViolation};
 pub use spelling::nearest;
 use syntax::{Compose, Input};
 
-/// `#[hamiltonian]`: the annotated item, and behind it the stepper written for it, or the errors found in it
-/// and a stepper that stands still.
+/// Expands `#[hamiltonian]`: returns the annotated item and the stepper generated for it.
+///
+/// If the item has errors, the result contains them as `compile_error!` and a stepper that does not move the state.
 pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let stepper = stepper(arguments, item.clone(), &mut errors);
@@ -53,8 +54,9 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     quote!(#lints #item #stepper #errors)
 }
 
-/// `composition!`: the declared compositions, each proved, or the errors found in them; the error alone where these are so
-/// deep that nothing may recurse over them.
+/// Expands `composition!`: returns the declared compositions, with proved orders, or the errors found in them.
+///
+/// If the input is nested too deeply to be parsed, the result is that error alone.
 pub fn composition(declarations: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     if !limits::check_depth(&declarations, &mut errors) {
@@ -63,7 +65,10 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
     scheme::expand(without_groups(declarations))
 }
 
-/// What `#[hamiltonian]` derives from an impl, for people; the error holds all mistakes.
+/// Returns what `#[hamiltonian]` derives from an impl, such as the equations of motion.
+///
+/// # Errors
+/// All mistakes in the arguments and the impl, combined into one error.
 pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> {
     let mut errors = Errors::default();
     let report = read(arguments, item, &mut errors).and_then(|input| {
@@ -73,12 +78,15 @@ pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> 
     outcome(report, errors)
 }
 
-/// The names of the functions of coordinates that the language of H knows, as methods of `f64`.
+/// Returns the names of the methods of `f64` that a Hamiltonian may apply to coordinates.
 pub fn known_functions() -> impl Iterator<Item = &'static str> {
     model::known_functions()
 }
 
-/// What is proved of the compositions that a `composition!` block declares; the error holds all that is wrong with it.
+/// Returns the proved properties of the compositions that a `composition!` block declares.
+///
+/// # Errors
+/// All mistakes in the block, combined into one error; also a declared order that does not hold.
 pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
     let mut errors = Errors::default();
     let found = limits::check_depth(&declarations, &mut errors)
@@ -86,8 +94,10 @@ pub fn declared(declarations: TokenStream) -> syn::Result<Vec<Proved>> {
     outcome(found, errors)
 }
 
-/// What is proved of a sequence such as `V(1/2) T(1) V(1/2)`, held against an order where one is claimed; the error holds
-/// all that is wrong with it.
+/// Returns the proved properties of a sequence such as `V(1/2) T(1) V(1/2)`.
+///
+/// # Errors
+/// All mistakes in the sequence, combined into one error; also a claimed `order` that does not hold.
 pub fn sequence(tokens: TokenStream, order: Option<u32>) -> syn::Result<Proved> {
     let mut errors = Errors::default();
     let shallow = limits::check_depth(&tokens, &mut errors);
@@ -95,7 +105,7 @@ pub fn sequence(tokens: TokenStream, order: Option<u32>) -> syn::Result<Proved> 
     outcome(found, errors)
 }
 
-/// What was found, or what was noted.
+/// Returns the result, or the errors that were reported.
 fn outcome<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
     match (found, errors.combined()) {
         (Some(found), None) => Ok(found),

@@ -1,8 +1,8 @@
 //! Sine and exponential of the hand-written steppers, written out so that they vanish in the loop around them.
 //!
 //! [`sine`] errs by less than one unit in the last place, [`sine_fast`] by less than four, both for arguments of some
-//! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (s_sin.c,
-//! k_sin.c, k_cos.c) and Cephes (sinf.c); those of the fast one and of the exponential are Taylor's, which is as good
+//! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (`s_sin.c`,
+//! `k_sin.c`, `k_cos.c`) and Cephes (`sinf.c`); those of the fast one and of the exponential are Taylor's, which is as good
 //! as any after so many terms.
 
 use crate::vector::{Number, Vector};

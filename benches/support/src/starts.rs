@@ -93,6 +93,9 @@ impl Problems {
     }
 
     /// The lowest wave of a chain of 32 sites.
+    ///
+    /// # Panics
+    /// If the file of starts has no number `alpha`.
     pub fn chain(&self) -> Problem<Chain32> {
         let start = Phase::new(array(&self.numbers("fput32", "q")), array(&self.numbers("fput32", "p")));
         let alpha = self.0["fput32"]["alpha"].as_f64().expect("a number");

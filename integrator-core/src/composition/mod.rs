@@ -159,10 +159,13 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const PROCESSOR: Processor = Processor::NONE;
 }
 
-/// Refuses a composition that integrates no more than two parts, where there are more. For constants.
+/// Checks, in a constant, that a composition can integrate a Hamiltonian of so many parts.
 ///
-/// A processor need not be a composition of whole steps, and orders that count powers of a small second part say
-/// nothing of a third one.
+/// A processor need not be a composition of whole steps, and generalised orders count powers of a small second part
+/// only. Both are therefore limited to two parts.
+///
+/// # Panics
+/// If the composition cannot integrate so many parts: a compile error, because the call is in a constant.
 pub const fn admits<X: Scheme>(parts: usize) {
     assert!(
         parts > 0,
@@ -183,9 +186,12 @@ pub const fn admits<X: Scheme>(parts: usize) {
     }
 }
 
-/// Refuses a composition that loses its order where the last part is itself a symmetric pair. For constants.
+/// Checks, in a constant, that a composition keeps its order if the last part is itself a symmetric pair.
 ///
-/// Nor is a flow of a pair for twice the duration what two of them are, so that kicks are not merged across steps.
+/// Two flows of such a pair are not one flow for twice the duration, so kicks cannot be merged across steps.
+///
+/// # Panics
+/// If the composition loses its order or would merge such kicks: a compile error, because the call is in a constant.
 pub const fn admits_pairs<X: Scheme>() {
     assert!(
         X::KEEPS_PAIRS,

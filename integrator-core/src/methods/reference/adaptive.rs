@@ -1,6 +1,6 @@
 //! Methods that choose their steps by a tolerance, from the crate `differential-equations`.
 //!
-//! That crate has all three on plain vectors and takes a Jacobian; ode_solvers has no stiff method, and diffsol wants
+//! That crate has all three on plain vectors and takes a Jacobian; `ode_solvers` has no stiff method, and diffsol wants
 //! its equations in matrices of its own.
 
 use super::{

@@ -65,7 +65,7 @@ impl Writer<'_> {
         quote!(#clock #lines)
     }
 
-    /// A momentum, or what it gets, times a inverse_mass.
+    /// A momentum, or what it gets, times an inverse mass.
     fn moved(&self, fields: &mut Fields, inverse_mass: NodeId, momentum: &TokenStream) -> TokenStream {
         if self.printer.graph.as_constant(inverse_mass) == Some(1.0) {
             return momentum.clone();
