@@ -1,5 +1,4 @@
-//! The trait of systems, which `#[hamiltonian]` implements, and the trait of flows, through which compositions see
-//! them.
+//! The trait of systems, which `#[hamiltonian]` implements, and the trait of flows, which compositions call.
 
 use crate::{
     composition::visitor::{Visitor, visit_general},
@@ -31,82 +30,92 @@ pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
 /// The slots of the positions or the momenta of `H`.
 type SlotsOf<H, R, K> = <Shaped<H, K> as Coords>::Slots<R>;
 
-/// What the field of `H` is read from.
+/// The slots and constants from which the vector field of `H` is evaluated.
 pub type ReadBy<'m, H, R, K> = Read<'m, SlotsOf<H, R, K>, <H as Hamiltonian>::Parameters<R>>;
 
-/// What the field of `H` moves.
+/// The slots that the vector field of `H` changes.
 pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
 
-/// A Hamiltonian that is split into parts, `H = T(p) + V(q)` or others, with their exact flows. Written by `#[hamiltonian]`; not by hand.
+/// A Hamiltonian that is split into parts with exact flows, such as `H = T(p) + V(q)`.
+///
+/// `#[hamiltonian]` implements this trait. Programs call [`run`](Self::run), [`run_with`](Self::run_with) and
+/// [`tangent`](Self::tangent); all other items are for generated code and executors.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a Hamiltonian",
     label = "has no generated stepper",
     note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
 )]
 pub trait Hamiltonian: Sized {
-    /// The shape of `q` and of `p`, with `f64` leaves.
+    /// The shape of `q` and of `p`, with the scalar type `f64`.
     type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
-    /// The annotated composition, or another method.
+    /// The composition of the annotation, or another method.
     type Compose: Memoryless<Self>;
     /// The prepared constants, which depend on parameters alone.
     type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
-    /// Prepared constants and state, in the layout that the generator chose.
+    /// The prepared constants and the state, in the layout that the macro chose.
     type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
 
-    /// The names of the parts, in the order of the letters A, B, C; none where H stays in one piece, which methods that
-    /// take the whole of its field integrate and no composition.
+    /// The names of the parts, in the order of the letters A, B, C.
+    ///
+    /// Empty if `H` is not split. Compositions cannot integrate such an `H`; methods that use the whole vector field can.
     const PARTS: &'static [&'static str] = &["kinetic", "potential"];
-    /// Whether all parts behind the first are one part of a composition, which their flows approximate in a symmetric
-    /// step: those of `middle` for half the duration, that of `kick`, and those of `middle` backwards.
+    /// Whether parts 2..n form one composite part, advanced by a symmetric inner step.
+    ///
+    /// The inner step applies `middle` for half the duration, `kick`, and `middle` backwards.
     const PAIRED: bool = false;
-    /// Whether H = T(p) + V(q): a drift moves positions alone, by what momenta say, a kick momenta alone.
+    /// Whether `H = T(p) + V(q)`, so that a drift changes positions only and a kick momenta only.
     const SEPARABLE: bool = true;
-    /// How exact the derivatives of flows by duals are, in units of those of the chain rule: a flow that the user wrote has
-    /// extrapolated differences instead, which lose one or two digits more.
+    /// The error of flow derivatives relative to exact dual-number derivatives, which have 1.
+    ///
+    /// A flow that the user wrote is differentiated by extrapolated differences, which lose one or two digits.
     const TANGENT_ERROR: f64 = 1.0;
-    /// Whether a motion is that of two coupled copies of the state, of which one is shown (Tao 2016): it is symplectic and
-    /// runs back in the space of both, and not where one is seen alone.
+    /// Whether steps evolve two coupled copies of the state, of which one is returned (Tao 2016).
+    ///
+    /// Such steps are symplectic and reversible in the doubled phase space, not in that of one copy.
     const COPIES: bool = false;
-    /// Whether no part reads the time, so that the energy is conserved.
+    /// Whether no part depends on time, so that the energy is conserved.
     const AUTONOMOUS: bool;
-    /// Whether a flow changes its formula at times that the clock and parameters alone decide: a switch, a pulse. Steps
-    /// are then taken one by one, each with the formulas of its middle, and their stages are not merged.
+    /// Whether a flow changes its formula at given times, such as a switch or a pulse.
+    ///
+    /// Each step then uses the formulas at its midpoint, and stages are not merged across steps.
     const PIECEWISE_IN_TIME: bool = false;
-    /// Whether a single run gains from vectors of 512 bits: its flows compute neighbours or bodies side by side. Code
-    /// for numbers one by one can be slower there, and is then compiled for AVX2 at most.
+    /// Whether a single run benefits from 512-bit vectors, because its flows process sites or bodies in SIMD lanes.
+    ///
+    /// Scalar code can be slower in AVX-512 and is compiled for AVX2 at most.
     const WIDE: bool = false;
-    /// Whether a choice among flows costs nothing beside any of them: one loop, which reads the table of the composition, is then
-    /// compiled for all stages of all compositions.
+    /// Whether flows are so expensive that a dispatch per stage costs nothing in comparison.
+    ///
+    /// One loop that reads the table of the composition is then compiled for all compositions.
     const LARGE_FLOWS: bool = false;
-    /// A fingerprint of the generated flows and energies: another one, and a checkpoint belongs to another motion.
+    /// A fingerprint of the generated flows and energies, by which a checkpoint is matched to its system.
     const FINGERPRINT: u64 = 0;
-    /// The names of the functions that the user says are conserved.
+    /// The names of the functions that are annotated as conserved.
     const INVARIANTS: &'static [&'static str] = &[];
-    /// The stencil radii of the flows of a lattice whose sites can be moved a segment at a time.
+    /// The stencil radii of the flows of a lattice, if its sites can be updated in segments.
     const STENCIL_RADII: Option<StencilRadii> = None;
 
-    /// Whether the coordinates of the motion can be made of the system and a start of so many numbers or points.
+    /// Checks that the system can be integrated from a start with `length` numbers or points.
     ///
     /// # Errors
-    /// [`Error::FewMasses`], [`Error::Mass`]
+    /// [`Error::FewMasses`] or [`Error::Mass`] if masses are missing or unusable in the coordinates of the system.
     fn admissible(&self, _length: usize) -> Result<(), Error> {
         Ok(())
     }
-    /// Evaluates what depends on parameters alone, by the user's own expressions.
+    /// Evaluates the constants that depend on parameters only, by the user's own expressions.
     ///
-    /// `length` is how many numbers or points the positions of the start are.
+    /// `length` is the number of numbers or points in the positions of the start.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
-    /// Sets the middle of the step under way, at which conditions on the time are read.
+    /// Sets the midpoint time at which time-dependent conditions are evaluated in the current step.
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
-    /// The exact flow of `T`, or of the first part, for a time `duration`; `time` is where an explicit time dependence is read.
+    /// Applies the exact flow of `T`, or of the first part, for `duration`; an explicit time dependence is evaluated at `time`.
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// The flows of the parts between the first and the last, in their order, or backwards; `time` is where an explicit
-    /// time dependence is read.
+    /// Applies the flows of the parts between the first and the last, in their order or backwards.
     fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _time: f64, _backwards: bool) {}
-    /// The exact flow of `V`, or of the last part, for a time `duration`; `time` is where an explicit time dependence is read.
+    /// Applies the exact flow of `V`, or of the last part, for `duration`; an explicit time dependence is evaluated at `time`.
     fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// Moves coordinates by `duration` times the field of H, `∂H/∂p` and `-∂H/∂q`, at those that are read. Written where H
-    /// is no `T + V` in the user's own coordinates; there the flows of `T` and of `V` tell the field.
+    /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
+    ///
+    /// Empty if `H = T(p) + V(q)` in the user's own coordinates: the flows of `T` and `V` give the field there.
     fn along_field<R: Real, K: Precision>(
         _motion: ReadBy<'_, Self, R, K>,
         _moved: MovedBy<'_, Self, R, K>,
@@ -114,29 +123,29 @@ pub trait Hamiltonian: Sized {
         _time: f64,
     ) {
     }
-    /// `T`, or the energy of the first part.
+    /// Returns `T`, or the energy of the first part.
     fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
-    /// `V`, or the energy of all parts but the first.
+    /// Returns `V`, or the energy of all parts except the first.
     fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
 
-    /// The energy by the user's own functions, as they are written: what the generated code is held against.
+    /// Returns the energy by the user's own functions, with which the generated code is compared.
     fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy;
 
-    /// The value of an invariant, by its place in [`Hamiltonian::INVARIANTS`].
+    /// Returns the value of an invariant, by its index in [`Hamiltonian::INVARIANTS`].
     fn invariant<R: Real, K: Precision>(_motion: &Self::Motion<R, K>, _number: usize) -> R {
         R::of(f64::NAN)
     }
 
-    /// The same by the user's own function, as it is written.
+    /// Returns the value of an invariant by the user's own function, with which the generated code is compared.
     fn stated_invariant(&self, _number: usize, _q: &Self::Coords, _p: &Self::Coords) -> f64 {
         f64::NAN
     }
 
-    /// The sites of a lattice, if it can be moved a segment at a time.
+    /// Returns the sites of a lattice, if they can be updated in segments.
     fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
         None
     }
-    /// Applies a flow to some sites of a lattice.
+    /// Applies a flow to a range of sites of a lattice.
     fn apply_to_sites<R: Real, K: Precision>(
         _lattice: MovedSites<'_, R, K, Self::Parameters<R>>,
         _flow: &Flow,
@@ -144,29 +153,33 @@ pub trait Hamiltonian: Sized {
     ) {
     }
 
-    /// Shows `visitor` each composition of the catalogue that may integrate this Hamiltonian: those for every `T`, and
-    /// where `T` is quadratic the others too; of more than two parts, [those without a
-    /// processor](crate::visit_many_parts).
+    /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.
+    ///
+    /// - Every splitting: compositions of general class.
+    /// - Quadratic `T`: also compositions that require it.
+    /// - More than two parts: [compositions without a processor](crate::visit_many_parts) only.
     fn visit_compositions(visitor: &mut impl Visitor<Self>) {
         visit_general(visitor);
     }
 
-    /// Calls `visitor` where recurrences for the Taylor method were written. Nothing is compiled for it where this is
-    /// not called.
+    /// Calls `visitor` if recurrences for the Taylor method were generated.
+    ///
+    /// The Taylor method is compiled only for systems on which this is called.
     fn visit_recurrences(_visitor: &mut impl RecurrencesVisitor<Self>) {}
 
-    /// A run from `start` with step `h` and the annotated composition.
+    /// Starts a run from `start` with step `h` and the annotated composition.
     ///
     /// # Errors
-    /// A step that is zero or not finite; a start that is not finite or whose `q` and `p` differ in length, or whose
-    /// energy is not finite (where `H` reads the time, the first `advance` returns this error); parameters that make
-    /// the motion from this start infinite or not a number, such as a mass of zero; a reversible start with a
-    /// composition that is not symmetric, or with a grid that it does not fit. Where the runtime was built with debug
-    /// assertions, also [`Error::Misread`], if the generated energies are not those of your functions.
+    /// - `h` is zero or not finite.
+    /// - The start is not finite, or its `q` and `p` differ in length.
+    /// - The energy of the start is not finite. If `H` depends on time, the first `advance` returns this error.
+    /// - The parameters give a motion that is not finite, for example a mass of zero.
+    /// - The start is reversible (on a grid), and the composition is not symmetric or the start does not fit the grid.
+    /// - [`Error::Misread`], in builds with debug assertions: generated energies differ from those of your functions.
     ///
     /// # Panics
-    /// Where your own functions would: their indices and their integer arithmetic are checked in a run as they are in
-    /// plain Rust. A list of the system that is too short for the start is an index out of bounds.
+    /// If your own functions panic: indices and integer arithmetic are checked as in plain Rust. For example, a list of
+    /// the system that is shorter than the start causes an index out of bounds.
     fn run<K: Precision>(
         &self,
         start: impl StartOf<Shaped<Self, K>, Leaf = K>,
@@ -175,7 +188,7 @@ pub trait Hamiltonian: Sized {
         Run::start::<Self, Self::Compose, K>(self, Self::Compose::default(), start.into_phase(), h)
     }
 
-    /// A run from `start` with step `h` and any composition, or another method, that may integrate this Hamiltonian.
+    /// Starts a run from `start` with step `h` and any composition or other method that can integrate this Hamiltonian.
     ///
     /// # Errors
     /// As [`Hamiltonian::run`].
@@ -188,12 +201,16 @@ pub trait Hamiltonian: Sized {
         Run::start::<Self, X, K>(self, method, start.into_phase(), h)
     }
 
-    /// A run from `start` with step `h` and any composition, or another [`Differentiable`] method, beside it the derivative of
-    /// its steps along `vectors`: at most as many as there are positions and momenta, each in the shape of the start.
+    /// Starts a run from `start` with step `h` together with the deviation vectors `vectors`.
+    ///
+    /// The method is a composition or another [`Differentiable`] method. Each vector has the shape of the start; there
+    /// are at most as many vectors as positions and momenta together.
     ///
     /// # Errors
-    /// As [`Hamiltonian::run`]. [`Error::VectorCount`], [`Error::Vector`]: no or too many vectors, or one that is zero,
-    /// not finite, or of another length. [`Error::NoTangent`]: a start on a grid, or steps of two copies of the state.
+    /// - Those of [`Hamiltonian::run`].
+    /// - [`Error::VectorCount`]: no vectors, or too many.
+    /// - [`Error::Vector`]: a vector is zero, not finite, or of another length than the start.
+    /// - [`Error::NoTangent`]: the start is on a grid, or steps evolve two copies of the state.
     fn tangent<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,
@@ -205,7 +222,9 @@ pub trait Hamiltonian: Sized {
     }
 }
 
-/// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`. Written by `#[hamiltonian]`, which decides it symbolically.
+/// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`.
+///
+/// `#[hamiltonian]` implements this trait if it can show symbolically that `T` has this form.
 #[diagnostic::on_unimplemented(
     message = "H of `{Self}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M",
     label = "this composition needs H = ½ pᵀ M⁻¹ p + V(q)",
@@ -213,26 +232,26 @@ pub trait Hamiltonian: Sized {
     note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every splitting"
 )]
 pub trait QuadraticKinetic: Hamiltonian {
-    /// Replaces the momenta by the Hessian of `V` times the momenta.
+    /// Replaces the momenta by the product of the Hessian of `V` and the momenta.
     fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, time: f64);
-    /// The exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
+    /// Applies the exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
     fn gradient_kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
 }
 
-/// The flows that a composition calls: the executor decides which motions they are applied to.
+/// The flows that a composition calls. The executor decides to which motions they are applied.
 pub trait Flows<H: Hamiltonian> {
-    /// Whether coordinates carry the rounding errors of updates, so that durations have to add up as well.
+    /// Whether coordinates are compensated, so that the durations of stages need corrections for rounding as well.
     const COMPENSATED: bool;
 
-    /// Sets the middle of the step under way: [`Hamiltonian::begin_step`].
+    /// Sets the midpoint time of the current step: [`Hamiltonian::begin_step`].
     fn begin_step(&mut self, _middle: f64) {}
-    /// The flow of `T`.
+    /// Applies the flow of `T`.
     fn drift(&mut self, duration: f64, time: f64);
-    /// The flow of `V`.
+    /// Applies the flow of `V`.
     fn kick(&mut self, duration: f64, time: f64);
-    /// The flows of the parts between the first and the last: [`Hamiltonian::middle`].
+    /// Applies the flows of the parts between the first and the last: [`Hamiltonian::middle`].
     fn middle(&mut self, duration: f64, time: f64, backwards: bool);
-    /// The flow of `duration·V + gradient·|∇V|²`.
+    /// Applies the flow of `duration·V + gradient·|∇V|²`.
     fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
     where
         H: QuadraticKinetic;
@@ -269,16 +288,16 @@ impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
     }
 }
 
-/// The energy of a state by the user's own functions.
+/// The energy of a state, computed by the user's own functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StatedEnergy {
-    /// By `kinetic` and `potential`, or by the functions of parts with names.
+    /// Computed by `kinetic` and `potential`, or by the functions of named parts.
     Separate {
         /// `T`, or the energy of the first part.
         kinetic: f64,
         /// `V`, or the energy of all other parts together.
         potential: f64,
     },
-    /// By `hamiltonian`.
+    /// Computed by `hamiltonian`.
     Whole(f64),
 }

@@ -1,8 +1,8 @@
-//! Symplectic splitting integrators whose steppers a macro writes.
+//! Symplectic splitting integrators, generated from your Hamiltonian at compile time.
 //!
-//! A Hamiltonian `H = T(p) + V(q)` is written as two plain functions. [`#[hamiltonian]`](macro@hamiltonian)
-//! differentiates them while the crate compiles and implements [`Hamiltonian`]; a composition says in which order and
-//! for which fractions of a step the two parts move; a [`Run`] follows one trajectory.
+//! You write `H = T(p) + V(q)` as two Rust functions. [`#[hamiltonian]`](macro@hamiltonian) differentiates them and
+//! generates the exact flows of both parts. A composition, such as [`Verlet`] or [`Yoshida4`], combines these flows into
+//! a step. A [`Run`] integrates one trajectory.
 //!
 //! ```
 //! use integrator_core::prelude::*;
@@ -34,43 +34,58 @@
 //! # }
 //! ```
 //!
-//! # Where to look
+//! # Where to start
 //!
-//! | for | see |
+//! | task | item |
 //! |---|---|
-//! | what may stand in the two functions | [`#[hamiltonian]`](macro@hamiltonian) |
-//! | which compositions there are | the structs below; [`Scheme`] for what is known of each |
-//! | declaring a composition | [`composition!`] |
-//! | where a run starts, and in which precision | [`Phase`] |
-//! | what a run does and promises | [`Run`] |
-//! | looking at a run from time to time | [`Run::samples`] |
-//! | saving what is seen of a run | `output` (feature `output`) |
-//! | Poincaré sections, the times of events | [`Run::crossings`] |
-//! | what can go wrong | [`Error`] |
-//! | a run that outlives its program | `Run::checkpoint`, `Run::resume` (feature `checkpoint`) |
-//! | whether a stepper is what it claims to be | `check`, above all `certify` (feature `check`) |
-//! | whether an orbit is chaotic, and how fast neighbours leave it | `chaos` (feature `check`), [`Hamiltonian::tangent`] |
-//! | which composition is the cheapest, and with which step | `check::choose` (feature `check`) |
-//! | which splitting is the fastest, with which composition | `check::choose_among` (feature `check`) |
-//! | which machine code is run | [`InstructionSet`] |
+//! | Write a Hamiltonian | [`#[hamiltonian]`](macro@hamiltonian) |
+//! | Set the initial state and the precision | [`Phase`] |
+//! | Integrate a trajectory | [`Hamiltonian::run`], [`Run::advance`], [`Run::advance_to`] |
+//! | Choose a composition, or declare one | [structs](#structs) and their [`Scheme`], [`choose`], [`composition!`] |
+//! | Read states at regular times, write files | [`Run::samples`], [`Run::samples_at`], [`output`] |
+//! | Find Poincaré sections and events | [`Run::crossings`], [`Run::on_crossing`] |
+//! | Control the step size | [`Logarithmic`], [`Power`], [`Paced`] |
+//! | Integrate many trajectories | [`Ensemble`] |
+//! | Verify symplecticity, order and energy drift | [`certify`] |
+//! | Measure chaos | [`chaos`], [`Hamiltonian::tangent`] |
+//!
+//! Further items:
+//!
+//! - [`choose_among`] finds the fastest of several splittings, with its composition and step.
+//! - [`GaussLegendre4`], [`GaussLegendre6`], [`ImplicitMidpoint`] and [`taylor::Taylor`] integrate a Hamiltonian without
+//!   splitting it.
+//! - [`checkpoint`] and [`resume`] save a run and continue it in another program.
+//! - [`Error`] lists what can fail.
+//! - [`InstructionSet`] is the instruction set that a run uses; the environment variable `INTEGRATOR_ISA` selects it.
 //!
 //! # Features
 //!
-//! `check`, on by default: the measurements behind certificates. It brings nalgebra; a program that only
-//! steps turns it off and compiles neither.
+//! - `std` (default): threads, ensembles, files, and the detection of instruction sets. Without `std`, steppers need an
+//!   allocator and the feature `libm`, and use the instructions that every machine of the target has.
+//! - `libm`: elementary functions without `std`.
+//! - `check` (default): certificates and the modules `check` and [`chaos`]. Depends on `std` and nalgebra.
+//! - `reference`: textbook methods for comparison, which are not compositions. Depends on `check` and
+//!   differential-equations.
+//! - `checkpoint`: saves runs as bytes or files. Depends on serde, postcard and crc.
+//! - `output`: writes samples as CSV and NPZ files. Depends on csv, npyz and zip.
 //!
-//! `std`, on by default: what takes an operating system. Without it, and with the feature `libm` for elementary
-//! functions, steppers need an allocator alone; there are no ensembles, no threads and no files, and runs use what
-//! every machine of the target has. `check` needs it.
-//!
-//! `reference`: methods that are no compositions, to compare with (module `reference`). It brings `check` and the crate
-//! differential-equations.
-//!
-//! `checkpoint`: `Run::checkpoint` and `Run::resume`, runs as bytes and as files that survive a killed program. It
-//! brings serde, postcard and crc.
-//!
-//! `output`: samples as CSV and as NPZ files. It brings csv, npyz and zip.
+#![cfg_attr(feature = "check", doc = "[`certify`]: fn@check::certify")]
+#![cfg_attr(not(feature = "check"), doc = "[`certify`]: #features")]
+#![cfg_attr(feature = "check", doc = "[`choose`]: fn@check::choose")]
+#![cfg_attr(not(feature = "check"), doc = "[`choose`]: #features")]
+#![cfg_attr(feature = "check", doc = "[`choose_among`]: fn@check::choose_among")]
+#![cfg_attr(not(feature = "check"), doc = "[`choose_among`]: #features")]
+#![cfg_attr(feature = "check", doc = "[`chaos`]: mod@chaos")]
+#![cfg_attr(not(feature = "check"), doc = "[`chaos`]: #features")]
+#![cfg_attr(feature = "output", doc = "[`output`]: mod@output")]
+#![cfg_attr(not(feature = "output"), doc = "[`output`]: #features")]
+#![cfg_attr(feature = "checkpoint", doc = "[`checkpoint`]: Run::checkpoint")]
+#![cfg_attr(not(feature = "checkpoint"), doc = "[`checkpoint`]: #features")]
+#![cfg_attr(feature = "checkpoint", doc = "[`resume`]: Run::resume")]
+#![cfg_attr(not(feature = "checkpoint"), doc = "[`resume`]: #features")]
+#![cfg_attr(not(feature = "std"), doc = "[`Ensemble`]: #features")]
 #![cfg_attr(not(any(feature = "std", test)), no_std)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(unsafe_code)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
@@ -153,7 +168,7 @@ mod documents {
 #[cfg(doctest)]
 mod guide;
 
-/// What a user of the library brings into scope with one line.
+/// The items that most programs use: `use integrator_core::prelude::*;`.
 pub mod prelude {
     #[cfg(not(feature = "std"))]
     pub use crate::Elementary;
@@ -266,10 +281,9 @@ pub mod __private {
         },
     };
 
-    /// A table of prepared constants whose length is known at run time.
+    /// Returns a table of prepared constants whose length is known at run time.
     ///
-    /// A function of its own for each `T` and not for each table: what is seldom called is compiled as seldom as
-    /// possible.
+    /// The closure is behind a reference, so that this compiles once for each `T` and not once for each table.
     pub fn table<T>(length: usize, element: &dyn Fn(usize) -> T) -> Vec<T> {
         let mut table = Vec::with_capacity(length);
         for place in 0..length {
@@ -278,7 +292,7 @@ pub mod __private {
         table
     }
 
-    /// So many copies of an element.
+    /// Returns a list of `length` copies of an element.
     pub fn repeated<T: Clone>(length: usize, element: T) -> Vec<T> {
         alloc::vec![element; length]
     }
