@@ -18,14 +18,16 @@ use core::{borrow::BorrowMut, fmt, mem};
 /// After so many evaluations without an end, intervals are halved.
 const IMPATIENT: u32 = 32;
 
-/// Which way a function passes through zero, as the run goes: backwards in time where its step is negative.
+/// The direction in which a function passes through zero along a run.
+///
+/// If the step is negative, the run goes backwards in time, and the direction is that of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// From negative to positive values.
     Rising,
     /// From positive to negative values.
     Falling,
-    /// Both ways.
+    /// In both directions.
     Either,
 }
 
@@ -39,10 +41,9 @@ impl Direction {
     }
 }
 
-/// The states in which a function changes its sign along a run. Made by [`Run::crossings`], or from a run that is lent by
-/// [`Run::by_ref`].
+/// An iterator over the states in which a function changes its sign along a run.
 ///
-/// After an error the iterator ends.
+/// Returned by [`Run::crossings`] and by [`ByRef::crossings`](crate::ByRef::crossings). The iterator ends after an error.
 #[derive(Clone)]
 pub struct Crossings<C: Coords, G, R = Run<C>> {
     run: R,
@@ -65,25 +66,27 @@ pub(crate) struct Point<C> {
 }
 
 impl<C: Coords> Run<C> {
-    /// An iterator over the states in which `function` passes through zero within the next `steps` steps: a Poincaré
-    /// section, or the times of events.
+    /// Returns an iterator over the zeros of `function` within the next `steps` steps: a Poincaré section, or events.
     ///
-    /// Signs are compared after every step. Between two that differ, the time is found to the rounding of the step, by
-    /// shorter steps from the state before, so that it has the order of the method, or on the polynomial of
-    /// [`Taylor`](crate::taylor::Taylor), so that it has the precision of the run; `step` of such a sample counts the
-    /// whole steps before it. Two crossings within one step are not seen: take a step in which the function turns at
-    /// most once.
+    /// The sign of `function(state, time)` is compared after every step. If it changed, the time of the crossing is
+    /// computed to rounding accuracy:
     ///
-    /// A function that is zero after a step has passed through it if it leaves to the other side, and the crossing is
-    /// this very state (the last one, if there are several), seen one step later. A zero at the start is no crossing,
-    /// nor is one from which the function returns to its side; a function that is zero everywhere has none. A jump from
-    /// one side to the other counts: an angle that is wrapped around jumps one way and passes the other way, so that
-    /// a [`Direction`] tells these apart.
+    /// - for compositions, by shorter steps from the state before, so that crossings have the order of the method;
+    /// - for [`Taylor`](crate::taylor::Taylor), on its polynomial, so that crossings have the precision of the run.
     ///
-    /// The state of a crossing is a zero of the function, or the nearest state on the other side of it: a new run from there
-    /// does not find this crossing again. [`Run::on_crossing`] changes the state at every crossing and goes on.
+    /// The `step` of such a sample counts the whole steps before it. The state is a zero of the function, or the nearest
+    /// state after it, so that a new run from there does not find this crossing again. [`Run::on_crossing`] changes the
+    /// state at every crossing.
     ///
-    /// Coordinates in `f32` or on a grid move in jumps, and a crossing is one of the states beside the zero.
+    /// Special cases:
+    ///
+    /// - Two crossings within one step are not found. Choose a step in which the function has at most one extremum.
+    /// - If the function is zero at the end of a step, this state is a crossing if the sign differs afterwards; the iterator
+    ///   returns it one step later. Of several such states in a row, the last one counts.
+    /// - A zero at the start is not a crossing, and neither is a zero that the function touches without changing its sign.
+    /// - A jump from one sign to the other is a crossing. A wrapped angle passes zero in one direction and jumps in the
+    ///   other, so that a [`Direction`] selects the passages.
+    /// - Coordinates in `f32` or on a grid change in discrete amounts; a crossing is a state next to the zero.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -105,7 +108,7 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// Items are errors where [`Run::advance`] has one, and [`Error::Crossing`] where the function is not finite.
+    /// An item is an error if [`Run::advance`] fails, or [`Error::Crossing`] if the function is not finite.
     pub fn crossings<G>(self, steps: u64, direction: Direction, function: G) -> Crossings<C, G>
     where
         G: FnMut(&Phase<C>, f64) -> f64,

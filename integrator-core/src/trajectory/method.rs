@@ -1,7 +1,7 @@
-//! Methods that advance runs: compositions, and those that know the vector field alone.
+//! Methods that advance runs: compositions, and methods that use the vector field only.
 //!
-//! A method has a motion that a start is loaded into, and the step functions that advance it. Every composition is
-//! a method, whose motion is that of the system.
+//! A method defines a motion, which holds the state, and the step functions that advance it. The motion of a composition
+//! is that of the system.
 
 use crate::{
     composition::{Composition, Processor, Scheme, Stages},
@@ -18,23 +18,23 @@ use alloc::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Facts {
-    /// Its name.
+    /// The name of the method.
     pub name: &'static str,
-    /// With which power of the step its errors fall.
+    /// The order: the global error is proportional to this power of the step.
     pub order: u32,
-    /// The powers of the step with which the parts of an error fall that are of the first, second, ... power of the size of H's second
-    /// part: [`Scheme::GENERALISED_ORDERS`]. Empty where none are claimed.
+    /// The generalised orders, [`Scheme::GENERALISED_ORDERS`]; empty if the method claims none.
     pub generalised_orders: &'static [u32],
     /// Whether a step by `-h` undoes a step by `h`.
     pub symmetric: bool,
-    /// Whether steps preserve the symplectic form, whatever their size. An accurate step that does not is hard to tell
-    /// from one that does, so that a method has to say it.
+    /// Whether steps preserve the symplectic form for every step size.
+    ///
+    /// Measurements cannot distinguish a symplectic step from a very accurate one, so the method declares it.
     pub symplectic: bool,
-    /// Whether it covers a step of the run by steps of its own, so that errors follow a tolerance and not the step.
+    /// Whether the method divides a step of the run into internal steps, so that a tolerance determines the error.
     pub adaptive: bool,
-    /// How often a step evaluates the force, where that is known beforehand.
+    /// Force evaluations per step, if the number is constant.
     pub forces: Option<usize>,
-    /// The `h·ω` from which a step is unstable on a harmonic oscillator, where that is known.
+    /// The smallest `h·ω` at which the step is unstable for a harmonic oscillator, if known.
     pub stability_limit: Option<f64>,
     /// How often a step rounds the state, about.
     pub(crate) roundings: usize,
@@ -67,15 +67,15 @@ impl Facts {
     }
 }
 
-/// A method with its properties, whatever it integrates.
+/// A method with properties that do not depend on the Hamiltonian.
 pub trait Described: Copy + Send + Sync + 'static {
-    /// The properties of this method.
+    /// Returns the properties of this method.
     fn facts(self) -> Facts;
 
-    /// Whether its own parameters, such as a tolerance, make sense.
+    /// Checks the parameters of the method, such as a tolerance.
     ///
     /// # Errors
-    /// A tolerance that is not a positive number.
+    /// The tolerance is not a positive number.
     fn admissible(self) -> Result<(), Error> {
         Ok(())
     }
@@ -100,8 +100,10 @@ impl<X: Scheme> Described for X {
     }
 }
 
-/// A method that may integrate `H`: any composition that may, those of `reference`, and
-/// [`Taylor`](crate::taylor::Taylor) where the system has its recurrences.
+/// A method that can integrate `H`.
+///
+/// These are the compositions that support `H`, implicit methods, methods with step-size control, the methods of the
+/// module `reference`, and [`Taylor`](crate::taylor::Taylor) for a system with `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a method that may integrate `{H}`",
     label = "neither a composition nor another method for this Hamiltonian",
@@ -112,28 +114,29 @@ impl<X: Scheme> Described for X {
     note = "`Stoermer4` and `StoermerCowell4` need a T that is quadratic in p, with a constant mass"
 )]
 pub trait Method<H: Hamiltonian>: Described {
-    /// Whether its steps are compiled for several instruction sets, of which a run takes the best.
+    /// Whether steps are compiled for several instruction sets, of which a run uses the best available.
     const CLONED: bool = true;
-    /// Whether a single run takes instructions for vectors of 512 bits, where the machine has them.
+    /// Whether a single run uses AVX-512 if the machine has it.
     const WIDE: bool = H::WIDE;
 
-    /// How often a step evaluates the force, where that is known beforehand: [`Facts`] tell it of steps that go on
-    /// where the last one ended, which those of systems with pieces in time do not.
+    /// Returns the force evaluations per step, if the number is constant.
+    ///
+    /// [`Facts::forces`] assumes stages that are merged across steps, which [`Hamiltonian::PIECEWISE_IN_TIME`] prevents.
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
     }
-    /// What it claims of this Hamiltonian.
+    /// Returns the properties that the method claims for this Hamiltonian.
     fn claims(self) -> Facts {
         self.facts()
     }
     /// The constants of a run.
     type Constants: Send + Sync + 'static;
-    /// The state of a run with its constants, in a layout.
+    /// The state of a run and its constants.
     type Motion<R: Real, K: Precision>: Motion<Shaped<H, K>, Self::Constants>;
 
-    /// The constants of a run, from those of the system.
+    /// Returns the constants of a run, computed from those of the system.
     fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants>;
-    /// The steps, compiled for one scalar, leaf and executor.
+    /// Returns the step functions for a scalar type, a precision and an executor.
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>>;
 }
 
@@ -159,8 +162,7 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
     }
 }
 
-/// A method whose checkpoints hold all that its runs go on from: any composition, implicit methods, and those with a time of
-/// their own.
+/// A method whose runs can be resumed from a checkpoint: compositions, implicit methods, and those with a fictitious time.
 #[diagnostic::on_unimplemented(
     message = "no run by `{Self}` goes on from a checkpoint",
     label = "neither a composition for this Hamiltonian, nor another method whose checkpoints hold all of a run",
@@ -171,15 +173,16 @@ pub trait Resumable<H: Hamiltonian>: Method<H> {}
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
 
-/// A method whose steps have derivatives along deviation vectors: any composition, implicit methods, those with a time of
-/// their own, and [`Taylor`](crate::taylor::Taylor) at the steps that it takes.
+/// A method that integrates deviation vectors together with the state.
+///
+/// These are compositions, implicit methods, methods with a fictitious time, and [`Taylor`](crate::taylor::Taylor).
 #[diagnostic::on_unimplemented(
     message = "steps of `{H}` by `{Self}` have no derivatives here",
     label = "neither a composition for this Hamiltonian, nor another method that carries deviation vectors",
     note = "compositions, `ImplicitMidpoint` and the methods of Gauss, `Logarithmic`, `Power`, `Paced` and `Taylor` do"
 )]
 pub trait Differentiable<H: Hamiltonian>: Method<H> {
-    /// Whether a run goes on from its state and its vectors alone, so that these may be divided by powers of two.
+    /// Whether a run depends on its state and vectors only, so that vectors can be rescaled by powers of two.
     const FROM_STATES: bool = false;
 }
 
@@ -187,7 +190,9 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Differentiable<H> for X {
     const FROM_STATES: bool = true;
 }
 
-/// A method that goes on from positions and momenta alone: any composition, and implicit methods. An annotation may name it.
+/// A method whose runs depend on positions and momenta only: compositions and implicit methods.
+///
+/// `compose = ...` of `#[hamiltonian]` accepts these methods.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a composition that may integrate `{H}`",
     label = "not a composition for this Hamiltonian",

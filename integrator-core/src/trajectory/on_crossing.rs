@@ -20,17 +20,19 @@ use crate::{
 const SAME: f64 = 1.0 / (1_u64 << 26) as f64;
 
 impl<C: Coords> Run<C> {
-    /// Takes `steps` steps and changes the state by `action` wherever `function` passes through zero: a ball that bounces, a
-    /// kick at each pericentre, a particle that comes back at the other end of a box. Returns the number of these crossings.
+    /// Takes `steps` steps and calls `action` at each zero of `function`; returns the number of these crossings.
     ///
-    /// Crossings are those of [`Run::crossings`]. The action gets the state there and the time, and the state that it leaves is
-    /// on the other side of this zero, so that the same crossing is not found again. From the changed state, a shorter step leads to
-    /// the end of the step in which the crossing was. [`Run::time`] therefore remains `t0 + n·h`, and a crossing in each of
-    /// 100,000 turns adds up no time. Steps without a crossing have the bits of [`Run::advance`]. With
-    /// [`Taylor`](crate::taylor::Taylor) a new polynomial begins at each crossing.
+    /// Examples are a bouncing ball, a kick at each pericentre, or a particle that re-enters a box at the other end.
     ///
-    /// Two crossings within one step, or within the rest of one behind a crossing, are not seen. A ball that bounces lower and
-    /// lower falls through the floor when it is back before the step ends: let the action stop such a ball.
+    /// Crossings are those of [`Run::crossings`]. `action(state, time)` changes the state at the crossing. The changed state
+    /// counts as lying beyond this zero, so that the same crossing is not found again. A shorter step then leads to the end
+    /// of the step in which the crossing was.
+    ///
+    /// - [`Run::time`] remains `t0 + n·h`; crossings do not accumulate an error of the time.
+    /// - Steps without a crossing are bitwise identical to those of [`Run::advance`].
+    /// - With [`Taylor`](crate::taylor::Taylor), a new polynomial begins at each crossing.
+    /// - Two crossings within one step, or within the remainder of a step after a crossing, are not found. A ball that
+    ///   bounces lower and lower falls through the floor once it returns within one step; let `action` stop such a ball.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -56,8 +58,11 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// As [`Run::advance`]; [`Error::Crossing`] where the function is not finite; what [`Run::map_state`] refuses, where the
-    /// action leaves such a state. The run is at the end of the last step that was taken as a whole.
+    /// The run is at the end of the last complete step after an error.
+    ///
+    /// - Those of [`Run::advance`].
+    /// - [`Error::Crossing`]: the function is not finite.
+    /// - Those of [`Run::map_state`], for the state that `action` leaves.
     pub fn on_crossing(
         &mut self,
         steps: u64,

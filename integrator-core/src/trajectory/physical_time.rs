@@ -20,12 +20,14 @@ pub(crate) fn steps_at_once(way: f64, step: f64) -> u64 {
 }
 
 impl<C: Coords> Run<C> {
-    /// Goes to a time, to the rounding: by whole steps to the last one that does not lie beyond it, and from there on a copy
-    /// by a shorter step of the same method, or on the polynomial of [`Taylor`](crate::taylor::Taylor).
+    /// Advances to the time `time`, up to rounding.
     ///
-    /// [`Run::time`], [`Run::state`] and [`Run::energy`] are then those of this time. The run itself stands at the step
-    /// before: [`Run::steps`] counts whole steps, and [`Run::advance`] goes on from there, so that the trajectory does not
-    /// depend on the times that it was looked at. Where `h` is negative, times fall.
+    /// The run takes whole steps up to the last one that does not end after `time`. From there, a copy takes one shorter
+    /// step of the same method, or evaluates the polynomial of [`Taylor`](crate::taylor::Taylor).
+    ///
+    /// [`Run::time`], [`Run::state`] and [`Run::energy`] then refer to `time`. [`Run::steps`] counts whole steps, and
+    /// [`Run::advance`] continues from the last whole step. The trajectory therefore does not depend on output times. If
+    /// `h` is negative, times decrease.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -46,8 +48,9 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Time`] for a time that is not finite, [`Error::Passed`] for one that lies before the last whole step; and as
-    /// [`Run::advance`].
+    /// - Those of [`Run::advance`].
+    /// - [`Error::Time`]: `time` is not finite.
+    /// - [`Error::Passed`]: `time` is before the last whole step.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
         self.check_time_ahead(time)?;
         self.advance(0)?;

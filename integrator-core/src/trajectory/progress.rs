@@ -1,7 +1,6 @@
-//! Long calls in portions, each of which is told of: how far it is, how long that took, how long the rest will.
+//! Progress reports: a long call is made in portions, with a report after each.
 //!
-//! Always true: a portion is a call of `advance`, so that no bit depends on how long portions are, and whoever stops between
-//! two of them has a run like any other.
+//! A portion is a call of `advance`, so that results are bitwise independent of the lengths of portions.
 
 use crate::error::Error;
 use alloc::{format, string::String};
@@ -12,32 +11,32 @@ use std::time::Instant;
 const LEAST: Duration = Duration::from_millis(50);
 const MOST: Duration = Duration::from_millis(200);
 
-/// How far a call of `advance_with` is.
+/// The progress of a call of [`Run::advance_with`](crate::Run::advance_with).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Progress {
-    /// The steps that are done.
+    /// The number of steps done.
     pub done: u64,
-    /// The steps that were asked for.
+    /// The number of steps in the whole call.
     pub steps: u64,
-    /// The time since the call.
+    /// The time since the beginning of the call.
     pub elapsed: Duration,
 }
 
 impl Progress {
-    /// The share that is done, from 0 to 1.
+    /// Returns the fraction of steps done, from 0 to 1.
     pub fn fraction(&self) -> f64 {
         if self.steps == 0 { 1.0 } else { self.done as f64 / self.steps as f64 }
     }
 
-    /// The time that the other steps will take, if they take as long as those that are done; `None` before the first one.
+    /// Returns the estimated time for the remaining steps, from the mean time per step; `None` before the first step.
     pub fn remaining(&self) -> Option<Duration> {
         let seconds = self.elapsed.as_secs_f64() * (1.0 - self.fraction()) / self.fraction();
         Duration::try_from_secs_f64(seconds).ok()
     }
 }
 
-/// `37 %, 12 s left`.
+/// Displays as `37 %, 12 s left`.
 impl fmt::Display for Progress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:.0} %", (100.0 * self.fraction()).floor())?;

@@ -1,4 +1,4 @@
-//! One trajectory: integer time, stages merged across steps, stopped where it leaves the finite numbers.
+//! One trajectory: integer step counts, stages merged across steps, stopped when the state is not finite.
 
 #[cfg(debug_assertions)]
 use crate::system::user_energies::hold_at_start;
@@ -35,7 +35,10 @@ use core::fmt;
 #[cfg(feature = "std")]
 use core::ops::ControlFlow;
 
-/// A trajectory under way, made by [`Hamiltonian::run`]. Its type names the coordinates alone, so it can be stored.
+/// A trajectory that is being integrated, returned by [`Hamiltonian::run`].
+///
+/// The type has the coordinates as its only parameter, so that runs of different systems and methods can be stored
+/// together.
 pub struct Run<C: Coords> {
     pub(crate) engine: Engine,
     energies: Arc<dyn Energies<C>>,
@@ -217,15 +220,19 @@ impl<C: Coords> Run<C> {
         self.clock.since(self.opened)
     }
 
-    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    /// Starts the clock at `t0` instead of 0.
+    ///
+    /// If `t0` is not finite, the first `advance` returns an error.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.clock.t0 = t0;
         self
     }
 
-    /// Uses at most so many threads instead of all that the machine has; no result depends on it. Lattices of many
-    /// sites and the pairs of hundreds of bodies are shared out among threads, and nothing else.
+    /// Limits the number of threads; the default is all cores.
+    ///
+    /// Only lattices of many sites and pair sums of hundreds of bodies are distributed over threads. Results are bitwise
+    /// independent of the number of threads.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.engine.share_among(Some(threads));
@@ -237,20 +244,24 @@ impl<C: Coords> Run<C> {
         self.clock.check()
     }
 
-    /// Takes `steps` steps. In any portions, the result is the same bit for bit.
+    /// Takes `steps` steps.
+    ///
+    /// `advance(a)` followed by `advance(b)` is bitwise identical to `advance(a + b)`.
     ///
     /// # Errors
-    /// [`Error::Diverged`] if the state leaves the finite numbers; the run then stays at the last finite state, and
-    /// [`Run::time`] and [`Run::state`] tell it. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the run
-    /// as it was, and so does [`Error::Energy`], which the first call returns where `H` reads the time and has no value
-    /// at the start. [`Error::EnergyStrayed`] if a [watch](Run::watch_energy) says so; the run stays at the last step
-    /// within its bound.
+    /// - [`Error::Diverged`]: the state is not finite. The run stays at the last finite state, which [`Run::time`] and
+    ///   [`Run::state`] return.
+    /// - [`Error::NotSolved`]: an implicit method did not solve its equations. The run stays at the last step.
+    /// - [`Error::EnergyStrayed`]: the energy left the bound of [`Run::watch_energy`]. The run stays at the last step
+    ///   within the bound.
+    /// - [`Error::Time`], [`Error::Clock`], [`Error::Steps`]: the run is unchanged.
+    /// - [`Error::Energy`]: `H` depends on time, and the energy of the start is not finite. The first call returns this
+    ///   error; the run is unchanged.
     ///
     /// # Panics
-    /// Where your own functions would. A program that catches the panic finds the run at the last step before it, as
-    /// after a divergence; the message is printed twice where this step has to be found in a block of steps. Without
-    /// the feature
-    /// `std`, the run stays up to 1023 steps before it.
+    /// If your own functions panic. A program that catches the panic finds the run at the last step before it. The panic
+    /// message can be printed twice, because this step is located by repeating a block of steps. Without the feature
+    /// `std`, the run stays up to 1023 steps before the panic.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.clock.end(steps)?;
         self.check_start()?;
@@ -268,9 +279,11 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// As [`Run::advance`], and tells `progress` about ten times a second how far it is, how long that took, and how long the
-    /// rest will take. It stops when it is told to break, as by a key that is pressed, and returns how many steps were taken:
-    /// the run is where they led, and goes on from there as if nothing had happened.
+    /// Takes `steps` steps like [`Run::advance`], and calls `progress` about ten times a second.
+    ///
+    /// The [`Progress`] contains the steps done, the elapsed time and an estimate of the remaining time. If `progress`
+    /// returns [`ControlFlow::Break`], the call stops and the run can be continued later. Returns the number of steps
+    /// taken.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -362,8 +375,11 @@ impl<C: Coords> Run<C> {
         self.clock.steps -= steps;
     }
 
-    /// The time, `t0 + n·h`; what was integrated, where the method has a time of its own, such as
-    /// [`Logarithmic`](crate::Logarithmic); and what [`Run::advance_to`] was called with.
+    /// Returns the time, `t0 + n·h`.
+    ///
+    /// - For a method with a fictitious time, such as [`Logarithmic`](crate::Logarithmic), this is the integrated
+    ///   physical time.
+    /// - After [`Run::advance_to`], it is the time to which the run advanced.
     pub fn time(&self) -> f64 {
         match &self.between {
             Some((time, _)) => *time,
@@ -386,20 +402,22 @@ impl<C: Coords> Run<C> {
         time_after(self.clock.t0, durations(self.opened_at, elapsed))
     }
 
-    /// The step `h`.
+    /// Returns the step `h`.
     pub fn step(&self) -> f64 {
         self.clock.h
     }
 
-    /// How many steps were taken.
+    /// Returns the number of steps taken.
     pub fn steps(&self) -> u64 {
         self.clock.steps
     }
 
-    /// How often the steps of this run have evaluated the force: that of a step times the steps, where kicks along the
-    /// gradient of the squared force count twice; or counted, where the number differs from step to step, with a
-    /// Jacobian of an implicit method once for each of its columns, and a polynomial of [`Taylor`](crate::taylor::Taylor) once for
-    /// each of its orders: an order of the force takes as many products as there are lower ones.
+    /// Returns the number of force evaluations in all steps of this run.
+    ///
+    /// - Compositions: evaluations per step times steps; a force-gradient kick counts twice.
+    /// - Implicit methods: counted; a Jacobian counts once for each of its columns.
+    /// - [`Taylor`](crate::taylor::Taylor): counted; a polynomial counts once for each of its orders. The cost of an order
+    ///   grows with the number of lower orders.
     pub fn evaluations(&self) -> u64 {
         match self.forces {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
@@ -407,9 +425,11 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// The steps that the method took by itself, where it does: those of [`Taylor`](crate::taylor::Taylor), which are the
-    /// polynomials that the run has left behind. The present one is under way: where the motion is a polynomial of the time, it
-    /// covers all of it, and no step is ever completed.
+    /// Returns the internal steps of a method that chooses its own steps, such as [`Taylor`](crate::taylor::Taylor);
+    /// `None` for other methods.
+    ///
+    /// An internal step is one Taylor polynomial. It counts when the run has passed its end, so the current polynomial is
+    /// not included. If the exact solution is a polynomial in time, one polynomial covers it and the count stays zero.
     pub fn own_steps(&self) -> Option<OwnSteps> {
         self.counts().own_steps
     }
@@ -419,7 +439,9 @@ impl<C: Coords> Run<C> {
         self.counted.and(self.engine.motions.counts().unwrap_or_default())
     }
 
-    /// The state at [`Run::time`]: the step under way is completed on a copy, the run itself does not change.
+    /// Returns the state at [`Run::time`].
+    ///
+    /// The last stage of the current step is completed on a copy, so the run does not change.
     pub fn state(&self) -> Phase<C> {
         match &self.between {
             Some((_, state)) => state.clone(),
@@ -439,27 +461,28 @@ impl<C: Coords> Run<C> {
         self.tried_lane(0)
     }
 
-    /// The energy `T + V` at [`Run::time`].
+    /// Returns the energy `T + V` at [`Run::time`].
     ///
-    /// It is NaN or infinite where your functions have no value, as the logarithm left of zero: steps read forces
-    /// alone, which may be finite on the other side of a pole that a step has jumped over. [`Run::watch_energy`] stops
-    /// a run there.
+    /// The energy is NaN or infinite where your functions are undefined, for example the logarithm of a negative number.
+    /// Steps evaluate forces only, which can be finite there if a step jumped over a pole. [`Run::watch_energy`] stops
+    /// such a run.
     pub fn energy(&self) -> f64 {
         self.parts().total
     }
 
-    /// The kinetic energy `T` at [`Run::time`]; where the parts of H have names, the energy of the first one.
+    /// Returns the kinetic energy `T` at [`Run::time`]; with named parts, the energy of the first part.
     pub fn kinetic(&self) -> f64 {
         self.parts().kinetic
     }
 
-    /// The potential energy `V` at [`Run::time`]; where the parts of H have names, the energy of all but the first one.
+    /// Returns the potential energy `V` at [`Run::time`]; with named parts, the energy of all parts except the first.
     pub fn potential(&self) -> f64 {
         self.parts().potential
     }
 
-    /// A function of the state that the system says is conserved, by its name: [`#[invariant]`](macro@crate::hamiltonian#invariants)
-    /// on a function of the impl.
+    /// Returns the value of a conserved quantity, by its name.
+    ///
+    /// Conserved quantities are the functions of the impl with [`#[invariant]`](macro@crate::hamiltonian#invariants).
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -481,7 +504,7 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoInvariant`], which lists those that there are.
+    /// [`Error::NoInvariant`] if there is none of this name; the error lists all names.
     pub fn invariant(&self, name: &str) -> Result<f64, Error> {
         self.energies.invariant_named(name, &self.state())
     }
@@ -490,13 +513,14 @@ impl<C: Coords> Run<C> {
         self.energies.parts(&self.state(), self.time(), self.engine.motions.found().as_ref())
     }
 
-    /// Changes the state between two steps: coordinates that are wrapped into a periodic box, momenta that are drawn
-    /// anew by a thermostat or for a Markov chain. Time and the number of steps go on.
+    /// Changes the state between two steps.
     ///
-    /// From there, the run has the bits of a new one that starts from the changed state [at this time](Run::at_time), and
-    /// [`Run::state`] returns this very state until the next step. A [watch](Run::watch_energy) goes on with its energy.
+    /// Examples are wrapping coordinates into a periodic box, or drawing new momenta for a thermostat or a Markov chain.
+    /// The time and the number of steps are kept. [`Run::on_crossing`] changes states within steps.
     ///
-    /// [`Run::on_crossing`] changes states within steps.
+    /// The run continues bitwise identically to a new run from the changed state [at this time](Run::at_time).
+    /// [`Run::state`] returns the changed state until the next step. A [watch](Run::watch_energy) continues with the
+    /// energy of the changed state.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -518,9 +542,11 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// What a run from the new state would be refused for, such as [`Error::Start`] where it is not finite, and
-    /// [`Error::Resized`] if it has another number of coordinates; [`Error::WithinStep`] after [`Run::advance_to`] a time that
-    /// is not the end of a step. The run stays as it was.
+    /// The run is unchanged after an error.
+    ///
+    /// - Those of a new run from the changed state, for example [`Error::Start`] if it is not finite.
+    /// - [`Error::Resized`]: the changed state has another number of coordinates.
+    /// - [`Error::WithinStep`]: [`Run::advance_to`] stopped at a time that is not the end of a step.
     pub fn map_state(&mut self, map: impl FnOnce(&mut Phase<C>)) -> Result<(), Error> {
         if let Some((time, _)) = self.between {
             return Err(Error::WithinStep { time, present: self.time_at_step() });

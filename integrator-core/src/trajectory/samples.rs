@@ -12,11 +12,10 @@ use crate::{
 use alloc::sync::Arc;
 use core::{borrow::BorrowMut, fmt, marker::PhantomData};
 
-/// An iterator over the states of a run at its start and then after every so many steps. Made by [`Run::samples`], or from a
-/// run that is lent by [`Run::by_ref`].
+/// An iterator over the current state of a run and its states after every `interval` steps.
 ///
-/// Sampling completes the step under way on a copy, so the trajectory is the one that `advance` alone would take.
-/// After an error the iterator ends.
+/// Returned by [`Run::samples`] and by [`ByRef::samples`]. Sampling does not change the trajectory. The iterator ends
+/// after an error.
 #[derive(Clone, Debug)]
 pub struct Samples<C: Coords, R = Run<C>> {
     run: R,
@@ -37,7 +36,7 @@ impl<C: Coords, R: BorrowMut<Run<C>>> Samples<C, R> {
         Self { run, interval, next: Next::Present, shape: PhantomData }
     }
 
-    /// The run, where the last sample left it.
+    /// Returns the run, which is at the last sample.
     pub fn into_run(self) -> R {
         self.run
     }
@@ -59,10 +58,11 @@ impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for Samples<C, R> {
     }
 }
 
-/// An iterator over the states of a run at equal intervals of time. Made by [`Run::samples_at`].
+/// An iterator over the states of a run at equal intervals of time.
 ///
-/// Times are `t + n·interval` from the present one on, and states those of [`Run::advance_to`], so that the trajectory is the
-/// one that `advance` alone would take. After an error the iterator ends.
+/// Returned by [`Run::samples_at`] and by [`ByRef::samples_at`]. The times are `t + n·interval`, where `t` is the current
+/// time; the states are those of [`Run::advance_to`]. Sampling does not change the trajectory. The iterator ends after an
+/// error.
 #[derive(Clone, Debug)]
 pub struct SamplesAt<C: Coords, R = Run<C>> {
     run: R,
@@ -83,7 +83,7 @@ impl<C: Coords, R: BorrowMut<Run<C>>> SamplesAt<C, R> {
         self.interval.is_finite() && (self.interval < 0.0) == (h < 0.0)
     }
 
-    /// The run, where the last sample left it.
+    /// Returns the run, which is at the last sample.
     pub fn into_run(self) -> R {
         self.run
     }
@@ -112,22 +112,26 @@ impl<C: Coords, R: BorrowMut<Run<C>>> Iterator for SamplesAt<C, R> {
 }
 
 impl<C: Coords> Run<C> {
-    /// An iterator over the present state and then the state after every `interval` steps.
+    /// Returns an iterator over the current state and the states after every `interval` steps.
+    ///
+    /// # Errors
+    /// An item is an error if [`Run::advance`] fails, or if `interval` is 0.
     pub fn samples(self, interval: u64) -> Samples<C> {
         Samples::new(self.at_step(), interval)
     }
 
-    /// An iterator over the states at the present time and then after every `interval` of time, each as
-    /// [`Run::advance_to`] gives it. The interval of a run with negative steps is negative.
+    /// Returns an iterator over the current state and the states after every `interval` of time.
+    ///
+    /// The states are those of [`Run::advance_to`]. If the step is negative, `interval` is negative.
     ///
     /// # Errors
-    /// Items are errors where [`Run::advance_to`] has one; the first one is [`Error::Interval`] for an interval that is not finite or
-    /// leads against the steps.
+    /// An item is an error if [`Run::advance_to`] fails. The first item is [`Error::Interval`] if `interval` is not finite
+    /// or has another sign than the step.
     pub fn samples_at(self, interval: f64) -> SamplesAt<C> {
         SamplesAt::new(self, interval)
     }
 
-    /// This run for samples or crossings that only borrow it, so that it goes on behind them.
+    /// Borrows this run for samples or crossings, so that it can be used after them.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -155,23 +159,25 @@ impl<C: Coords> Run<C> {
     }
 }
 
-/// A run that is lent to samples or crossings. Made by [`Run::by_ref`].
+/// A run that is borrowed for samples or crossings, returned by [`Run::by_ref`].
 #[derive(Debug)]
 pub struct ByRef<'r, C: Coords>(&'r mut Run<C>);
 
 impl<'r, C: Coords> ByRef<'r, C> {
-    /// As [`Run::samples`]. The run is where the last sample left it.
+    /// Samples like [`Run::samples`]. Afterwards the run is at the last sample.
     pub fn samples(self, interval: u64) -> Samples<C, &'r mut Run<C>> {
         Samples::new(self.at_step(), interval)
     }
 
-    /// As [`Run::samples_at`]. The run is where the last sample left it.
+    /// Samples like [`Run::samples_at`]. Afterwards the run is at the last sample.
     pub fn samples_at(self, interval: f64) -> SamplesAt<C, &'r mut Run<C>> {
         SamplesAt::new(self.0, interval)
     }
 
-    /// As [`Run::crossings`]. The run is after the last step that was evaluated: that behind the last crossing which was
-    /// taken, and after all the steps where there was no other.
+    /// Finds crossings like [`Run::crossings`].
+    ///
+    /// Afterwards the run is at the end of the last step that was evaluated. This is the end of the step in which the last
+    /// returned crossing was found, or the end of all steps if the iterator was exhausted.
     pub fn crossings<G>(self, steps: u64, direction: Direction, function: G) -> Crossings<C, G, &'r mut Run<C>>
     where
         G: FnMut(&Phase<C>, f64) -> f64,
@@ -189,9 +195,9 @@ impl<'r, C: Coords> ByRef<'r, C> {
 /// The state of a run at one time.
 #[derive(Clone)]
 pub struct Sample<C: Coords> {
-    /// The time, `t0 + n·h`; of a crossing, the time within the step that led through it.
+    /// The time `t0 + n·h`; for a crossing, its time within the step.
     pub time: f64,
-    /// The number of whole steps up to there, `n`.
+    /// The number `n` of whole steps up to this time.
     pub step: u64,
     /// Positions and momenta.
     pub state: Phase<C>,
@@ -209,21 +215,20 @@ impl<C: Coords> Sample<C> {
         Self { time, step, state, energies }
     }
 
-    /// The energy `T + V` of this state, computed when asked for.
+    /// Computes the energy `T + V` of this state.
     pub fn energy(&self) -> f64 {
         self.energies.energy(&self.state, self.time)
     }
 
-    /// A function of this state that the system says is conserved, by its name, computed when asked for:
-    /// [`Run::invariant`].
+    /// Computes a conserved quantity of this state, by its name, like [`Run::invariant`].
     ///
     /// # Errors
-    /// [`Error::NoInvariant`]
+    /// [`Error::NoInvariant`] if there is none of this name.
     pub fn invariant(&self, name: &str) -> Result<f64, Error> {
         self.energies.invariant_named(name, &self.state)
     }
 
-    /// The names of all of these, with their values in this state.
+    /// Computes all conserved quantities of this state; each item is a name and a value.
     pub fn invariants(&self) -> impl Iterator<Item = (&'static str, f64)> {
         (0..)
             .zip(self.energies.invariants())

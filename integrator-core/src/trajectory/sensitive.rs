@@ -16,24 +16,26 @@ use crate::{
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// A Hamiltonian whose steps have derivatives by parameters that its annotation names. Written by `#[hamiltonian]`.
+/// A Hamiltonian whose steps have derivatives with respect to parameters.
+///
+/// `#[hamiltonian(sensitive(name, ...))]` implements this trait for the parameters that it names.
 #[diagnostic::on_unimplemented(
     message = "no parameter of `{Self}` is named that derivatives are taken by",
     label = "the annotation names no parameters",
     note = "name fields of `{Self}` that are numbers: `#[hamiltonian(sensitive(mass, length))]`"
 )]
 pub trait Sensitive: Hamiltonian {
-    /// The names of these parameters, as the annotation has them.
+    /// The names of the parameters, in the order of the annotation.
     const SENSITIVE: &'static [&'static str];
 
-    /// The derivatives of the prepared constants by one of these parameters; zeros, where there is no such parameter.
+    /// Returns the derivatives of the prepared constants with respect to a parameter; zeros if there is no such parameter.
     fn slopes(&self, length: usize, parameter: usize) -> Self::Parameters<f64>;
 
-    /// A run from `start` with step `h`, beside it the derivatives of its state: along `vectors` at the start, of which
-    /// there may be none, and behind these by each of the parameters, in the order of [`Sensitive::SENSITIVE`].
+    /// Starts a run from `start` with step `h` together with the derivatives of its state.
     ///
-    /// All are [vectors](Tangent::vectors) of one tangent. They are exact derivatives of the steps that are taken, whose
-    /// start does not depend on the parameters.
+    /// The [vectors](Tangent::vectors) of the result are the images of `vectors`, which may be empty, followed by the
+    /// derivatives with respect to each parameter, in the order of [`Sensitive::SENSITIVE`]. They are exact derivatives of
+    /// the steps taken; the start does not depend on the parameters.
     ///
     /// ```
     /// use integrator_core::prelude::*;

@@ -1,9 +1,8 @@
-//! A trajectory with deviation vectors: the exact derivative of the very steps that a run takes, along some directions.
+//! A trajectory with deviation vectors, which are multiplied by the exact derivative of each step.
 //!
-//! In: a system, a method, a start, vectors, a step. Out: the state after some steps, with the bits of the run without
-//! vectors, and the images of the vectors under the tangent map of these steps. Always true: vectors are only ever
-//! multiplied by powers of two, at steps whose number is a multiple of [`BETWEEN_SCALES`], and only where a method goes on
-//! from states alone; what was divided out is told.
+//! The state is bitwise identical to that of a run without vectors. Vectors are rescaled by powers of two only, at steps
+//! whose number is a multiple of [`BETWEEN_SCALES`], and only for methods whose runs depend on the state alone; the
+//! exponents are returned.
 
 #[cfg(feature = "checkpoint")]
 mod stored;
@@ -36,10 +35,10 @@ pub(crate) const BETWEEN_SCALES: u64 = 64;
 /// bits.
 pub(crate) const TOGETHER: usize = 4;
 
-/// A trajectory under way and deviation vectors `(δq, δp)` along it, made by [`Hamiltonian::tangent`].
+/// A trajectory with deviation vectors `(δq, δp)`, returned by [`Hamiltonian::tangent`].
 ///
-/// Each vector is multiplied by the derivative of each step: they are the differences to a trajectory that starts
-/// infinitely near, over what is infinitely small. The map of vectors is symplectic where the method is.
+/// Each step multiplies the vectors by its exact derivative: a vector is the difference to a neighbouring orbit, to first
+/// order in the initial distance and divided by it. This linear map is symplectic if the method is.
 pub struct Tangent<C: Coords> {
     /// Trajectories of the same state, each with some of the vectors.
     runs: Vec<Run<C>>,
@@ -142,22 +141,27 @@ impl<C: Coords> Tangent<C> {
         Ok(Self { runs, room, exponents: vec![0; count], linear, parameters, before: Vec::new(), between: None })
     }
 
-    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    /// Starts the clock at `t0` instead of 0.
+    ///
+    /// If `t0` is not finite, the first `advance` returns an error.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.runs = take(&mut self.runs).into_iter().map(|run| run.at_time(t0)).collect();
         self
     }
 
-    /// Takes `steps` steps. In any portions, the result is the same bit for bit.
+    /// Takes `steps` steps.
+    ///
+    /// `advance(a)` followed by `advance(b)` is bitwise identical to `advance(a + b)`.
     ///
     /// # Errors
-    /// As [`Run::advance`]. [`Error::Vector`], where a vector leaves the finite numbers though the state does not: H has
-    /// no second derivative there. State and vectors stay at the last step that is finite.
+    /// State and vectors stay at the last finite step.
+    ///
+    /// - Those of [`Run::advance`].
+    /// - [`Error::Vector`]: a vector is not finite although the state is, because `H` has no second derivative there.
     ///
     /// # Panics
-    /// Where your own functions would. After that, vectors of a tangent with more than four of them may be at different
-    /// steps.
+    /// If your own functions panic. If there are more than four vectors, these may be at different steps afterwards.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let end = self.runs[0].clock.end(steps)?;
         for run in &mut self.runs {
@@ -255,42 +259,49 @@ impl<C: Coords> Tangent<C> {
         (&self.runs[vector / self.room], 1 + vector % self.room)
     }
 
-    /// The time, `t0 + n·h`.
+    /// Returns the time, `t0 + n·h`.
     pub fn time(&self) -> f64 {
         self.runs[0].time()
     }
 
-    /// The step `h`.
+    /// Returns the step `h`.
     pub fn step(&self) -> f64 {
         self.runs[0].step()
     }
 
-    /// How many steps were taken.
+    /// Returns the number of steps taken.
     pub fn steps(&self) -> u64 {
         self.runs[0].steps()
     }
 
-    /// The state at [`Tangent::time`], with the bits of the run without vectors.
+    /// Returns the state at [`Tangent::time`], bitwise identical to that of a run without vectors.
     pub fn state(&self) -> Phase<C> {
         self.runs[0].state()
     }
 
-    /// The energy at [`Tangent::time`].
+    /// Returns the energy at [`Tangent::time`].
     pub fn energy(&self) -> f64 {
         self.runs[0].energy()
     }
 
-    /// The deviation vectors at [`Tangent::time`], in the order in which they were given, each over two to the power of
-    /// its [exponent](Tangent::exponents). Most exponents are zero: a vector is divided where its largest component
-    /// leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), one along a parameter never, and none by
-    /// [`Taylor`](crate::taylor::Taylor) or a method with a time of its own: these are lost where they overflow.
+    /// Returns the deviation vectors at [`Tangent::time`], in the order in which they were given.
+    ///
+    /// Vectors are rescaled by powers of two to avoid overflow. The true vector is the returned one times two to the power
+    /// of its [exponent](Tangent::exponents).
+    ///
+    /// - A vector is rescaled if its largest component leaves the range from 2⁻²⁵⁶ to 2²⁵⁶ (in `f32` from 2⁻³² to 2³²), so
+    ///   most exponents are zero.
+    /// - Vectors along parameters are never rescaled, nor are those of [`Taylor`](crate::taylor::Taylor) and of methods with
+    ///   a fictitious time. They can overflow.
     pub fn vectors(&self) -> Vec<Phase<C>> {
         (0..self.exponents.len()).map(|vector| self.vector(vector)).collect()
     }
 
-    /// How [`Tangent::time`] changes along each of the vectors: zero, where steps are equal in time. By a method with a time
-    /// of its own, such as [`Logarithmic`](crate::Logarithmic), a neighbour takes as many steps to another time, and vectors
-    /// are those of equal numbers of steps: at equal times they differ by this multiple of `(∂H/∂p, -∂H/∂q)`.
+    /// Returns the derivative of [`Tangent::time`] along each vector; zero if steps have a fixed length in time.
+    ///
+    /// For a method with a fictitious time, such as [`Logarithmic`](crate::Logarithmic), a neighbouring orbit reaches another
+    /// time in the same number of steps. The vectors compare orbits after equal numbers of steps. Vectors at equal times
+    /// differ from these by this multiple of `(∂H/∂p, -∂H/∂q)`.
     pub fn time_slopes(&self) -> Vec<f64> {
         (0..self.exponents.len()).map(|vector| self.time_slope(vector)).collect()
     }
@@ -322,7 +333,7 @@ impl<C: Coords> Tangent<C> {
         self.exponents.fill(0);
     }
 
-    /// The powers of two that the vectors are to be multiplied by.
+    /// Returns the exponents of the powers of two by which the vectors have to be multiplied.
     pub fn exponents(&self) -> &[i64] {
         &self.exponents
     }

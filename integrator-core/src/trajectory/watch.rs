@@ -45,15 +45,16 @@ pub(crate) fn check_bound(bound: f64, autonomous: bool) -> Result<(), Error> {
 }
 
 impl<C: Coords> Run<C> {
-    /// Makes [`Run::advance`] stop where the energy leaves a bound: it looks after every step, and takes no step whose
-    /// energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from `H₀`, or is not a number. `H₀`, `T₀`
-    /// and
-    /// `V₀` are the energies at the time of this call, so that the bound makes sense where `H₀` is zero, as on a parabola
-    /// of Kepler, and does not grow in an encounter. Call it again for another bound; infinity stops at what is not a
-    /// number alone.
+    /// Stops [`Run::advance`] when the energy error exceeds a bound.
     ///
-    /// No bit of the run changes, and it stops at the same step in any portions. A step costs one [`Run::energy`] more:
-    /// that shows where steps are cheap. A checkpoint does not keep the watch.
+    /// The energy is checked after every step. The run rejects a step if `|H - H₀| > relative_bound · (|T₀| + |V₀|)`, or if
+    /// `H` is not finite. `H₀`, `T₀` and `V₀` are the energies when this method is called. The bound is therefore useful
+    /// even if `H₀` is zero, as on a parabolic Kepler orbit, and it does not grow in an encounter.
+    ///
+    /// - Another call sets another bound. `f64::INFINITY` rejects only energies that are not finite.
+    /// - Accepted steps are bitwise identical to those without a watch.
+    /// - Each step costs one evaluation of [`Run::energy`] more, which is noticeable if steps are cheap.
+    /// - A checkpoint does not contain the watch.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -75,8 +76,9 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::WatchBound`] for a bound that is not above zero; [`Error::NotConserved`] where `H` reads the time;
-    /// [`Error::Energy`] where it has no value at this state.
+    /// - [`Error::WatchBound`]: the bound is not positive.
+    /// - [`Error::NotConserved`]: `H` depends on time.
+    /// - [`Error::Energy`]: the energy of the current state is not finite.
     pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
         check_bound(relative_bound, self.autonomous)?;
         let parts = self.parts();
