@@ -23,7 +23,11 @@ pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
         && let Some(order) = order.filter(|order| *order > proved.quadratic_order)
     {
         let failed = proved.violation.as_ref().map(|violation| {
-            format!(": the condition of the word {} is violated by {:.1e}", violation.word, violation.residual.abs())
+            format!(
+                "\nnote: the condition of the word {} is violated by {:.1e}",
+                violation.word,
+                violation.residual.abs()
+            )
         });
         let message =
             format!("declared order {order}, but the proof finds order {}{}", proved.order, failed.unwrap_or_default());
@@ -44,7 +48,7 @@ fn misspelt(trees: &[TokenTree], known: &[Proved]) -> Option<(Span, String)> {
     let [TokenTree::Ident(name)] = trees else { return None };
     let names: Vec<String> = known.iter().map(|proved| proved.name.clone()).collect();
     let near: Vec<String> = nearest(&name.to_string(), &names).into_iter().map(|near| format!("`{near}`")).collect();
-    let message = format!("unknown composition `{name}`; did you mean {}?", near.join(" or "));
+    let message = format!("unknown composition `{name}`\nhelp: similar names: {}", near.join(", "));
     (!near.is_empty()).then(|| (name.span(), message))
 }
 

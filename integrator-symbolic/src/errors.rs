@@ -1,4 +1,8 @@
-//! Mistakes found in what the user wrote: all of them are gathered, each with the smallest true span.
+//! Errors in what the user wrote: all of them are gathered, each with the smallest true span.
+//!
+//! A message has the form of rustc's: one line that says what is wrong, in lower case and without a full stop, then lines
+//! that begin with `help: `, what to write instead, and lines that begin with `note: `, the reason. A constant that
+//! begins with `help: ` or `note: ` is the end of several messages.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;

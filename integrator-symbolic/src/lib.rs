@@ -149,7 +149,11 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
             }
         }
         None if errors.is_empty() => {
-            errors.at(&input.item.self_ty, "this impl could not be read, and no reason was found: please report it");
+            errors.at(
+                &input.item.self_ty,
+                "the macro failed on this impl without a reason\nhelp: please report it as \
+                                            a bug",
+            );
         }
         None => {}
     }
@@ -161,8 +165,8 @@ fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
     let energies = [model.kinetic, model.potential];
     if let (Some(span), Some(fold)) = (input.taylor, model.graph.first_fold(energies)) {
         let message = format!(
-            "a {} of any number of items has no Taylor series here: write it over up to 16 items whose number is a literal, or \
-             leave out `taylor`",
+            "`taylor` does not support a {} over any number of items\nhelp: write it over at most 16 items whose \
+             number is a literal, or leave out `taylor`",
             fold.noun()
         );
         errors.at_span(span, message);
@@ -173,8 +177,8 @@ fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
 fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
     if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
         let message = format!(
-            "`{name}` is called as it is, with a derivative that was stated, and has no Taylor series: write it in the \
-             language of H, or leave out `taylor`"
+            "`taylor` does not support `{name}`, which has a stated derivative\nhelp: write it in the language of H, \
+             or leave out `taylor`\nnote: a Taylor series requires derivatives of every order"
         );
         errors.at_span(span, message);
     }
@@ -184,13 +188,14 @@ fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
 fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
     let Some(first) = input.sensitive.first() else { return };
     if let Some(coordinates) = &input.coordinates {
-        let message = "Jacobi coordinates are made with the masses, and have no derivatives by parameters: leave out \
-                       `coordinates` and `split`, or `sensitive`";
+        let message = "Jacobi coordinates do not support `sensitive`\nhelp: leave out `coordinates` and `split`, or \
+                       `sensitive`\nnote: the coordinates depend on the masses";
         errors.at(&coordinates.name, message);
     }
     if input.coupling.is_some() {
-        let message = "two coupled copies of the state have no tangent map: leave H in one piece, `split = none`, and \
-                       compose it by `GaussLegendre4`, or leave out `sensitive`";
+        let message = "`split = symmetric` does not support `sensitive`\nhelp: write `split = none` with `compose = \
+                       GaussLegendre4`, or leave out `sensitive`\nnote: two coupled copies of the state have no \
+                       tangent map";
         errors.at(first, message);
     }
     for (name, parameter) in input.sensitive.iter().zip(&model.sensitive) {
@@ -200,8 +205,8 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
         });
         if let Some(part) = part {
             let message = format!(
-                "the flow of `{}` is solved with `self.{name}`, by which it has no derivative here: split H into T(p) and \
-                 V(q), or leave it in one piece, `split = none`",
+                "the exact flow of `{}` has no derivative with respect to `self.{name}`\nhelp: split H into T(p) and \
+                 V(q), or write `split = none`",
                 part.name
             );
             errors.at(name, message);
@@ -226,8 +231,8 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
     let named = input.split.iter().zip(emit::KEPLER_PARTS).find(|(name, part)| name != part).map(|(name, _)| name);
     if named.is_some() || input.split.len() != emit::KEPLER_PARTS.len() {
         let wrong = named.or(input.split.get(2)).unwrap_or(&coordinates.name);
-        let message = "in Jacobi coordinates H has two parts, the Kepler motion of each body and what is left of V: write \
-                       `split = kepler + interaction`";
+        let message = "Jacobi coordinates require the parts `kepler` and `interaction`\nhelp: write `split = kepler + \
+                       interaction`\nnote: these are the Kepler motion of each body and the rest of V";
         errors.at(wrong, message);
         return;
     }
@@ -250,8 +255,9 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
             }
         }
         Err(emit::Obstacle::Softening(softening)) => {
-            let message = "Kepler's equation solves -G m[i] m[j] / r, and this softens the distance `r` of two bodies: leave it \
-                           out, or leave out `coordinates` and `split`";
+            let message = "Jacobi coordinates do not support a softened distance of two bodies\nhelp: leave out the \
+                           softening, or `coordinates` and `split`\nnote: Kepler's equation solves the potential `-G \
+                           m[i] m[j] / r`";
             match (model.place_of(softening), function("potential")) {
                 (Some(place), _) => errors.at(place, message),
                 (None, Some(function)) => errors.at(&function.sig.ident, message),

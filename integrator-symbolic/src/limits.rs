@@ -20,7 +20,7 @@ pub(crate) const READINGS: u32 = 1_000_000;
 /// Notes the place where the nesting goes too deep, if there is one. Works on tokens, before anything recurses.
 pub(crate) fn check_depth(tokens: &TokenStream, errors: &mut Errors) -> bool {
     let Some(span) = too_deep(tokens.clone()) else { return true };
-    let message = format!("nested more than {DEEPEST} deep: give inner parts names with `let`, or write a loop");
+    let message = format!("nested more than {DEEPEST} levels deep\nhelp: name inner parts with `let`, or write a loop");
     errors.at_span(span, message);
     false
 }

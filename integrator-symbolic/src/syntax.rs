@@ -105,14 +105,17 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
             return None;
         }
         Err(_) => {
-            let message = "`#[hamiltonian]` belongs on an `impl` with the functions `kinetic` and `potential`";
+            let message = "`#[hamiltonian]` requires an `impl` with the functions `kinetic` and `potential`";
             errors.at(item, message);
             return None;
         }
     };
     if let Some((of, _)) = &item.trait_ {
-        errors
-            .at(of, "`#[hamiltonian]` belongs on an inherent impl, `impl System { ... }`, not on the impl of a trait");
+        errors.at(
+            of,
+            "`#[hamiltonian]` does not support the impl of a trait\nhelp: write an inherent impl, `impl \
+                     System { ... }`",
+        );
         return None;
     }
     // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
@@ -192,13 +195,15 @@ impl Arguments {
             let key: Token![crate] = input.parse()?;
             equals(input, key.span)?;
             let path = input.call(Path::parse_mod_style);
-            let path = path.map_err(|_| misfit(input, key.span, "the runtime is named by a path"))?;
+            let path = path.map_err(|_| misfit(input, key.span, "expected the path of `integrator_core`"))?;
             return match self.root.replace(path) {
                 Some(_) => Err(syn::Error::new(key.span(), "`crate` is given twice")),
                 None => Ok(()),
             };
         }
-        let key: Ident = input.parse().map_err(|error| syn::Error::new(error.span(), EXPECTED))?;
+        let key: Ident = input
+            .parse()
+            .map_err(|error| syn::Error::new(error.span(), format!("expected an argument\n{EXPECTED}")))?;
         let twice = if key == "compose" {
             equals(input, key.span())?;
             self.compose.replace(compose_of(input, key.span())?).is_some()
@@ -219,7 +224,7 @@ impl Arguments {
         } else if key == "gpu" {
             self.gpu.replace(gpu_of(input, key.span())?).is_some()
         } else {
-            return Err(syn::Error::new(key.span(), format!("`{key}` is not an argument here; {EXPECTED}")));
+            return Err(syn::Error::new(key.span(), format!("unknown argument `{key}`\n{EXPECTED}")));
         };
         if twice {
             return Err(syn::Error::new(key.span(), format!("`{key}` is given twice")));
@@ -228,22 +233,22 @@ impl Arguments {
     }
 }
 
-const EXPECTED: &str = "expected `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, \
-                        `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` or \
-                        `crate = path::to::integrator_core`";
+const EXPECTED: &str = "note: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + \
+                        b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, \
+                        length)`, `gpu` and `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
     let sign = input.parse::<Token![=]>();
-    sign.map(|_| ()).map_err(|_| syn::Error::new(key, format!("this lacks its value; {EXPECTED}")))
+    sign.map(|_| ()).map_err(|_| syn::Error::new(key, format!("this argument lacks its value\n{EXPECTED}")))
 }
 
 /// What stands in the place of a value, or the argument that lacks one.
 fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
     if input.is_empty() {
-        return syn::Error::new(key, format!("this lacks its value; {EXPECTED}"));
+        return syn::Error::new(key, format!("this argument lacks its value\n{EXPECTED}"));
     }
-    input.error(format!("{is}; {EXPECTED}"))
+    input.error(format!("{is}\n{EXPECTED}"))
 }
 
 /// The names of the parts, `symmetric` with its coupling, or `none`.
@@ -255,7 +260,8 @@ fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
     if here.parse::<Ident>().is_ok_and(|name| name == "none") && !here.peek(Token![+]) {
         return Ok(Split::Nowhere(input.parse::<Ident>()?.span()));
     }
-    let is = "the parts of H are named by their functions, as in `split = kepler + interaction`";
+    let is = "expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + \
+              interaction`";
     if input.peek(Paren) {
         return Err(input.error(FIRST_IN_PARENTHESES));
     }
@@ -271,13 +277,16 @@ fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
         names.push(input.parse().map_err(|error: syn::Error| syn::Error::new(error.span(), is))?);
     }
     if let [alone] = &names[..] {
-        return Err(syn::Error::new(alone.span(), format!("one part alone is not composed; {is}")));
+        let message =
+            "a splitting requires at least two parts\nhelp: write, for example, `split = kepler + interaction`";
+        return Err(syn::Error::new(alone.span(), message));
     }
     Ok(Split::Parts(names, None))
 }
 
-const FIRST_IN_PARENTHESES: &str = "parts in parentheses are the second part of H, which a composition treats as the small \
-                                    one: `split = kepler + (jump + interaction)`";
+const FIRST_IN_PARENTHESES: &str = "parts in parentheses have to be the second part of H\nhelp: write, for example, \
+                                    `split = kepler + (jump + interaction)`\nnote: a composition treats the second \
+                                    part as the small one";
 
 /// The first part with those in parentheses behind it.
 fn paired(input: ParseStream<'_>, mut names: Vec<Ident>) -> syn::Result<Split> {
@@ -285,20 +294,21 @@ fn paired(input: ParseStream<'_>, mut names: Vec<Ident>) -> syn::Result<Split> {
     let span = parenthesized!(content in input).span.join();
     let wrong = |place: Span, message: &str| Err(syn::Error::new(place, message));
     if let [_, second, ..] = &names[..] {
-        let message = "parts in parentheses are the second of two parts, and this is another one: put it into the \
-                       parentheses, or leave these out";
+        let message = "parts in parentheses have to be the second of two parts\nhelp: move this part into the \
+                       parentheses, or remove them";
         return wrong(second.span(), message);
     }
     let inner = Punctuated::<Ident, Token![+]>::parse_separated_nonempty(&content);
-    let is = "parentheses hold parts of H by their names, as in `split = kepler + (jump + interaction)`";
+    let is = "expected names of parts of H in the parentheses\nhelp: write, for example, `split = kepler + (jump + \
+              interaction)`";
     let inner = inner.map_err(|error| syn::Error::new(error.span(), is))?;
     if inner.len() < 2 {
-        return wrong(span, "one part alone is no pair: leave out the parentheses");
+        return wrong(span, "parentheses require at least two parts\nhelp: remove the parentheses");
     }
     if input.peek(Token![+]) {
         return wrong(
             input.span(),
-            "parts in parentheses are the last part of H: put what follows before them, or into them",
+            "parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
         );
     }
     names.extend(inner);
@@ -318,9 +328,8 @@ fn coupling_of(input: ParseStream<'_>) -> syn::Result<syn::Result<Expr>> {
     Ok(coupling)
 }
 
-const UNCOUPLED: &str = "`symmetric` couples two copies of the state, and how tightly depends on the system: say it, as in \
-                         `split = symmetric(omega = 20.0)`, where omega is about as large as the fastest angular frequency, \
-                         or several times that";
+const UNCOUPLED: &str = "`split = symmetric` lacks its coupling\nhelp: write, for example, `split = symmetric(omega = \
+                         20.0)`\nnote: omega is one to several times the largest angular frequency of the system";
 
 /// The number behind `omega =`.
 fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
@@ -333,13 +342,17 @@ fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
     let coupling = content.parse()?;
     match content.is_empty() {
         true => Ok(coupling),
-        false => Err(content.error("the coupling is one number: `symmetric(omega = 20.0)`")),
+        false => Err(content.error(
+            "the coupling has to be one number\nhelp: write, for example, `symmetric(omega = \
+                                    20.0)`",
+        )),
     }
 }
 
 /// The names of the parameters that derivatives are taken by, each once.
 fn sensitive_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
-    let is = "fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`";
+    let is = "`sensitive` requires the names of fields in parentheses\nhelp: write, for example, `sensitive(mass, \
+              length)`";
     if !input.peek(Paren) {
         return Err(syn::Error::new(key, is));
     }
@@ -360,8 +373,8 @@ fn sensitive_of(input: ParseStream<'_>, key: Span) -> syn::Result<Vec<Ident>> {
 
 /// The coordinates of the motion.
 fn coordinates_of(input: ParseStream<'_>, key: Span) -> syn::Result<Coordinates> {
-    let is = "the coordinates of bodies may be those of Jacobi, made with the list of their masses, as in \
-              `coordinates = jacobi(self.mass)`";
+    let is = "these coordinates are not supported\nhelp: write `coordinates = jacobi(self.mass)`, with the list of \
+              masses";
     let here = input.fork();
     let name = match input.parse::<Ident>() {
         Ok(name) if name == "jacobi" => name,
@@ -369,13 +382,20 @@ fn coordinates_of(input: ParseStream<'_>, key: Span) -> syn::Result<Coordinates>
         _ => return Err(here.error(is)),
     };
     let masses = if input.peek(Paren) { input.parse::<Group>().ok() } else { None };
-    let lacks = || syn::Error::new(name.span(), "`jacobi` lacks the list of masses, as in `jacobi(self.mass)`");
+    let lacks = || {
+        syn::Error::new(
+            name.span(),
+            "`jacobi` lacks the list of masses\nhelp: write, for example, \
+                                                 `jacobi(self.mass)`",
+        )
+    };
     let masses = masses.filter(|masses| !masses.stream().is_empty()).ok_or_else(lacks)?;
     Ok(Coordinates { masses: syn::parse2(masses.stream())?, name })
 }
 
 fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {
-    let is = "elementary functions are `fast`, within 4 ulp, or `precise`, within 1 or 2, as they are unasked";
+    let is = "expected `fast` or `precise`\nnote: errors of elementary functions are at most 4 ulp if `fast`, and 1 \
+              or 2 ulp if `precise`, the default";
     let misfit = |input: ParseStream<'_>| {
         if input.is_empty() { misfit(input, key, is) } else { input.error(is) }
     };

@@ -106,6 +106,6 @@ fn depth_is_refused_before_anything_recurses() {
     let messages = |depth| composition(nested(depth).parse().expect("tokens")).to_string();
     assert!(!messages(100).contains("compile_error"));
     for depth in [300, 100_000] {
-        assert!(messages(depth).contains("nested more than 200 deep"), "{depth}");
+        assert!(messages(depth).contains("nested more than 200 levels deep"), "{depth}");
     }
 }

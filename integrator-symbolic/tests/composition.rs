@@ -115,7 +115,7 @@ fn a_declared_order_chooses_the_class() {
     }
     let found = errors(&format!("struct McAte4: order 5 = {MCATE4};"));
     assert!(
-        found[0].contains("finds order 4 where T is quadratic in p (3 for every T): the condition of"),
+        found[0].contains("finds order 4 where T is quadratic in p (3 for every T)\nnote: the condition of"),
         "{found:?}"
     );
 }
@@ -127,147 +127,176 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: order 4 = T(1/2) V(1) T(1/2);",
             &[
-                "1:16 declared order 4, but the proof finds order 2: the condition of the word TVV is violated by 8.3e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word TVV is violated by 8.3e-2",
             ],
         ),
         (
             "struct A: order 4 = symmetric(V(1/6) T(1/2) V(2/3, 1/72));",
             &[
-                "1:16 declared order 4, but the proof finds order 2: the condition of the word TVV is violated by 2.8e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word TVV is violated by 2.8e-2",
             ],
         ),
         (
             "struct A: order 12 = triple_jump(triple_jump(triple_jump(triple_jump(Verlet))));",
             &["1:16 declared order 12, but no order above 10 is proved"],
         ),
-        ("struct A: order 0 = Verlet;", &["1:16 an order is an integer of at least 1"]),
-        (
-            "struct A: symmetric = Euler;",
-            &["1:10 declared symmetric, but the sequence does not read the same backwards"],
-        ),
+        ("struct A: order 0 = Verlet;", &["1:16 an order has to be an integer of at least 1"]),
+        ("struct A: symmetric = Euler;", &["1:10 declared symmetric, but the sequence is not a palindrome"]),
         ("struct A: order 2, order 2 = Verlet;", &["1:19 `order` is claimed twice"]),
         (
             "struct A: oder 2 = Verlet;",
-            &["1:10 unknown claim `oder`: there are `order 4`, `order (8, 2)`, `symmetric` and `citation \"..\"`"],
+            &[
+                "1:10 unknown claim `oder`\nhelp: the claims are `order 4`, `order (8, 2)`, `symmetric` and `citation \"..\"`",
+            ],
         ),
         (
             "struct A: order (6, 2) = A(1/2) B(1) A(1/2);",
             &[
-                "1:16 declared order 6 for words with one B, but the proof finds order 2: the condition of the word AAB is \
-                 violated by 2.5e-1",
+                "1:16 declared order 6 for words with one B, but the proof finds order 2\nnote: the condition of the word AAB is violated by 2.5e-1",
             ],
         ),
         (
             "struct A: order (4, 4) = symmetric(B(1/6) A(1/2) B(_));",
             &[
-                "1:16 declared order 4, but the proof finds order 2: the condition of the word ABB is violated by 1.4e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word ABB is violated by 1.4e-2",
             ],
         ),
         (
             "struct A: order (2, 4) = Verlet;",
-            &["1:16 orders for higher powers of the small part are not larger: `order (8, 4)`"],
+            &[
+                "1:16 generalised orders have to decrease\nhelp: write, for example, `order (8, 4)`\nnote: the numbers are the orders in increasing powers of the small part",
+            ],
         ),
         (
             "struct A: order (4) = Verlet;",
-            &["1:16 orders where the second part is small are one for each power of it, `order (8, 2)`"],
+            &[
+                "1:16 expected several orders in parentheses\nhelp: write, for example, `order (8, 2)`, one for each power of the small second part",
+            ],
         ),
         (
             "struct A: order (40, 2) = Verlet;",
             &[
-                "1:16 declared order 40 for words with one V, but the proof finds order 2: the condition of the word TTV is \
-                 violated by 2.5e-1",
+                "1:16 declared order 40 for words with one V, but the proof finds order 2\nnote: the condition of the word TTV is violated by 2.5e-1",
             ],
         ),
-        ("struct A = A(1/2) V(1) A(1/2);", &["1:18 stages are of `T` and `V`, or of `A` and `B`, not of both"]),
+        ("struct A = A(1/2) V(1) A(1/2);", &["1:18 a sequence cannot mix the stages `T` and `V` with `A` and `B`"]),
         ("struct A = V(1/2) T(1) V(1/3);", &["1:11 the coefficients of `V` sum to 0.833333333333, not to 1"]),
         ("struct A = V(1) T(0.999);", &["1:11 the coefficients of `T` sum to 0.999, not to 1"]),
         ("struct A = T(1);", &["1:11 the coefficients of `V` sum to 0, not to 1"]),
         (
             "struct A = ;",
             &[
-                "1:9 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:9 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
-        ("struct A = Verlet", &["1:11 a declaration ends with `;`"]),
-        ("struct A = Verlet, Euler;", &["1:17 a declaration ends with `;`"]),
+        ("struct A = Verlet", &["1:11 expected `;` at the end of a declaration"]),
+        ("struct A = Verlet, Euler;", &["1:17 expected `;` at the end of a declaration"]),
         ("struct A;", &["1:8 expected `=`"]),
         ("pub fn a() {} struct B = Verlet;", &["1:4 expected `struct`"]),
         (
             "struct A = W(1) T(1);",
             &[
-                "1:11 unknown combinator `W`: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, the combinators `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+                "1:11 unknown combinator `W`\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
-        ("struct A = V T(1);", &["1:11 how long a stage? write `V(1/2)`"]),
-        ("struct A = V() T(1);", &["1:11 a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`"]),
-        ("struct A = V(1) T(1, 2);", &["1:16 a drift takes one number: `T(1/2)`"]),
-        ("struct A = V(1, 2, 3) T(1);", &["1:11 a kick takes one number, `V(1/2)`, or two, `V(2/3, -1/72)`"]),
+        ("struct A = V T(1);", &["1:11 the stage `V` lacks its coefficient\nhelp: write, for example, `V(1/2)`"]),
+        (
+            "struct A = V() T(1);",
+            &["1:11 a kick takes one number or two\nhelp: write, for example, `V(1/2)` or `V(2/3, -1/72)`"],
+        ),
+        ("struct A = V(1) T(1, 2);", &["1:16 a drift takes one number\nhelp: write, for example, `T(1/2)`"]),
+        (
+            "struct A = V(1, 2, 3) T(1);",
+            &["1:11 a kick takes one number or two\nhelp: write, for example, `V(1/2)` or `V(2/3, -1/72)`"],
+        ),
         ("struct A = V(1 T) T(1);", &["1:15 expected `,`"]),
         (
             "struct A = 1/2 V(1);",
             &[
-                "1:11 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:11 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
         ("struct A = V(1/0) T(1);", &["1:15 division by zero"]),
         (
             "struct A = V(sqrt(-1)) T(a);",
             &[
-                "1:18 root of a negative number: take the sign outside, `-cbrt(x)`",
-                "1:25 not a number: a coefficient is written with numbers, `+`, `-`, `*`, `/`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`",
+                "1:18 the root of a negative number is not supported\nhelp: move the sign outside, `-cbrt(x)`",
+                "1:25 expected a number\nnote: coefficients may contain numbers, `+`, `-`, `*`, `/`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`",
             ],
         ),
         ("struct A = V(1e999) T(1);", &["1:13 this coefficient is not finite"]),
-        ("struct A = V(_) T(1) V(_);", &["1:23 `_` is what all others leave, so it can stand for one number only"]),
-        ("struct A = V(1 - _) T(1);", &["1:17 `_` stands alone: `T(_)` is what the other drifts leave of the step"]),
+        (
+            "struct A = V(_) T(1) V(_);",
+            &["1:23 `_` may occur only once\nnote: it is what the other coefficients leave of the step"],
+        ),
+        (
+            "struct A = V(1 - _) T(1);",
+            &[
+                "1:17 `_` has to be a whole coefficient\nhelp: write `T(_)`, which is what the other drifts leave of the step",
+            ],
+        ),
         (
             "struct A = Verlt;",
             &[
-                "1:11 unknown composition `Verlt`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+                "1:11 unknown composition `Verlt`\nnote: known compositions are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
         (
             "struct A = triple_jump(Euler);",
-            &["1:23 `triple_jump` raises the order of a symmetric composition, but this one is not symmetric"],
+            &["1:23 `triple_jump` requires a symmetric composition, and this one is not symmetric"],
         ),
-        ("struct A = triple_jump;", &["1:11 `triple_jump` acts on a composition: `triple_jump(Verlet)`"]),
+        (
+            "struct A = triple_jump;",
+            &["1:11 `triple_jump` lacks its composition\nhelp: write, for example, `triple_jump(Verlet)`"],
+        ),
         (
             "struct A = triple_jump();",
             &[
-                "1:11 a sequence has at least one stage: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:11 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
         ("struct A = suzuki(Verlet, Verlet);", &["1:11 `suzuki` takes one composition"]),
         (
             "struct A = suzuki(1/2; Verlet);",
             &[
-                "1:18 expected a stage, a combinator or the name of a composition; the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:18 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
             ],
         ),
         (
             "struct A = compose(Verlet);",
-            &["1:11 `compose(A, B, ..)` divides the step equally, `compose(w1, w2, ..; Base)` by weights"],
+            &[
+                "1:11 `compose` takes compositions, or weights and a base\nhelp: write `compose(A, B, ..)` for equal parts of the step, or `compose(w1, w2, ..; Base)` for weighted ones",
+            ],
         ),
         ("struct A = symmetric(; Verlet);", &["1:21 expected weights before the `;`"]),
         ("struct A = symmetric(1/2 1/2; Verlet);", &["1:25 expected `,`"]),
         (
             "struct A = symmetric(1, _, _; Verlet);",
-            &["1:27 `_` is what all others leave, so it can stand for one number only"],
+            &["1:27 `_` may occur only once\nnote: it is what the other coefficients leave of the step"],
         ),
-        ("struct A = suzuki(suzuki(suzuki(suzuki(Verlet))));", &["1:11 1251 stages; at most 1000 are proved"]),
+        (
+            "struct A = suzuki(suzuki(suzuki(suzuki(Verlet))));",
+            &["1:11 the sequence has 1251 stages, and at most 1000 are supported"],
+        ),
         ("struct A = Verlet; struct A = Euler;", &["1:26 `A` is declared twice in this block"]),
         ("crate = ; struct A = Verlet;", &["1:8 expected identifier"]),
         ("struct A: citation 1990 = Verlet;", &["1:19 expected string literal"]),
-        ("struct A = processed(Verlet);", &["1:11 `processed(pre; kernel)` takes two sequences"]),
-        ("struct A = processed(Euler; Verlet; Verlet);", &["1:11 `processed(pre; kernel)` takes two sequences"]),
+        (
+            "struct A = processed(Verlet);",
+            &["1:11 `processed` takes two sequences\nhelp: write `processed(pre; kernel)`"],
+        ),
+        (
+            "struct A = processed(Euler; Verlet; Verlet);",
+            &["1:11 `processed` takes two sequences\nhelp: write `processed(pre; kernel)`"],
+        ),
         ("struct A = processed(T(1/2); T(1/2) V(1));", &["1:11 the coefficients of `T` sum to 0.5, not to 1"]),
         (
             "struct A = triple_jump(processed(T(1/2); Verlet));",
-            &["1:23 `triple_jump` raises the order of a symmetric composition, but this one is not symmetric"],
+            &["1:23 `triple_jump` requires a symmetric composition, and this one is not symmetric"],
         ),
         (
             "struct A = T(1/2) processed(T(1/2); Verlet);",
-            &["1:28 `processed(..)` is a whole composition: it cannot be a part of another one"],
+            &["1:28 `processed(..)` cannot be part of another composition"],
         ),
         (
             "struct A = processed(T(1/2); Verlet); struct B = adjoint(A); struct C = A T(1);",
@@ -278,14 +307,14 @@ fn every_mistake_has_one_message_on_its_token() {
         ),
         (
             "struct A: symmetric = processed(T(1/2); Verlet);",
-            &["1:10 declared symmetric, but the sequence does not read the same backwards"],
+            &["1:10 declared symmetric, but the sequence is not a palindrome"],
         ),
         // Two mistakes, two messages; users of what was refused are not told again.
         (
             "struct A: order 3 = Verlet;\nstruct B = adjoint(A);\nstruct C = D;",
             &[
-                "1:16 declared order 3, but the proof finds order 2: the condition of the word TVV is violated by 8.3e-2",
-                "3:11 unknown composition `D`: known here are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+                "1:16 declared order 3, but the proof finds order 2\nnote: the condition of the word TVV is violated by 8.3e-2",
+                "3:11 unknown composition `D`\nnote: known compositions are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
     ];

@@ -48,14 +48,14 @@ fn a_gradient_in_an_array_is_read_by_its_elements() {
 fn mistakes_are_named() {
     let rows = [
         ("#[derivative(slope)] fn phi(&self, r: f64) -> f64 { r }", "the impl lacks `fn slope(&self, x: f64) -> f64`"),
-        ("#[derivative] fn phi(&self, r: f64) -> f64 { r }", "name the method that gives the derivative"),
-        ("#[derivative(a, b)] fn phi(&self, r: f64) -> f64 { r }", "name the method that gives the derivative"),
-        ("#[derivative(phi)] fn phi(&self, r: f64) -> f32 { r }", "takes one f64 or up to 8"),
-        ("#[derivative(phi)] fn phi(&self, r: [f64; 1]) -> f64 { r[0] }", "takes one f64 or up to 8"),
+        ("#[derivative] fn phi(&self, r: f64) -> f64 { r }", "`#[derivative]` lacks the method that returns the derivative"),
+        ("#[derivative(a, b)] fn phi(&self, r: f64) -> f64 { r }", "`#[derivative]` lacks the method that returns the derivative"),
+        ("#[derivative(phi)] fn phi(&self, r: f64) -> f32 { r }", "between one and 8 arguments"),
+        ("#[derivative(phi)] fn phi(&self, r: [f64; 1]) -> f64 { r[0] }", "between one and 8 arguments"),
         ("#[derivative(phi)] fn phi(&self, r: f64, s: f64) -> f64 { r }", "`phi` takes 2 arguments, not 1"),
         (
             "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0, r) } #[derivative(a, b)] fn field(&self, x: f64, y: f64, z: f64) -> f64 { x }",
-            "name the methods that give the 3 derivatives",
+            "lacks the methods that return the 3 derivatives",
         ),
         (
             "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }",
@@ -64,12 +64,12 @@ fn mistakes_are_named() {
         (
             "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }
             fn slopes(&self, x: f64, y: f64) -> [f64; 3] { [1.0, 0.0, 0.0] }",
-            "`slopes` gives the derivatives in order: it has to return `[f64; 2]`",
+            "`slopes` has to return the derivatives as `[f64; 2]`",
         ),
         (
             "fn phi(&self, r: f64) -> f64 { self.field(r, 1.0) } #[derivative(slopes)] fn field(&self, x: f64, y: f64) -> f64 { x }
             #[derivative(a, b)] fn slopes(&self, x: f64, y: f64) -> [f64; 2] { [1.0, 0.0] }",
-            "name the method that gives the derivatives of these: `#[derivative(hessian)]`",
+            "lacks the method that returns the second derivatives",
         ),
     ];
     for (helpers, message) in rows {

@@ -25,19 +25,24 @@ fn mistakes_are_shown_as_the_compiler_shows_them() {
     let path = file("magnetic.rs", SYSTEM);
     let message = refusal(&["show", &path]);
     let expected = format!(
-        "error: this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to coordinates in \
-         which T depends on p alone, split H into parts with exact flows, `split = a + b`, leave it in one piece for \
-         implicit methods, `split = none`, or couple two copies of the state, `split = symmetric(omega = 20.0)`
+        "error: this term mixes q and p, so H is not separable into T(p) + V(q)
   --> {path}:10:8
    |
 10 | \t0.5 * (p[0] - self.charge * q[1]).powi(2) + 0.5 * p[1] * p[1]
    | \t      ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   |
+   = help: split H into parts with exact flows, `split = a + b`
+   = help: or keep it in one piece for implicit methods, `split = none`
+   = help: or couple two copies of the state, `split = symmetric(omega = 20.0)`
+   = help: or change to coordinates in which T depends on p only
 
-error: index 2 is out of bounds: the coordinates are `[f64; 2]`, the last index here is 1
+error: index 2 is out of bounds for the coordinates `[f64; 2]`
   --> {path}:13:18
    |
 13 |         q[0] * q[2]
    |                  ^
+   |
+   = note: the last index here is 1
 "
     );
     assert_eq!(message, expected);
@@ -94,12 +99,12 @@ fn what_is_no_annotated_file_is_said_so() {
         ("open.rs", b"#[hamiltonian] impl Open {", "this is not Rust"),
         ("bytes.rs", b"\xff\xfe\x00\x01", "is not a text file"),
         ("null.rs", b"\0\0\0\0", "this is not Rust"),
-        ("nothing_behind.rs", b"struct First;\n#[hamiltonian]", "belongs on an `impl`"),
-        ("struct.rs", b"#[hamiltonian] struct First;", "belongs on an `impl`"),
+        ("nothing_behind.rs", b"struct First;\n#[hamiltonian]", "requires an `impl`"),
+        ("struct.rs", b"#[hamiltonian] struct First;", "requires an `impl`"),
         ("no_functions.rs", b"#[hamiltonian] impl First {}", "the impl lacks `fn kinetic"),
         ("no_parser.rs", b"#[hamiltonian] impl 3 ? { fn fn }", "error: "),
         ("deep.rs", deep.as_bytes(), "no impl in"),
-        ("deep_system.rs", deep_system.as_bytes(), "nested more than 200 deep"),
+        ("deep_system.rs", deep_system.as_bytes(), "nested more than 200 levels deep"),
     ];
     for (name, bytes, expected) in rows {
         let path = file(name, bytes);

@@ -57,11 +57,12 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
     let proof = sequence.proof();
     match proof.general {
         None => Some(format!(
-            "a force-gradient kick needs T = ½ pᵀ M⁻¹ p, but T has the term `{term}`: use kicks `V(b)` alone"
+            "a force-gradient kick requires T = ½ pᵀ M⁻¹ p, but T has the term `{term}`\nhelp: use only kicks `V(b)`"
         )),
         Some(general) if general.order < proof.quadratic.order => Some(format!(
-            "this sequence is of order {} only where T is quadratic in p with constant masses; T has the term `{term}`, \
-             for which the order is {}: use a sequence for general T, such as `Yoshida4`",
+            "this sequence has order {} only if T is quadratic in p with constant masses, but T has the term \
+             `{term}`\nhelp: use a composition for general T, such as `Yoshida4`\nnote: for this T the order of the \
+             sequence is {}",
             proof.quadratic.order, general.order
         )),
         Some(_) => None,
@@ -71,12 +72,12 @@ pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
 /// The same where there are more than two parts.
 fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
     let proof = sequence.proof();
-    let without = "more than two parts take compositions of general class without a processor, such as `Yoshida4`";
+    let without = "use a composition of general class without a processor, such as `Yoshida4`";
     match proof.general {
-        _ if sequence.is_processed() => Some(format!("a processor integrates two parts alone: {without}")),
-        None => Some(format!("a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), hence two parts: {without}")),
+        _ if sequence.is_processed() => Some(format!("a processor supports exactly two parts of H\nhelp: {without}")),
+        None => Some(format!("a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), in two parts\nhelp: {without}")),
         Some(general) if general.order < proof.quadratic.order => Some(format!(
-            "this sequence is of order {} only for H = ½ pᵀ M⁻¹ p + V(q), and of order {} for any parts: {without}",
+            "this sequence has order {} only for H = ½ pᵀ M⁻¹ p + V(q), and order {} for other parts\nhelp: {without}",
             proof.quadratic.order, general.order
         )),
         Some(_) => None,
@@ -85,17 +86,20 @@ fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
 
 /// The same where the last part is a pair of parts.
 fn refusal_of_pairs(sequence: &InPlace) -> Option<String> {
-    let such = "such as `Abah1064`, `Verlet` or `Yoshida4`";
+    let such = "help: use a composition such as `Abah1064`, `Verlet` or `Yoshida4`";
     match sequence.proof().general {
-        None => Some(format!("a force-gradient kick needs H = ½ pᵀ M⁻¹ p + V(q), and no pair of parts: use a sequence {such}")),
+        None => Some(format!(
+            "a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), without a pair of parts in \
+                              parentheses\n{such}"
+        )),
         Some(_) if sequence.merges_kicks() => Some(
-            "this sequence begins and ends with a kick, and two of them in a row are not one where a part is itself a pair \
-             of parts in parentheses: begin with a drift"
+            "this sequence begins and ends with a kick, which a pair of parts in parentheses does not support\nhelp: \
+             begin with a drift\nnote: two kicks in a row do not merge into one if the kicked part is a pair of parts"
                 .to_owned(),
         ),
         Some(general) if !sequence.keeps_pairs() => Some(format!(
-            "a part that is itself a pair of parts in parentheses errs in the third power of each kick, and these do not \
-             cancel in this sequence, so that its order is not {}: use one {such}",
+            "this sequence does not have order {} with a pair of parts in parentheses\n{such}\nnote: such a pair has \
+             an error in the third power of each kick, and these errors do not cancel here",
             general.order
         )),
         Some(_) => None,

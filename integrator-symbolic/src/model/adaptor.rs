@@ -44,7 +44,10 @@ impl Reader<'_> {
         let at = Rc::clone(at);
         let name = call.method.to_string();
         if filtered && !matches!(name.as_str(), "map" | "filter" | "copied" | "cloned" | "iter" | "into_iter") {
-            let message = format!("`{name}` behind `filter` depends on how many items are left: put `filter` last");
+            let message = format!(
+                "`{name}` after `filter` is not supported\nhelp: put `filter` last\nnote: the \
+                                   number of items that `filter` leaves is not known at compile time"
+            );
             self.errors.at(&call.method, message);
             return None;
         }
@@ -115,26 +118,27 @@ impl Reader<'_> {
             ("step_by", Some(stride)) => self.strided(base, stride),
             ("windows" | "chunks_exact", Some(size)) => self.grouped_items(base, size, name == "windows"),
             ("cycle", None) => {
-                let message = "`cycle` has no end: it is understood in the argument of a `zip`, which the other sequence ends, \
-                               as in `q.iter().zip(q.iter().cycle().skip(1))`";
+                let message = "`cycle` is supported only in the argument of a `zip`\nhelp: write, for example, \
+                               `q.iter().zip(q.iter().cycle().skip(1))`\nnote: `cycle` never ends, so the other \
+                               sequence has to";
                 self.errors.at(&call.method, message);
                 None
             }
             ("chunks", Some(size)) if self.divides(size, &base) => self.grouped_items(base, size, false),
             ("chunks", Some(_)) => {
-                let message = "the last one of `chunks` may have fewer items than the others: write `chunks_exact`, which \
-                               leaves out those that are too few";
+                let message = "`chunks` is not supported\nhelp: write `chunks_exact`, which leaves out an incomplete \
+                               last chunk\nnote: the last item of `chunks` may have fewer elements than the others";
                 self.errors.at(&call.method, message);
                 None
             }
             ("array_windows", None) => {
-                let message = "how many items a window has is not said here: write `array_windows::<2>()`, or take the window \
-                               apart where it is used, as in `.map(|[a, b]| ..)`";
+                let message = "the length of these windows is not known\nhelp: write `array_windows::<2>()`, or a \
+                               pattern where the window is used, as in `.map(|[a, b]| ..)`";
                 self.errors.at(&call.method, message);
                 None
             }
             _ => {
-                let message = format!("`{name}` is not understood here; {ADAPTED} are");
+                let message = format!("`{name}` is not supported\nnote: the supported adaptors are {ADAPTED}");
                 self.errors.at(&call.method, message);
                 None
             }
@@ -144,8 +148,8 @@ impl Reader<'_> {
     /// Pairs of items, as many as the shorter sequence has. The index is the first sequence's.
     fn pairs(&mut self, base: Sequence, other: Sequence, place: &Expr) -> Option<Sequence> {
         if other.filtered {
-            let message = "how many items `filter` leaves is not known, so they have no partners in a `zip`: zip first \
-                           and put `filter` last, or write a loop with an `if`";
+            let message = "`filter` inside `zip` is not supported\nhelp: put `filter` after `zip`, or write a loop \
+                           with an `if`\nnote: the number of items that `filter` leaves is not known at compile time";
             self.errors.at(place, message);
             return None;
         }
@@ -175,8 +179,8 @@ impl Reader<'_> {
         };
         let base = self.sequence(items)?;
         if base.filtered {
-            let message = "how many items `filter` leaves is not known, so they begin anew nowhere: zip first and put \
-                           `filter` last, or write a loop with an `if`";
+            let message = "`cycle` after `filter` is not supported\nhelp: put `filter` after `zip`, or write a loop \
+                           with an `if`\nnote: the number of items that `filter` leaves is not known at compile time";
             self.errors.at(items, message);
             return None;
         }
@@ -228,7 +232,7 @@ impl Reader<'_> {
     fn grouped_items(&mut self, base: Sequence, size: &Expr, windows: bool) -> Option<Sequence> {
         let width = self.bound(size)?;
         let Some(count) = self.graph.loops.literal(width).filter(|count| (1..=64).contains(count)) else {
-            self.errors.at(size, "how many items are grouped is a literal between 1 and 64");
+            self.errors.at(size, "the length of a group has to be a literal between 1 and 64");
             return None;
         };
         let zero = self.literal_index(0);

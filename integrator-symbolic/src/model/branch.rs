@@ -76,7 +76,7 @@ impl Reader<'_> {
             let (a, both) = (self.condition(left), matches!(op, BinOp::And(_)));
             let b = self.under(a, both, |reader| reader.condition(right));
             let (Some(a), Some(b)) = (a, b) else {
-                self.errors.at(places.0, "`&&` and `||` join conditions");
+                self.errors.at(places.0, "expected conditions on both sides of `&&` and `||`");
                 return None;
             };
             return Some(Value::Condition(if both { self.graph.and(a, b) } else { self.graph.or(a, b) }));
@@ -343,8 +343,11 @@ impl Reader<'_> {
             return Some(Self::joint(self.graph.select(condition, first, second), own));
         }
         if !self.notes_whole_branch([a, b], numbers, place) {
-            let message =
-                format!("the branches give {} and {}: both have to give a number", a.describe(), b.describe());
+            let message = format!(
+                "the branches have the values {} and {}\nhelp: give a number in both branches",
+                a.describe(),
+                b.describe()
+            );
             self.errors.at(place.to_token_stream(), message);
         }
         None

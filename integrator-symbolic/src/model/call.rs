@@ -24,7 +24,7 @@ use std::{collections::HashMap, rc::Rc};
 use syn::{Expr, ExprCall, ExprLet, ExprMethodCall, FnArg, ImplItemFn, Pat, parse_quote, parse_quote_spanned};
 
 /// What may be done with code that is never looked into.
-pub(super) const OR_STATE: &str = "or call it from a method with a stated derivative, `#[derivative(slope)]`";
+pub(super) const OR_STATE: &str = "or call it in a method with a stated derivative, `#[derivative(slope)]`";
 
 impl Reader<'_> {
     /// `receiver.name(arguments)`
@@ -41,7 +41,14 @@ impl Reader<'_> {
             if is_map_of_array(call) {
                 return self.collected(&whole);
             }
-            self.errors.at(&call.method, format!("`{}` makes a sequence: end it with `.sum::<f64>()`", call.method));
+            self.errors.at(
+                &call.method,
+                format!(
+                    "`{}` returns a sequence, not a number\nhelp: end it with \
+                                                  `.sum::<f64>()`",
+                    call.method
+                ),
+            );
             return None;
         }
         if let Some(element) = end_of_list(call).or_else(|| where_some(call).filter(|branch| self.may_be_none(branch)))
@@ -58,7 +65,8 @@ impl Reader<'_> {
             }
             if value.is_none() {
                 let message = format!(
-                    "`{}` of a sequence is not understood: {ADAPTED} are, and `sum` and `fold` at the end",
+                    "`{}` of a sequence is not supported\nnote: the supported adaptors are {ADAPTED}, followed by \
+                     `sum` or `fold`",
                     call.method
                 );
                 self.errors.at(&call.method, message);
@@ -69,13 +77,14 @@ impl Reader<'_> {
             && !is_harmless(&call.method)
         {
             let cure = match call.method.to_string().as_str() {
-                "push" => "make the list in one expression, `let list: Vec<f64> = q.iter().map(|x| ...).collect();`",
-                _ => {
-                    "make values of the system in one expression, or in a method of this impl that takes no coordinates"
-                }
+                "push" => "write the list as one expression, `let list: Vec<f64> = q.iter().map(|x| ...).collect();`",
+                _ => "compute the value in one expression, or in a method of this impl that takes no coordinates",
             };
-            let message =
-                format!("`{}` might change `{variable}`, and only assignments are followed: {cure}", call.method);
+            let message = format!(
+                "`{}` may modify `{variable}`, which is not supported\nhelp: {cure}\nnote: the macro follows \
+                         only assignments",
+                call.method
+            );
             self.errors.at(&call.method, message);
             return None;
         }
@@ -170,8 +179,8 @@ impl Reader<'_> {
                 (value, _) => {
                     let message = no_function(&format!("`{name}`"), value, call).unwrap_or_else(|| {
                         format!(
-                            "the macro cannot see what `{name}` does: write a helper method of this impl, \
-                             `fn {name}(&self, x: f64) -> f64`"
+                            "the definition of `{name}` is not visible to the macro\nhelp: write a helper method of \
+                             this impl, `fn {name}(&self, x: f64) -> f64`"
                         )
                     });
                     self.errors.at(name, message);
@@ -229,12 +238,13 @@ impl Reader<'_> {
                 self.helper(name, arguments, &places)
             }
             [] => {
-                let message = "this is called with coordinates and is no name: write a helper method of this impl";
+                let message = "only named functions can be called with coordinates\nhelp: write a helper method of \
+                               this impl";
                 self.errors.at(&call.func, message);
                 None
             }
             [.., last] if last == "from_fn" => {
-                let message = "how long this array is cannot be seen here: give it to a variable with its type, `let d: \
+                let message = "the length of this array is not known\nhelp: declare a variable with its type, `let d: \
                                [f64; 3] = std::array::from_fn(|k| ...);`";
                 self.errors.at(&call.func, message);
                 None
@@ -246,12 +256,12 @@ impl Reader<'_> {
                     && let Some(cure) = in_rust(&name.to_string(), &places, is_list)
                 {
                     let named = quoted(&function);
-                    self.errors.at(&call.func, format!("there is no function `{named}` in Rust: write `{cure}`"));
+                    self.errors.at(&call.func, format!("Rust has no function `{named}`\nhelp: write `{cure}`"));
                     return None;
                 }
                 let (name, last) = (quoted(&function), segments.last());
                 let last = last.map_or_else(|| name.clone(), ToString::to_string);
-                let cure = format!("move the function into it and call `Self::{last}`, {OR_STATE}");
+                let cure = format!("move the function into this impl and call `Self::{last}`, {OR_STATE}");
                 self.outside(&call.func, &name, &cure);
                 None
             }
@@ -321,7 +331,10 @@ impl Reader<'_> {
 
     /// Notes that a function of coordinates is not in this impl.
     pub(super) fn outside(&mut self, place: impl ToTokens, name: &str, cure: &str) {
-        let message = format!("`{name}` of a coordinate is not known: the macro sees this impl alone; {cure}");
+        let message = format!(
+            "no derivative of `{name}` is known\nhelp: {cure}\nnote: the macro sees only the \
+                               functions of this impl"
+        );
         self.errors.at(place, message);
     }
 
@@ -329,7 +342,7 @@ impl Reader<'_> {
     fn helper(&mut self, name: &Ident, arguments: Vec<Value>, places: &[&Expr]) -> Option<Value> {
         let input = self.input;
         let Some(helper) = input.function(&name.to_string()) else {
-            let cure = format!("move the function into it, {OR_STATE}");
+            let cure = format!("move the function into this impl, {OR_STATE}");
             self.outside(name, &name.to_string(), &cure);
             return None;
         };
@@ -337,7 +350,7 @@ impl Reader<'_> {
             return self.external(helper, arguments, places);
         }
         if self.inlining.iter().any(|known| name == known) {
-            self.errors.at(name, format!("`{name}` calls itself: recursion has no derivative here; write a loop"));
+            self.errors.at(name, format!("`{name}` calls itself, and recursion is not supported\nhelp: write a loop"));
             return None;
         }
         let parameters: Vec<_> = typed_arguments(helper).collect();

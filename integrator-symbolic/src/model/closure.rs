@@ -36,7 +36,7 @@ impl Reader<'_> {
                 Some(Rc::new(parse_quote!(|#(#names),*| #function(#(#names),*))))
             }
             other => {
-                let message = "a closure or the path of a function is expected here: `|x| ...` or `f64::sin`";
+                let message = "expected a closure or the path of a function\nhelp: write `|x| ...` or `f64::sin`";
                 self.errors.at(other, message);
                 None
             }
@@ -67,8 +67,10 @@ impl Reader<'_> {
         let mut assigned = Assigned::default();
         assigned.visit_expr(&closure.body);
         if let Some(name) = assigned.names.iter().find(|name| self.lookup(name).is_some()) {
-            let message =
-                format!("this closure assigns to `{name}`, which is outside of it: let it return what it adds");
+            let message = format!(
+                "this closure assigns to `{name}`, which is declared outside of it\nhelp: return the value \
+                         from the closure, and assign it outside"
+            );
             self.errors.at(closure, message);
             return None;
         }

@@ -61,8 +61,8 @@ impl Reader<'_> {
         let count = self.count_of(list);
         self.unseen_constant(count).map(|name| {
             format!(
-                "how long this array is cannot be seen here, since the macro sees this impl alone: declare `const {name}: usize = \
-                 6;` in this function, or in this impl, as `Self::{name}`"
+                "the length `{name}` of this array is not known\nhelp: declare `const {name}: usize = 6;` in this \
+                 function, or in this impl and write `Self::{name}`\nnote: the macro sees only this impl"
             )
         })
     }
@@ -76,8 +76,8 @@ impl Reader<'_> {
     pub(super) fn unseen(&self, end: IndexId) -> String {
         self.unseen_constant(end).map_or_else(String::new, |name| {
             format!(
-                ". How much `{name}` is cannot be seen here, since the macro sees this impl alone: declare `const {name}: usize = \
-                 6;` in this function, or in this impl, as `Self::{name}`"
+                "\nhelp: declare `const {name}: usize = 6;` in this function, or in this impl and write \
+                 `Self::{name}`\nnote: the macro sees only this impl, where the value of `{name}` is not declared"
             )
         })
     }

@@ -130,7 +130,7 @@ pub(super) struct Power {
 pub(super) fn power_by_operator(link: &ExprBinary) -> Option<Power> {
     let (is, exponent) = match (&link.op, &*link.right) {
         (BinOp::Mul(_), Expr::Unary(ExprUnary { op: UnOp::Deref(_), expr, .. })) => ("no operator", &**expr),
-        (BinOp::BitXor(_), right) => ("the exclusive or of bits", leftmost(right)),
+        (BinOp::BitXor(_), right) => ("the bitwise exclusive or", leftmost(right)),
         _ => return None,
     };
     number_of(exponent)?;
@@ -139,14 +139,15 @@ pub(super) fn power_by_operator(link: &ExprBinary) -> Option<Power> {
 
 /// The power that `a ^ b` is meant for, where it is one of numbers.
 pub(super) fn power_by_exclusive_or(link: &ExprBinary) -> Power {
-    power_of(link, "the exclusive or of bits", leftmost(&link.right))
+    power_of(link, "the bitwise exclusive or", leftmost(&link.right))
 }
 
 /// What to write for an operator on the bits of integers.
 pub(super) fn bits_by_arithmetic(op: &str) -> String {
     format!(
-        "`{op}` of integers that depend on loops is supported as `<< n`, `>> n`, `& (2^n - 1)` and `^ 1` with a number on the right, \
-         for integers that are never negative: write this one with `+`, `-`, `*`, `/` and `%`"
+        "this use of `{op}` on an integer that depends on a loop is not supported\nhelp: use `+`, `-`, `*`, `/` and \
+         `%`\nnote: `<< n`, `>> n`, `& (2^n - 1)` and `^ 1` are supported if the right side is a literal and the \
+         integer is never negative"
     )
 }
 
@@ -155,7 +156,7 @@ fn power_of(link: &ExprBinary, is: &str, exponent: &Expr) -> Power {
     let sign = if let BinOp::Mul(_) = op { "**" } else { "^" };
     Power {
         place: quote!(#base #op #exponent),
-        message: format!("`{sign}` is {is} in Rust: write `{}`", power(base, exponent)),
+        message: format!("`{sign}` is {is} in Rust\nhelp: write `{}`", power(base, exponent)),
     }
 }
 
@@ -193,7 +194,7 @@ pub(super) fn no_function(name: &str, value: &Value, call: &ExprCall) -> Option<
         [factor] if is_number => format!("{function} * {}", written(factor)),
         _ => return None,
     };
-    Some(format!("{name} is {}, no function: write `{cure}`", value.describe()))
+    Some(format!("{name} is {}, not a function\nhelp: write `{cure}`", value.describe()))
 }
 
 fn without_parentheses(expression: &Expr) -> &Expr {

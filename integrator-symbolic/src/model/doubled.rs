@@ -15,13 +15,15 @@ impl Reader<'_> {
         whole: Option<&ImplItemFn>,
     ) -> Option<([NodeId; 2], NodeId, Shape, Called)> {
         let Some(function) = whole else {
-            let message = "`symmetric` takes H as it is, in one function: write \
-                           `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`; `kinetic` and `potential` need no copies";
+            let message = "`split = symmetric` requires H in one function\nhelp: write `fn hamiltonian(&self, q: \
+                           [f64; N], p: [f64; N]) -> f64`\nnote: `kinetic` and `potential` already have exact flows, \
+                           without copies of the state";
             self.errors.at(coupling, message);
             return None;
         };
         if let Some(coordinates) = &self.input.coordinates {
-            let message = "Jacobi coordinates are for bodies whose T and V are known apart, not for `symmetric`";
+            let message = "Jacobi coordinates do not support `split = symmetric`\nhelp: write T and V as `kinetic` \
+                           and `potential`";
             self.errors.at(&coordinates.name, message);
             return None;
         }
@@ -32,8 +34,8 @@ impl Reader<'_> {
         self.may_mix = false;
         let (energy, coupling) = (energy?, coupling?);
         if self.graph.reads_time(energy) {
-            let message = "this reads the time, and compositions know at what time the flows of two parts begin, not those \
-                           of two copies and their coupling: make the time a coordinate with a momentum of its own";
+            let message = "`split = symmetric` does not support an H that depends on time\nhelp: make the time a \
+                           coordinate with a conjugate momentum";
             self.errors.at(&function.sig.ident, message);
             return None;
         }
@@ -50,7 +52,11 @@ impl Reader<'_> {
         let is_constant = |part| !self.graph.reads(node, part);
         debug_assert!([Part::Position, Part::Momentum].into_iter().all(is_constant), "no coordinate is in scope");
         if self.graph.as_constant(node).is_some_and(|omega| omega <= 0.0) {
-            self.errors.at(expression, "without a coupling above zero, both copies go their own ways");
+            self.errors.at(
+                expression,
+                "the coupling `omega` has to be greater than zero\nnote: without it, the two \
+                                        copies of the state drift apart",
+            );
             return None;
         }
         Some(node)

@@ -16,8 +16,8 @@ use syn::{
     visit::Visit,
 };
 
-const IF_LET: &str = "`if let` is understood on values of the system, which read no coordinates: compare numbers, as in \
-                      `if r < cutoff`";
+const IF_LET: &str = "`if let` on coordinates is not supported\nhelp: compare numbers, as in `if r < cutoff`\nnote: \
+                      `if let` is supported on values of the system that do not depend on coordinates";
 
 /// Where a branch stands.
 #[derive(Clone, Copy)]
@@ -308,7 +308,11 @@ impl Reader<'_> {
             if let Some(fits) = self.fits_length(pattern, value)? {
                 return self.body(if fits { Body::Statements(rest) } else { otherwise }, flow);
             }
-            self.errors.at(place, "`let ... else` is understood on values of the system, which read no coordinates");
+            self.errors.at(
+                place,
+                "`let ... else` on coordinates is not supported\nnote: it is supported on values of \
+                                   the system that do not depend on coordinates",
+            );
             return None;
         };
         let arms = [

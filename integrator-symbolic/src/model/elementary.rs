@@ -54,7 +54,7 @@ impl Reader<'_> {
             (None, "mul_add" | "clamp") => 2,
             (None, known) if ARITHMETIC.contains(&known) => 0,
             _ if matches!(receiver, Value::Opaque(_)) => {
-                let cure = format!("write the formula as a method of it, {OR_STATE}");
+                let cure = format!("write the formula as a method of this impl, {OR_STATE}");
                 self.outside(name, &method, &cure);
                 return None;
             }
@@ -62,7 +62,13 @@ impl Reader<'_> {
                 let whole: Vec<&Expr> = std::iter::once(place).chain(places.iter().copied()).collect();
                 match in_rust(&method, &whole, is_list(&receiver)) {
                     Some(cure) => {
-                        self.errors.at(name, format!("numbers and arrays have no method `{method}`: write `{cure}`"));
+                        self.errors.at(
+                            name,
+                            format!(
+                                "numbers and arrays have no method `{method}`\nhelp: write \
+                                                      `{cure}`"
+                            ),
+                        );
                     }
                     None => self.unknown_function(name, &method),
                 }
@@ -74,7 +80,7 @@ impl Reader<'_> {
         }
         let x = self.operand(&receiver, place)?;
         if method == "log" && arguments.is_empty() {
-            let message = "`log` takes the base as an argument: the natural logarithm is `ln`";
+            let message = "`log` takes the base as an argument\nhelp: write `ln` for the natural logarithm";
             self.errors.at(name, message);
             return None;
         }
@@ -166,7 +172,8 @@ impl Reader<'_> {
         }
         let exponent = match &self.of_own_type(exponent.clone().into_own()) {
             Value::Real(number) if matches!(self.graph.node(*number), Node::Constant(_)) => {
-                self.errors.at(place, format!("the exponent of `powi` is an integer: write {}", by_powf(place)));
+                self.errors
+                    .at(place, format!("the exponent of `powi` has to be an integer\nhelp: write {}", by_powf(place)));
                 return None;
             }
             Value::Integer(index) => {
@@ -178,7 +185,8 @@ impl Reader<'_> {
             }
             exponent => {
                 let Some(Opaque { text, loops }) = self.opaque(exponent) else {
-                    let message = "the exponent of `powi` is an integer that does not depend on coordinates";
+                    let message = "the exponent of `powi` has to be an integer that does not depend on \
+                                   coordinates\nhelp: write `powf` for other exponents";
                     self.errors.at(place, message);
                     return None;
                 };
@@ -194,10 +202,10 @@ impl Reader<'_> {
         let helpers = self.input.functions().map(|function| function.sig.ident.to_string());
         let known: Vec<String> = known_functions().map(str::to_owned).chain(helpers).collect();
         let near: Vec<String> = nearest(name, &known).into_iter().map(|near| format!("`{near}`")).collect();
-        let like = if near.is_empty() { String::new() } else { format!(" Spelled like it: {}.", near.join(", ")) };
+        let like = if near.is_empty() { String::new() } else { format!("\nhelp: similar names: {}", near.join(", ")) };
         let message = format!(
-            "`{name}` of a coordinate is not known: known are the methods of f64 that have a derivative, and helper \
-             methods of this impl.{like} The whole list is in docs/language.md"
+            "no derivative of `{name}` is known{like}\nnote: supported are the methods of `f64` listed in \
+             docs/language.md, and helper methods of this impl"
         );
         self.errors.at(place, message);
     }

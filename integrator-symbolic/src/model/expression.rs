@@ -26,12 +26,14 @@ use syn::{Expr, ExprArray, ExprField, ExprIndex, ExprLit, ExprPath, Lit, Macro, 
 const MANY: usize = 1024;
 
 /// How arrays of values that differ are read.
-const BY_LITERALS: &str = "an array of values is indexed by literals, or in a loop of up to 16 iterations; one that a \
-                           loop fills, `for k in 0..32 { h[k] = ...; }`, by any index";
+const BY_LITERALS: &str = "this array of values does not support this index\nhelp: index it by literals, or in a loop \
+                           of at most 16 iterations\nnote: an array filled by a loop, `for k in 0..32 { h[k] = ...; \
+                           }`, supports any index";
 
 /// Where `continue` may stand.
-pub(super) const CONTINUE: &str = "`continue` is supported as the last statement of an `if` without `else`, in the body of a \
-                                   loop and not further inside: put the condition around what is skipped";
+pub(super) const CONTINUE: &str = "`continue` is not supported here\nhelp: wrap the skipped statements in an \
+                                   `if`\nnote: it may be the last statement of an `if` without `else`, directly in \
+                                   the body of a loop";
 
 impl Reader<'_> {
     /// The value of an expression; `None` if a mistake was noted in it.
@@ -41,7 +43,10 @@ impl Reader<'_> {
             // Noted once: from here on every reading ends at once.
             if self.readings <= READINGS + 1 {
                 self.readings = READINGS + 1;
-                let message = format!("more than {OPERATIONS} different operations: write what repeats as a loop");
+                let message = format!(
+                    "H has more than {OPERATIONS} different operations\nhelp: write what repeats as \
+                                       a loop"
+                );
                 self.errors.at(expression, message);
             }
             return None;
@@ -49,8 +54,8 @@ impl Reader<'_> {
         if self.nested >= NESTED {
             self.readings = READINGS + 1;
             let message = format!(
-                "expressions and the helper methods that they call are nested more than {NESTED} deep here: give inner parts \
-                 names with `let`, or write a loop"
+                "expressions and their helper methods are nested more than {NESTED} levels deep\nhelp: name inner \
+                 parts with `let`, or write a loop"
             );
             self.errors.at(expression, message);
             return None;
@@ -89,7 +94,7 @@ impl Reader<'_> {
                         self.repeated_to(value, &length)
                     }
                     None => {
-                        let message = format!("the length of an array of values is a literal up to {MANY}");
+                        let message = format!("the length of an array of values has to be a literal of at most {MANY}");
                         self.errors.at(&repeat.len, message);
                         None
                     }
@@ -120,7 +125,7 @@ impl Reader<'_> {
         if number.is_none() {
             let message = match value {
                 Value::Accumulating => {
-                    "this variable is being summed up by the loop around here: it can be read after the loop".to_owned()
+                    "this variable is read in the loop that sums it\nhelp: read it after the loop".to_owned()
                 }
                 Value::Integer(index) => {
                     self.note_integer(*index, &place.to_token_stream());
@@ -176,8 +181,7 @@ impl Reader<'_> {
         match &value {
             Value::Unknown => return None,
             Value::Accumulating => {
-                let message =
-                    format!("`{name}` is being summed up by the loop around here: it can be read after the loop");
+                let message = format!("`{name}` is read in the loop that sums it\nhelp: read it after the loop");
                 self.errors.at(name, message);
                 return None;
             }
@@ -189,16 +193,16 @@ impl Reader<'_> {
     fn unknown_name(&mut self, name: &Ident) {
         let message = match name.to_string().as_str() {
             "p" if !self.may_mix => {
-                "`p` is not known here: V(q) is a function of the positions alone; a term with momenta belongs in \
-                    `kinetic`"
+                "`p` is not known here\nhelp: move the terms with momenta to `kinetic`\nnote: V(q) is a function of \
+                 the positions"
                     .to_owned()
             }
             "q" if !self.may_mix => {
-                "`q` is not known here: T(p) is a function of the momenta alone; a term with positions belongs in \
-                    `potential`"
+                "`q` is not known here\nhelp: move the terms with positions to `potential`\nnote: T(p) is a function \
+                 of the momenta"
                     .to_owned()
             }
-            "pi" => "`pi` is not known here: write `std::f64::consts::PI`".to_owned(),
+            "pi" => "`pi` is not known here\nhelp: write `std::f64::consts::PI`".to_owned(),
             other => format!("`{other}` is not known here"),
         };
         self.errors.at(name, message);
@@ -220,7 +224,7 @@ impl Reader<'_> {
             return self.element_at(list, &at, index);
         }
         let Some(position) = self.integer(&at) else {
-            self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
+            self.errors.at(&index.index, format!("an index has to be an integer, and this is {}", at.describe()));
             return None;
         };
         // The type of an index is `usize`.
@@ -244,7 +248,7 @@ impl Reader<'_> {
                 }
                 if part.is_none() {
                     let message = match literal {
-                        Some(_) => format!("the index is out of bounds: this array has {} elements", parts.len()),
+                        Some(_) => format!("the index is out of bounds for this array of {} elements", parts.len()),
                         None => format!("{BY_LITERALS}{}", self.unseen_bound()),
                     };
                     self.errors.at(&index.index, message);
@@ -256,7 +260,7 @@ impl Reader<'_> {
                 let (count, literal) = (self.count_of_literal(&part), self.graph.loops.literal(position));
                 let message = match literal.zip(count) {
                     Some((position, count)) if position >= count => {
-                        format!("the index is out of bounds: this array has {count} elements")
+                        format!("the index is out of bounds for this array of {count} elements")
                     }
                     None if part.literal => format!("{BY_LITERALS}{}", self.unseen_bound()),
                     _ => return self.nth(&part, position),
@@ -280,7 +284,7 @@ impl Reader<'_> {
             false => self.place_text(at),
         };
         let Some(at) = found else {
-            self.errors.at(&index.index, format!("an index is an integer; this is {}", at.describe()));
+            self.errors.at(&index.index, format!("an index has to be an integer, and this is {}", at.describe()));
             return None;
         };
         Some(Value::Opaque(Opaque {
@@ -293,7 +297,7 @@ impl Reader<'_> {
     fn coordinate(&mut self, view: View, position: IndexId, place: &ExprIndex) -> Option<Value> {
         let shape = self.shape.clone()?;
         let Some(extent) = shape.extent(view.at.len()) else {
-            self.errors.at(place, "a coordinate is a number: it cannot be indexed");
+            self.errors.at(place, "a coordinate is a number and cannot be indexed");
             return None;
         };
         let upper = self.graph.loops.upper(position).and_then(|upper| self.graph.loops.literal(upper));
@@ -304,7 +308,7 @@ impl Reader<'_> {
             && !self.stays_below(position, length)
         {
             let message = format!(
-                "index {upper} is out of bounds: the coordinates are `{}`, the last index here is {}",
+                "index {upper} is out of bounds for the coordinates `{}`\nnote: the last index here is {}",
                 shape.text(),
                 length.saturating_sub(1)
             );
@@ -337,7 +341,7 @@ impl Reader<'_> {
         };
         self.foreign_reads.push((
             place.expr.to_token_stream(),
-            format!("{own} may not read the {of} `{letter}`: a term in `{letter}` alone belongs in `{instead}`"),
+            format!("{own} may not depend on the {of} `{letter}`\nhelp: move the terms in `{letter}` to `{instead}`"),
         ));
     }
 
@@ -357,7 +361,7 @@ impl Reader<'_> {
             (other, member) => {
                 let cure = match member {
                     Member::Unnamed(position) if is_list(&other) => {
-                        format!(": write `{}[{}]`", quoted(&field.base), position.index)
+                        format!("\nhelp: write `{}[{}]`", quoted(&field.base), position.index)
                     }
                     _ => String::new(),
                 };
@@ -397,22 +401,28 @@ impl Reader<'_> {
         let escape = escape(expression);
         let expression = escape.as_ref().unwrap_or(expression);
         let what = match expression {
-            Expr::While(_) => "`while` has no derivative here: write the sum as `for i in a..b`",
-            Expr::Loop(_) => "`loop` has no derivative here: write the sum as `for i in a..b`",
-            Expr::Match(_) => "`match` on coordinates is not understood: write `if ... else if ... else`",
+            Expr::While(_) => "`while` loops are not supported\nhelp: write the sum as `for i in a..b`",
+            Expr::Loop(_) => "`loop` is not supported\nhelp: write the sum as `for i in a..b`",
+            Expr::Match(_) => "`match` on coordinates is not supported\nhelp: write `if ... else if ... else`",
             Expr::Return(_) => {
-                "a `return` is understood in branches of the function itself, as in `if r > cutoff { return 0.0; }`: out of a \
-                 loop, and from inside of an expression, it is not"
+                "this `return` is not supported\nhelp: return in a branch of the function body, as in `if r > cutoff \
+                 { return 0.0; }`\nnote: `return` inside a loop or an expression is not supported"
             }
-            Expr::Unsafe(_) => "`unsafe` code over coordinates is not understood: write it with plain indices",
-            Expr::Break(_) => "`break` is not understood: give the loop its range, or put `if` around what it adds",
+            Expr::Unsafe(_) => "`unsafe` code with coordinates is not supported\nhelp: write plain indices",
+            Expr::Break(_) => {
+                "`break` is not supported\nhelp: shorten the range of the loop, or wrap the added term \
+                               in `if`"
+            }
             Expr::Continue(_) => CONTINUE,
-            Expr::Try(_) => "`?` leaves the function, and no force tells of that: give the energy unconditionally",
-            Expr::Reference(_) => "`&mut` is not understood: assign to the variable itself",
-            Expr::ForLoop(_) => "a loop has no value: sum into a `let mut` variable",
+            Expr::Try(_) => {
+                "`?` is not supported\nhelp: return an energy in every case\nnote: the force of an early \
+                             exit is not defined"
+            }
+            Expr::Reference(_) => "`&mut` is not supported\nhelp: assign to the variable itself",
+            Expr::ForLoop(_) => "a loop has no value\nhelp: sum into a `let mut` variable",
             _ => {
-                "this expression over coordinates is not understood: arithmetic, f64 methods, helper methods of this \
-                 impl, `let`, `if` and `for i in a..b` are"
+                "this expression with coordinates is not supported\nnote: supported are arithmetic, methods of `f64`, \
+                 helper methods of this impl, `let`, `if` and `for i in a..b`"
             }
         };
         match keyword(expression) {

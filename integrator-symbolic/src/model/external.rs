@@ -155,12 +155,10 @@ impl Reader<'_> {
             let (name, most) = (&own.name, Arguments::MOST);
             let message = match own.at.len() {
                 0 => format!(
-                    "a method with stated derivatives takes one f64 or up to {most}: `fn {name}(&self, x: f64) -> f64`"
+                    "a method with stated derivatives has to take between one and {most} arguments of type \
+                     `f64`\nhelp: write `fn {name}(&self, x: f64) -> f64`"
                 ),
-                depth => format!(
-                    "`{name}` gives the derivatives in order: it has to return `{}`",
-                    kind(own.arguments, depth)
-                ),
+                depth => format!("`{name}` has to return the derivatives as `{}`", kind(own.arguments, depth)),
             };
             self.errors.at(&method.sig.ident, message);
             return None;
@@ -183,12 +181,17 @@ impl Reader<'_> {
         let (one_each, in_array) = (names.len() == count && own.at.is_empty(), names.len() == 1 && count > 1);
         if !one_each && !in_array {
             let message = match (count, own.at.len()) {
-                (1, _) => "name the method that gives the derivative: `#[derivative(slope)]`".to_owned(),
+                (1, _) => "`#[derivative]` lacks the method that returns the derivative\nhelp: write \
+                           `#[derivative(slope)]`"
+                    .to_owned(),
                 (_, 0) => format!(
-                    "name the methods that give the {count} derivatives, `#[derivative(by_first, by_second)]`, or the one \
-                     that gives an array of them, `#[derivative(gradient)]`"
+                    "`#[derivative]` lacks the methods that return the {count} derivatives\nhelp: write \
+                     `#[derivative(by_first, by_second)]`, or `#[derivative(gradient)]` with one method that returns \
+                     an array"
                 ),
-                _ => "name the method that gives the derivatives of these: `#[derivative(hessian)]`".to_owned(),
+                _ => "`#[derivative]` lacks the method that returns the second derivatives\nhelp: write \
+                      `#[derivative(hessian)]`"
+                    .to_owned(),
             };
             self.errors.at(attribute, message);
             return None;

@@ -95,7 +95,7 @@ impl Reader<'_> {
                 && iterations > count
             {
                 let place = found.iter().find(|found| *found == name).map_or(&index, |found| found);
-                self.errors.at(place, format!("the index is out of bounds: this array has {count} elements"));
+                self.errors.at(place, format!("the index is out of bounds for this array of {count} elements"));
                 return None;
             }
         }
@@ -191,8 +191,9 @@ impl Reader<'_> {
     pub(super) fn collected(&mut self, items: &Expr) -> Option<Value> {
         let sequence = self.sequence(items)?;
         if sequence.filtered {
-            let message = "how many items `filter` leaves is not known, so they make no list here: end it with \
-                           `.sum::<f64>()`, or use it where it is";
+            let message = "collecting the items of a `filter` is not supported\nhelp: end it with \
+                           `.sum::<f64>()`\nnote: the number of items that `filter` leaves is not known at compile \
+                           time";
             self.errors.at(items, message);
             return None;
         }

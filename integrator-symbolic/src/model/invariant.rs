@@ -29,11 +29,11 @@ impl Reader<'_> {
                 self.errors.at(again, "`#[invariant]` is given twice");
             }
             if !matches!(attribute.meta, Meta::Path(_)) {
-                self.errors.at(attribute, "`#[invariant]` takes no arguments: the function says it all");
+                self.errors.at(attribute, "`#[invariant]` takes no arguments");
             }
             let name = &method.sig.ident;
             if found.iter().any(|other| other.name == *name) {
-                self.errors.at(name, format!("there is an invariant `{name}` already: give this one another name"));
+                self.errors.at(name, format!("the invariant `{name}` is defined twice\nhelp: rename this function"));
                 continue;
             }
             found.extend(self.invariant(method, shape));
@@ -46,26 +46,26 @@ impl Reader<'_> {
         if !fits(method) {
             let kind = shape.text();
             let message = format!(
-                "an invariant is a number of positions and momenta: `fn {name}(&self, q: {kind}, p: {kind}) -> f64`"
+                "an invariant has to be a function of positions and momenta\nhelp: write `fn {name}(&self, q: {kind}, \
+                 p: {kind}) -> f64`"
             );
             self.errors.at(&method.sig, message);
             return None;
         }
         if is_column(&name.to_string()) {
-            let message =
-                format!("`{name}` is a column of all samples that are written: give the invariant another name");
+            let message = format!("`{name}` is the name of a column in output files\nhelp: rename the invariant");
             self.errors.at(name, message);
             return None;
         }
         let signature = whole_signature(method, self.errors)?;
         let WholeSignature { shape: own, time, .. } = &signature;
         if let Some(time) = time {
-            let message = "an invariant stays as it is, whatever the time: leave out this argument";
+            let message = "an invariant does not depend on time\nhelp: remove this argument";
             self.errors.at(time, message);
             return None;
         }
         if mismatch((own, ""), (shape, "")).is_some() {
-            let message = format!("H has coordinates `{}`, and these are `{}`", shape.text(), own.text());
+            let message = format!("H has the coordinates `{}`, and these are `{}`", shape.text(), own.text());
             self.errors.at(&method.sig.inputs, message);
             return None;
         }
@@ -74,12 +74,12 @@ impl Reader<'_> {
         self.may_mix = false;
         let value = value?;
         let Some(value) = self.real(&value) else {
-            let message = format!("`{name}` has to end in a number; this is {}", value.describe());
+            let message = format!("`{name}` has to end in a number, and this is {}", value.describe());
             self.errors.at(method.block.stmts.last(), message);
             return None;
         };
         if ![Part::Position, Part::Momentum].into_iter().any(|part| self.graph.reads(value, part)) {
-            let message = format!("`{name}` reads neither positions nor momenta: it is a constant of any motion");
+            let message = format!("the invariant `{name}` depends on neither positions nor momenta");
             self.errors.at(name, message);
             return None;
         }

@@ -385,10 +385,10 @@ pub(crate) fn with_input(arguments: &str, item: &str) -> (Input, Model) {
 }
 
 /// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
-const NOT_SEPARABLE: &str = "this mixes q and p, so H is not separable: a splitting needs H = T(p) + V(q). Change to \
-                             coordinates in which T depends on p alone, split H into parts with exact flows, \
-                             `split = a + b`, leave it in one piece for implicit methods, `split = none`, or couple two \
-                             copies of the state, `split = symmetric(omega = 20.0)`";
+const NOT_SEPARABLE: &str = "this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into \
+                             parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit \
+                             methods, `split = none`\nhelp: or couple two copies of the state, `split = \
+                             symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only";
 
 /// A variable.
 struct Binding {
@@ -548,7 +548,8 @@ impl<'i> Reader<'i> {
         if let Some(time) = signature.time {
             self.errors.at(
                 time,
-                "the pace depends on the positions alone, since the time is part of the motion: leave it out",
+                "`rate` does not depend on time\nhelp: remove this argument\nnote: time transformation integrates the \
+                 time along with the motion",
             );
             return None;
         }
@@ -622,7 +623,7 @@ impl<'i> Reader<'i> {
         }
         let place = last.map_or_else(|| function.block.span(), Spanned::span);
         let message =
-            format!("`{}` has to end in a number, the energy; this is {}", function.sig.ident, value.describe());
+            format!("`{}` has to end in a number, the energy, and this is {}", function.sig.ident, value.describe());
         self.errors.at_span(place, message);
         None
     }
@@ -636,7 +637,10 @@ impl<'i> Reader<'i> {
         }
         if reads.is_empty() {
             let letter = shape::usual_name(part);
-            let message = format!("`{name}` is a function of `{letter}` alone, H = T(p) + V(q): remove this argument");
+            let message = format!(
+                "`{name}` takes only `{letter}` as coordinates, since H = T(p) + V(q)\nhelp: remove \
+                                   this argument"
+            );
             self.errors.at(foreign, message);
         }
         for (place, message) in reads {

@@ -289,7 +289,8 @@ impl Reader<'_> {
                     Some(Value::Opaque(Opaque { text: quote!((#text as #kind)), loops }))
                 }
                 None => {
-                    let message = format!("{} cannot be cast here: energies are computed in f64", value.describe());
+                    let message =
+                        format!("{} cannot be cast here\nnote: energies are computed in `f64`", value.describe());
                     self.errors.at(cast, message);
                     None
                 }

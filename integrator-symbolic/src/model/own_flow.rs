@@ -26,16 +26,20 @@ impl Reader<'_> {
         for method in input.functions() {
             let Some(attribute) = flow_attribute(method) else { continue };
             let Some(part) = part_of(method) else {
-                self.errors.at(attribute, "this names the part of H whose flow the method is: `#[flow(kepler)]`");
+                self.errors.at(
+                    attribute,
+                    "`#[flow]` lacks the name of a part of H\nhelp: write, for example, \
+                                           `#[flow(kepler)]`",
+                );
                 continue;
             };
             if !input.split.contains(&part) {
                 let parts: Vec<String> = input.split.iter().map(|part| format!("`{part}`")).collect();
                 let named = match &parts[..] {
-                    [] => "name the parts, `split = a + b`".to_owned(),
-                    parts => format!("`split` names {}", parts.join(", ")),
+                    [] => "help: name the parts, `split = a + b`".to_owned(),
+                    parts => format!("note: `split` names {}", parts.join(", ")),
                 };
-                let message = format!("`{part}` is no part of H: {named}");
+                let message = format!("`{part}` is not a part of H\n{named}");
                 self.errors.at(&part, message);
             }
         }
@@ -45,16 +49,16 @@ impl Reader<'_> {
     pub(super) fn admitted_flow(&mut self, method: &ImplItemFn, shape: &Shape, energy: NodeId) -> Option<Ident> {
         let name = &method.sig.ident;
         if self.graph.reads_time(energy) {
-            let message =
-                "the part reads the time, which a flow is not given: make the time a coordinate with a momentum";
+            let message = "a hand-written flow does not support a part that depends on time\nhelp: make the time a coordinate \
+                 with a conjugate momentum";
             self.errors.at(name, message);
             return None;
         }
         if !fits(method) {
             let kind = in_place(shape);
             let message = format!(
-                "a flow moves positions and momenta in place for a duration: \
-                 `fn {name}(&self, q: &mut {kind}, p: &mut {kind}, duration: f64)`"
+                "a flow has to take positions and momenta by `&mut`, and a duration\nhelp: write `fn {name}(&self, q: \
+                 &mut {kind}, p: &mut {kind}, duration: f64)`"
             );
             self.errors.at(&method.sig, message);
             return None;

@@ -49,14 +49,14 @@ impl<'i> Reader<'i> {
         let mut parts = Vec::new();
         let mut shape: Option<Shape> = None;
         if let Some(first) = sorts_two_functions(input) {
-            let message = "`quadratic + rest` sorts the terms of one function: write `fn hamiltonian(&self, q: [f64; N], p: [f64; \
-                           N]) -> f64`, the sum of both, in place of `kinetic` and `potential`";
+            let message = "`split = quadratic + rest` requires H in one function\nhelp: write `fn hamiltonian(&self, \
+                           q: [f64; N], p: [f64; N]) -> f64` in place of `kinetic` and `potential`";
             self.errors.at(first, message);
             return None;
         }
         for name in &input.split {
             if !names.insert(name.to_string()) {
-                self.errors.at(name, format!("`{name}` is a part of H already: each part is named once"));
+                self.errors.at(name, format!("the part `{name}` is named twice"));
                 continue;
             }
             let Some(function) = input.function(&name.to_string()) else {
@@ -69,7 +69,8 @@ impl<'i> Reader<'i> {
                 Some(first) if first.text() != read.shape.text() => {
                     let (first, here) = (first.text(), read.shape.text());
                     let message = format!(
-                        "all parts have the same coordinates: q and p are `{first}` in the first part, but `{here}` here"
+                        "the coordinates are `{first}` in the first part, but `{here}` here\nhelp: write the same \
+                         type in all parts"
                     );
                     self.errors.at(&function.sig.inputs, message);
                     continue;
@@ -95,9 +96,8 @@ impl<'i> Reader<'i> {
     /// Says that the impl has no function for a part.
     fn lacks(&mut self, name: &Ident) {
         let near = is_it(self.input, &name.to_string());
-        let message = format!(
-            "the impl lacks `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`, the part of H that `split` names{near}"
-        );
+        let message =
+            format!("the impl lacks `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`, which `split` names{near}");
         self.errors.at(name, message);
     }
 
@@ -125,7 +125,7 @@ impl<'i> Reader<'i> {
     pub(super) fn judged(&mut self, name: &Ident, read: Read) -> Option<ExactPart> {
         let Read { energy, shape, arguments } = read;
         if ![Part::Position, Part::Momentum].iter().any(|part| self.graph.reads(energy, *part)) {
-            let message = format!("`{name}` depends on neither q nor p, so nothing moves by it: leave this part out");
+            let message = format!("the part `{name}` depends on neither q nor p\nhelp: leave it out");
             self.errors.at(name, message);
             return None;
         }
@@ -171,14 +171,14 @@ impl Reader<'_> {
         let may_move = self.input.function(&name.to_string()).is_some();
         let advice = match term {
             _ if self.graph.reads_time(energy) => {
-                "Terms that read the time have a flow in a part of q alone or of p alone: move them there".to_owned()
+                "move the terms that depend on time to a part of q only, or of p only".to_owned()
             }
             Some(_) if may_move => {
-                format!("Move this term to another part, or write the flow of `{name}`: `#[flow({name})]`")
+                format!("move this term to another part, or write the flow of `{name}` by hand, `#[flow({name})]`")
             }
-            _ => format!("Split it into more parts, or write its flow: `#[flow({name})]`"),
+            _ => format!("split it into more parts, or write its flow by hand, `#[flow({name})]`"),
         };
-        let message = format!("no exact flow is known for `{name}`: {}. {advice}", reasons.join("; "));
+        let message = format!("no exact flow is known for `{name}`\nhelp: {advice}\nnote: {}", reasons.join("; "));
         match term {
             Some(term) => self.errors.at(term, message),
             None => self.errors.at(name, message),
@@ -190,15 +190,15 @@ impl Reader<'_> {
         match obstacle {
             Obstacle::Conjugates(q, p) => {
                 let [q, p] = [q, p].map(|element| self.named(*element));
-                format!("it is no shear, since {q} and {p} are both in it")
+                format!("it is not a shear, since it depends on {q} and {p}")
             }
             Obstacle::Degree(degree) => {
-                format!("it is no quadratic form in q and p together, but a polynomial of degree {degree}")
+                format!("it is not a quadratic form in q and p, but a polynomial of degree {degree}")
             }
-            Obstacle::Time => "it is a quadratic form in q and p, but with coefficients that read the time".to_owned(),
+            Obstacle::Time => "it is a quadratic form in q and p with coefficients that depend on time".to_owned(),
             Obstacle::ProductOfSums => {
-                "it is a quadratic form in q and p, but multiplies a sum over a loop by itself: \
-                                        write it as one sum in two loops, over i and j"
+                "it is a quadratic form in q and p that multiplies a sum over a loop by itself; write it as one sum \
+                 in two loops, over i and j"
                     .to_owned()
             }
             Obstacle::Orbits(stray, _) => {
@@ -208,11 +208,11 @@ impl Reader<'_> {
                     Stray::Component => "p² or |q| of a body lacks some of its components",
                     Stray::Mass => "the components of a body may have different masses",
                     Stray::Kinetic => "a body with k/|q| has no p²/2m",
-                    Stray::Twice => "a body may stand in two of its sums",
+                    Stray::Twice => "a body may occur in two of its sums",
                 };
-                format!("it is no sum of p²/2m - k/|q| over bodies, since {why}")
+                format!("it is not a sum of p²/2m - k/|q| over bodies, since {why}")
             }
-            Obstacle::NoPolynomial => "it is no quadratic form in q and p".to_owned(),
+            Obstacle::NoPolynomial => "it is not a quadratic form in q and p".to_owned(),
         }
     }
 
@@ -229,7 +229,7 @@ pub(super) fn is_it(input: &Input, name: &str) -> String {
     let known: Vec<String> = input.functions().map(|function| function.sig.ident.to_string()).collect();
     match &nearest(name, &known)[..] {
         [] => String::new(),
-        near => format!("; is it `{}`?", near.join("`, `")),
+        near => format!("\nhelp: similar names: `{}`", near.join("`, `")),
     }
 }
 

@@ -23,11 +23,12 @@ impl Reader<'_> {
             let made: Vec<String> =
                 used.iter().filter(|name| **name != "rate").map(|name| format!("`{name}`")).collect();
             let message = match name {
-                "rate" => "`rate` is not used: the pace is a function of all positions alone, `fn rate(&self, q: ..) -> f64`. \
-                           Change its arguments, or rename it"
+                "rate" => "`rate` is not a function of all positions\nhelp: write `fn rate(&self, q: ..) -> f64`, or \
+                           rename it\nnote: `rate` controls the step size by time transformation"
                     .to_owned(),
                 _ => format!(
-                    "`{name}` is not used: H is made of {}, and no function calls this one. Remove it, or rename it",
+                    "`{name}` is not used\nhelp: remove it, or rename it\nnote: H is the sum of {}, which do not call \
+                     it",
                     made.join(" and ")
                 ),
             };

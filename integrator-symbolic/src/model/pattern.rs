@@ -48,7 +48,8 @@ impl Reader<'_> {
                 if !matches!(value, Value::Unknown) {
                     self.errors.at(
                         other,
-                        "this pattern is not understood: names, `_`, `&x`, arrays `[x, y]` and tuples `(x, y)` are",
+                        "this pattern is not supported\nnote: supported are names, `_`, `&x`, arrays `[x, y]` and \
+                         tuples `(x, y)`",
                     );
                 }
             }
@@ -117,7 +118,7 @@ impl Reader<'_> {
                 if let Some(count) = self.count_of_literal(&list)
                     && count < (first + last) as u64
                 {
-                    let message = format!("{} names do not fit {count} items", first + last);
+                    let message = format!("{} names do not match {count} items", first + last);
                     self.errors.at(pattern, message);
                     return None;
                 }
@@ -170,7 +171,7 @@ impl Reader<'_> {
                 let shape = self.shape.clone()?;
                 let extent = shape.extent(view.at.len())?;
                 if extent.literal().is_some_and(|length| length != count as u64) {
-                    let message = format!("the coordinates are `{}`: {count} names do not fit", shape.text());
+                    let message = format!("{count} names do not match the coordinates `{}`", shape.text());
                     self.errors.at(pattern, message);
                     return None;
                 }

@@ -19,7 +19,7 @@ impl Reader<'_> {
     /// The integers of a range; `is_indexed` where they are known to be indices, whose type is `usize`.
     pub(super) fn range(&mut self, range: &ExprRange, is_indexed: bool) -> Option<Sequence> {
         let (Some(start), Some(end)) = (&range.start, &range.end) else {
-            self.errors.at(range, "the range of a loop needs both bounds: write `a..b` or `a..=b`");
+            self.errors.at(range, "the range of a loop requires both bounds\nhelp: write `a..b` or `a..=b`");
             return None;
         };
         let (first, last) = (self.bound_value(start), self.bound_value(end));
@@ -67,7 +67,11 @@ impl Reader<'_> {
         if matches!(value, Value::Integer(_) | Value::Opaque(_)) {
             return Some(value.into_place());
         }
-        let message = format!("this bound is {}: the range of a loop is made of integers", value.describe());
+        let message = format!(
+            "the bounds of a loop have to be integers, and this one is {}\nhelp: loop over \
+                               integers, and write `i as f64` for the number",
+            value.describe()
+        );
         self.errors.at(bound, message);
         None
     }

@@ -218,7 +218,10 @@ impl Reader<'_> {
     pub(super) fn few_iterations(&mut self, sequence: &Sequence, place: &impl ToTokens) -> Option<Range<u64>> {
         let iterations = self.known_iterations(sequence);
         if iterations.is_none() {
-            let message = format!("a loop over an array of values is written out, so it has {FEW} iterations at most");
+            let message = format!(
+                "a loop over an array of values supports at most {FEW} iterations\nnote: such a \
+                                   loop is unrolled"
+            );
             self.errors.at(place, message);
         }
         iterations
@@ -257,7 +260,7 @@ impl Reader<'_> {
         place: &impl ToTokens,
     ) -> Option<LoopId> {
         if self.graph.loops.count() >= LoopSet::CAPACITY {
-            let message = format!("more than {} different loops in one Hamiltonian", LoopSet::CAPACITY);
+            let message = format!("H has more than {} different loops", LoopSet::CAPACITY);
             self.errors.at(place, message);
             return None;
         }
@@ -265,9 +268,9 @@ impl Reader<'_> {
         self.bound_lists(from);
         self.bound_lists(to);
         if self.graph.loops.upper(to).is_none() || self.graph.loops.lower(from).is_none() {
-            let message = "how far this loop may get is not known: its bounds are made of literals, integers of the \
-                           system and indices of outer loops that do not go below zero. Run over all that may be \
-                           meant, `for j in 0..q.len()`, and put an `if` around what is added";
+            let message = "the range of this loop is not known\nhelp: loop over the whole range, `for j in \
+                           0..q.len()`, and wrap the added term in `if`\nnote: bounds may contain literals, integers \
+                           of the system and non-negative indices of outer loops";
             self.errors.at(place, message);
             return None;
         }

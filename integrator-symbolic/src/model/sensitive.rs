@@ -47,7 +47,7 @@ impl Reader<'_> {
                 // What H reads is not known where it could not be read.
                 None if !self.errors.is_empty() => {}
                 None => {
-                    let message = format!("H does not read `self.{name}`, so that nothing depends on it: leave it out");
+                    let message = format!("H does not depend on `self.{name}`\nhelp: leave it out");
                     self.errors.at(name, message);
                 }
             }
@@ -63,9 +63,10 @@ impl Reader<'_> {
             let is_flow = function.attrs.iter().any(|attribute| attribute.path().is_ident("flow"));
             let is_called = is_flow || self.externals.iter().any(|method| method.name == *name);
             if is_called && self.helper_reads_sensitive(name) {
-                let cure = if is_flow { "leave out `sensitive`" } else { "give it what it reads as an argument" };
+                let cure = if is_flow { "leave out `sensitive`" } else { "pass what it reads as an argument" };
                 let message = format!(
-                    "`{name}` is called as it is, so that its derivatives by parameters that it reads are not known: {cure}"
+                    "the derivatives of `{name}` with respect to parameters are not known\nhelp: {cure}\nnote: it has \
+                     a stated derivative, with respect to its arguments only"
                 );
                 self.errors.at(name, message);
             }
@@ -102,16 +103,16 @@ impl Reader<'_> {
             None => {}
             Some(Reading::Name(at)) => {
                 let message = format!(
-                    "`{at}` is read here by what has no derivative: derivatives by parameters follow arithmetic, methods of \
-                     `f64`, `let`, `if` and helper methods of this impl, and one number each"
+                    "this expression has no derivative with respect to `{at}`\nnote: supported are arithmetic, \
+                     methods of `f64`, `let`, `if` and helper methods of this impl"
                 );
                 self.errors.at(at, message);
             }
             Some(Reading::Whole(at)) => {
                 let [first, ..] = &self.input.sensitive[..] else { return };
                 let message = format!(
-                    "whether this reads `self.{first}` is not known, and derivatives are taken by that: give it the fields \
-                     that it needs, or move it into this impl as a helper method"
+                    "this call may read `self.{first}`, and its derivative is not known\nhelp: pass the fields that \
+                     it needs, or move it into this impl as a helper method"
                 );
                 self.errors.at(at, message);
             }

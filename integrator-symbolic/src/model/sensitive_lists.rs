@@ -47,7 +47,10 @@ pub(crate) fn without_lists(input: &mut Input, errors: &mut Errors) {
 
 /// What to say of a field with several numbers that derivatives are taken by.
 pub(super) fn several(name: &Ident) -> String {
-    format!("derivatives are taken by single numbers, and `{name}` holds several: name fields that are one number each")
+    format!(
+        "`{name}` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one \
+             number each"
+    )
 }
 
 /// The fields of these names that are used as lists.

@@ -79,8 +79,7 @@ impl Item {
     }
 }
 
-const EXPECTED: &str = "a loop runs over a range of integers, over coordinates or over a list of parameters: write \
-                        `for i in a..b`, `for x in q.iter()` or `for &(a, b) in &self.bonds`";
+const EXPECTED: &str = "help: write `for i in a..b`, `for x in q.iter()` or `for &(a, b) in &self.bonds`";
 
 /// `std::iter::zip(a, b)` as `a.into_iter().zip(b)`.
 fn zipped(call: &ExprCall) -> Option<Expr> {
@@ -227,7 +226,7 @@ impl Reader<'_> {
             Value::List(part) => Some(part),
             Value::Unknown => None,
             other => {
-                self.errors.at(place, format!("{} cannot be run over: {EXPECTED}", other.describe()));
+                self.errors.at(place, format!("a loop over {} is not supported\n{EXPECTED}", other.describe()));
                 None
             }
         }
@@ -239,7 +238,13 @@ impl Reader<'_> {
         match shape.extent(level) {
             Some(extent) => Some(self.length(extent)),
             None => {
-                self.errors.at(place, format!("a coordinate is a number: {EXPECTED}"));
+                self.errors.at(
+                    place,
+                    format!(
+                        "a coordinate is a number, and a loop over it is not \
+                                               supported\n{EXPECTED}"
+                    ),
+                );
                 None
             }
         }

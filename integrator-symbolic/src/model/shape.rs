@@ -135,13 +135,18 @@ impl Shape {
 /// The most arrays within the coordinates: a plane is one of rows.
 const DEEPEST: usize = 2;
 
-const EXPECTED: &str = "coordinates are f64 numbers, points or planes: `[f64; N]`, `[[f64; D]; N]`, `[[[f64; L]; M]; N]`, \
-                        references to them, or slices `&[f64]`, `&[[f64; D]]` and `&[[[f64; L]; M]]`";
+const EXPECTED: &str = "this type of coordinates is not supported\nhelp: write `[f64; N]`, `[[f64; D]; N]`, `[[[f64; \
+                        L]; M]; N]`, a reference to one of them, or a slice `&[f64]`, `&[[f64; D]]` or `&[[[f64; L]; \
+                        M]]`";
 
 /// What to write instead of some types.
 const INSTEAD: [(&str, &str); 2] = [
-    ("f64", "a single coordinate is an array, too: `[f64; 1]`, whose number is `[0]`"),
-    ("f32", "coordinates are written in `f64`; a system runs in single precision where its start has numbers in `f32`"),
+    ("f64", "a single coordinate has to be an array\nhelp: write `[f64; 1]`, and `[0]` for the number"),
+    (
+        "f32",
+        "coordinates have to be written in `f64`\nnote: a run is in single precision if its initial state is in \
+             `f32`",
+    ),
 ];
 
 /// Notes a type that coordinates do not have, or may have behind a name of the user's.
@@ -159,7 +164,8 @@ fn unexpected(kind: &Type, errors: &mut Errors) {
     match name {
         Some(name) if !PRIMITIVE.contains(&name.as_str()) && integer_type(kind).is_none() => {
             let message = format!(
-                "the macro cannot see what type `{name}` is: write the array itself, `[f64; N]` or `[[f64; D]; N]`"
+                "the definition of the type `{name}` is not visible to the macro\nhelp: write the array, `[f64; N]` \
+                 or `[[f64; D]; N]`"
             );
             errors.at(kind, message);
         }
@@ -258,15 +264,15 @@ fn inputs<'f>(function: &'f ImplItemFn, usual: &[&str], errors: &mut Errors) -> 
     let name = &function.sig.ident;
     match &function.sig.output {
         ReturnType::Type(_, kind) if is_f64(kind) => {}
-        ReturnType::Type(_, kind) => errors.at(kind, format!("`{name}` gives an energy: it has to return f64")),
-        ReturnType::Default => errors.at(name, format!("`{name}` gives an energy: it has to return f64, `-> f64`")),
+        ReturnType::Type(_, kind) => errors.at(kind, format!("`{name}` has to return an energy of type `f64`")),
+        ReturnType::Default => errors.at(name, format!("`{name}` has to return an energy\nhelp: write `-> f64`")),
     }
     callable(function, errors);
     let (mut coordinates, mut time, mut arguments) = (Vec::new(), None, Vec::new());
     for argument in &function.sig.inputs {
         match argument {
             FnArg::Receiver(receiver) if !matches!(receiver.kind, ReceiverKind::Reference(_, _, None)) => {
-                errors.at(receiver, format!("`{name}` only looks at the parameters: it has to take `&self`"));
+                errors.at(receiver, format!("`{name}` has to take `&self`"));
             }
             FnArg::Receiver(_) => arguments.push(quote!(self)),
             FnArg::Typed(argument) if is_f64(&argument.ty) && coordinates.len() >= usual.len() && time.is_none() => {
@@ -299,7 +305,8 @@ pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors)
     let Inputs { coordinates, time, arguments } = inputs(function, &["q", "p"], errors);
     let [q, p] = coordinates[..] else {
         let message = format!(
-            "`{name}` takes the positions, the momenta and perhaps the time: `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`"
+            "`{name}` has to take the positions, the momenta and optionally the time\nhelp: write `fn {name}(&self, \
+             q: [f64; N], p: [f64; N]) -> f64`"
         );
         errors.at(
             if coordinates.is_empty() { name.to_token_stream() } else { function.sig.inputs.to_token_stream() },
@@ -308,7 +315,13 @@ pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors)
         return None;
     };
     if is_named(&q.pat, "p") || is_named(&p.pat, "q") {
-        errors.at(&function.sig.inputs, format!("positions come first: `fn {name}(&self, q, p)`"));
+        errors.at(
+            &function.sig.inputs,
+            format!(
+                "positions have to come before momenta\nhelp: write `fn {name}(&self, \
+                                                 q, p)`"
+            ),
+        );
         return None;
     }
     let (shape, of_momenta) = (Shape::of(&q.ty, errors), Shape::of(&p.ty, errors));
@@ -332,8 +345,8 @@ pub(crate) fn lone_part(function: &ImplItemFn, errors: &mut Errors) -> Option<Op
     if part.is_none() {
         let name = &function.sig.ident;
         let message = format!(
-            "is this the positions or the momenta of `{name}`? Call it `q` or `p`, or take both: \
-             `fn {name}(&self, q: [f64; N], p: [f64; N]) -> f64`"
+            "this argument of `{name}` may be the positions or the momenta\nhelp: name it `q` or `p`, or write `fn \
+             {name}(&self, q: [f64; N], p: [f64; N]) -> f64`"
         );
         errors.at(&alone.pat, message);
     }
@@ -345,8 +358,13 @@ pub(crate) fn mismatch(positions: (&Shape, &str), momenta: (&Shape, &str)) -> Op
     let ((of_positions, here), (of_momenta, there)) = (positions, momenta);
     let (q, p) = (of_positions.text(), of_momenta.text());
     let constants = of_positions.has_constant() || of_momenta.has_constant();
-    let hint = if constants { "; lengths are compared as they are spelled" } else { "" };
-    (q != p).then(|| format!("every position has its momentum: q is `{q}`{here}, but p is `{p}`{there}{hint}"))
+    let hint = if constants { "\nnote: lengths are compared by their spelling" } else { "" };
+    (q != p).then(|| {
+        format!(
+            "positions and momenta have different types: q is `{q}`{here}, but p is \
+                              `{p}`{there}{hint}"
+        )
+    })
 }
 
 /// Reads the signature of `function`, which gives the energy of `part`.
@@ -360,36 +378,50 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
         }
         [first, second] => (second, Some(first)),
         [] => {
-            let message = format!("`{name}` has no coordinates: write `fn {name}(&self, {letter}: [f64; N]) -> f64`");
+            let message = format!(
+                "`{name}` has no coordinates\nhelp: write `fn {name}(&self, {letter}: [f64; N]) -> \
+                                   f64`"
+            );
             errors.at(name, message);
             return None;
         }
         _ => {
-            errors
-                .at(&function.sig.inputs, format!("`{name}` takes `&self`, `{letter}` and perhaps the time, `t: f64`"));
+            errors.at(
+                &function.sig.inputs,
+                format!(
+                    "`{name}` has to take `&self`, `{letter}` and optionally the time, \
+                                                   `t: f64`"
+                ),
+            );
             return None;
         }
     };
     let wrong = usual_name(part.other());
     if foreign.is_none() && is_named(&own.pat, wrong) {
         let of = if part == Part::Position { "positions" } else { "momenta" };
-        errors.at(&own.pat, format!("`{name}` is a function of the {of}: call its argument `{letter}`, not `{wrong}`"));
+        errors.at(
+            &own.pat,
+            format!(
+                "`{name}` is a function of the {of}, and its argument is named `{wrong}`\nhelp: \
+                                     name it `{letter}`"
+            ),
+        );
     }
     Some(Signature { own: &own.pat, shape: Shape::of(&own.ty, errors)?, foreign, time, arguments })
 }
 
-/// Notes what keeps a function from being called as it is, with values alone.
+/// Notes what keeps a function from being called with values alone.
 fn callable(function: &ImplItemFn, errors: &mut Errors) {
     let (name, signature) = (&function.sig.ident, &function.sig);
-    let plain = format!("`{name}` is called as it is, to hold the generated code against it: write a plain `fn`");
+    let why = "note: the macro calls it, to compare its values with those of the generated code";
     if let Some(word) = &signature.asyncness {
-        errors.at(word, format!("{plain}, without `async`"));
+        errors.at(word, format!("`{name}` may not be `async`\n{why}"));
     }
     if let Safety::Unsafe(word) = &signature.safety {
-        errors.at(word, format!("{plain}, without `unsafe`"));
+        errors.at(word, format!("`{name}` may not be `unsafe`\n{why}"));
     }
     for generic in signature.generics.params.iter().filter(|generic| !matches!(generic, GenericParam::Lifetime(_))) {
-        errors.at(generic, format!("{plain}; what is generic belongs on the impl"));
+        errors.at(generic, format!("`{name}` may not be generic\nhelp: move the parameter to the impl\n{why}"));
     }
 }
 

@@ -40,12 +40,12 @@ impl Reader<'_> {
         if let Some((name, _)) = named().find(|(_, energy)| !self.graph.reads_coordinates(*energy)) {
             let message = match name == SORTED[1] {
                 true => {
-                    "every term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `rest`: the \
-                         motion is known exactly, and a composition has nothing to compose"
+                    "`rest` is empty, since every term of `hamiltonian` is a quadratic form in q and p\nnote: the \
+                     flow of H is known exactly, without a composition"
                 }
                 false => {
-                    "no term of `hamiltonian` is a quadratic form in q and p, so that nothing is left for `quadratic`: \
-                          name parts by functions of their own"
+                    "`quadratic` is empty, since no term of `hamiltonian` is a quadratic form in q and p\nhelp: write \
+                     one function for each part"
                 }
             };
             self.errors.at(name, message);

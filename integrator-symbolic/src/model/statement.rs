@@ -20,8 +20,9 @@ use syn::{
 };
 
 /// How elements of arrays are assigned.
-const BY_INDEX: &str = "elements of an array are assigned at literal indices, in a loop of a few iterations, or in a loop \
-                        whose own index they stand at, `for k in 0..32 { h[k] = ...; }`, with any other loop inside of it";
+const BY_INDEX: &str = "this assignment to an element of an array is not supported\nhelp: assign at literal indices, \
+                        in a loop of a few iterations, or at the index of the loop, `for k in 0..32 { h[k] = ...; \
+                        }`\nnote: the loop over the elements may contain other loops";
 
 impl Reader<'_> {
     /// The value of a block; `None` if a mistake was noted in it.
@@ -81,11 +82,15 @@ impl Reader<'_> {
                 if let Some(true) = self.fits_length(&local.pat, &init.expr)? {
                     return Some(());
                 }
-                self.errors.at(local, "`let ... else` is not understood here: write `if let` around what needs the value, or give it unconditionally");
+                self.errors.at(
+                    local,
+                    "`let ... else` is not supported here\nhelp: write `if let` around the \
+                                       statements that need the value, or give the value in every case",
+                );
                 None
             }
             None => {
-                self.errors.at(local, "a variable needs its value where it is declared: write `let x = ...;`");
+                self.errors.at(local, "a variable without a value is not supported\nhelp: write `let x = ...;`");
                 None
             }
         };
@@ -114,7 +119,7 @@ impl Reader<'_> {
                 Some(())
             }
             other => {
-                self.errors.at(other, "an item inside the function: move it out of the impl");
+                self.errors.at(other, "items inside the function are not supported\nhelp: move it out of the impl");
                 None
             }
         }
@@ -126,8 +131,10 @@ impl Reader<'_> {
         if name.starts_with("debug_assert") || name.starts_with("assert") {
             return Some(Value::Unit);
         }
-        let message =
-            format!("`{name}!` cannot be differentiated: only assertions may stand here; write the formula out");
+        let message = format!(
+            "`{name}!` is not supported\nhelp: write the formula without a macro\nnote: assertions are the \
+                     only macros that H may call"
+        );
         self.errors.at(called, message);
         None
     }
@@ -201,8 +208,8 @@ impl Reader<'_> {
                 let mut target = self.target(expr)?;
                 self.spread(&target)?;
                 if let Value::Opaque(_) = self.element_of(&target)? {
-                    let message = "elements of the system's own lists are not assigned here: make the list in one \
-                                   expression, or in a method of this impl that takes no coordinates";
+                    let message = "assigning to an element of a list of the system is not supported\nhelp: write the \
+                                   list as one expression, or as a method of this impl that takes no coordinates";
                     self.errors.at(place, message);
                     return None;
                 }
@@ -222,8 +229,8 @@ impl Reader<'_> {
                     }
                     Value::View(_) => {
                         let message = format!(
-                            "elements of a copy of coordinates can be assigned where the copy has at most {FEW} of them: \
-                             write the new value as a variable"
+                            "assigning to an element of a copy of the coordinates is not supported for more than \
+                             {FEW} elements\nhelp: write the new value as a variable"
                         );
                         self.errors.at(place, message);
                         return None;
@@ -234,7 +241,7 @@ impl Reader<'_> {
                     Some(position) if position < elements => target.at.push(position),
                     Some(_) => {
                         self.errors
-                            .at(index, format!("the index is out of bounds: this array has {elements} elements"));
+                            .at(index, format!("the index is out of bounds for this array of {elements} elements"));
                         return None;
                     }
                     None => {
@@ -255,7 +262,7 @@ impl Reader<'_> {
                 };
                 match self.bindings[id.0] {
                     Binding { value: Value::View(_), mutable: false, .. } => {
-                        self.errors.at(place, format!("`{name}` are coordinates: the functions only read them"));
+                        self.errors.at(place, format!("the coordinates `{name}` cannot be assigned to"));
                         None
                     }
                     Binding { value: Value::Unknown, .. } => None,
@@ -305,9 +312,9 @@ impl Reader<'_> {
         let Some((negative, addend)) = addend(place, op, right) else {
             let name = quoted(place);
             let message = format!(
-                "`{name}` comes from outside this loop, so the loop can only sum it up: write `{name} += ...` or \
-                 `{name} -= ...`. A loop that does more is written out where its bounds are literals, as in `for k in \
-                 0..4`, for up to {FEW} iterations{}",
+                "a loop may only add to `{name}`, which is declared outside of it\nhelp: write `{name} += ...` or \
+                 `{name} -= ...`\nnote: loops with literal bounds, as in `for k in 0..4`, support any assignment for \
+                 up to {FEW} iterations{}",
                 self.unseen_bound()
             );
             self.errors.at(whole, message);

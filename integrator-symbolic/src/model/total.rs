@@ -68,10 +68,10 @@ impl Reader<'_> {
         }
         let name = &call.method;
         let message = format!(
-            "this `{name}` does more than add, multiply or keep the largest item, so it is written out, for up to {FEW} items \
-             whose number is known here: run over literals, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or \
-             write a sum. Over any number of items, `sum * x + c` with the same x for all of them is a polynomial, and \
-             understood{}",
+            "this `{name}` is not supported over more than {FEW} items, or over a number that is not known \
+             here\nhelp: use literal bounds, as in `(0..4).rev().fold(0.0, |sum, k| sum * x + self.c[k])`, or write a \
+             sum\nnote: sums, products, maxima, minima and polynomials `sum * x + c` with one `x` are supported over \
+             any number of items{}",
             self.unseen(sequence.to)
         );
         self.errors.at(name, message);
@@ -169,7 +169,7 @@ impl Reader<'_> {
                 let mut numbers = Vec::new();
                 self.flat(&value, &closure.body, &mut numbers)?;
                 if numbers.len() != before.numbers.len() {
-                    self.errors.at(&closure.body, "this closure has to give as many numbers as the fold begins with");
+                    self.errors.at(&closure.body, "this closure has to return as many numbers as the fold begins with");
                     return None;
                 }
                 Some(numbers)

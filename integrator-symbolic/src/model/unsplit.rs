@@ -9,20 +9,22 @@ impl Reader<'_> {
     /// H and nothing else, or notes of what is wrong with it.
     pub(super) fn unsplit(&mut self, at: Span, whole: Option<&ImplItemFn>) -> Option<([NodeId; 2], Shape, Called)> {
         let Some(function) = whole else {
-            let message = "`none` takes H as it is, in one function: write \
-                           `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64`; implicit methods integrate `kinetic` and \
-                           `potential` without it";
+            let message = "`split = none` requires H in one function\nhelp: write `fn hamiltonian(&self, q: [f64; N], \
+                           p: [f64; N]) -> f64`\nnote: implicit methods integrate `kinetic` and `potential` without \
+                           `split = none`";
             self.errors.at_span(at, message);
             return None;
         };
         if let Some(coordinates) = &self.input.coordinates {
-            let message = "Jacobi coordinates are for bodies whose T and V are known apart, not for `none`";
+            let message = "Jacobi coordinates do not support `split = none`\nhelp: write T and V as `kinetic` and \
+                           `potential`";
             self.errors.at(&coordinates.name, message);
             return None;
         }
         if let Some(Compose::InPlace(_, span)) = &self.input.compose {
-            let message = "a sequence composes flows, and `split = none` leaves H in one piece, which has none: name an \
-                           implicit method, `compose = GaussLegendre4`";
+            let message = "`split = none` does not support a sequence of stages\nhelp: name an implicit method, \
+                           `compose = GaussLegendre4`\nnote: a sequence composes the flows of parts, and H is in one \
+                           piece";
             self.errors.at_span(*span, message);
             return None;
         }

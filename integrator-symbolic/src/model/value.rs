@@ -91,7 +91,7 @@ impl Value {
             Value::Tuple(_) => "a tuple",
             Value::Opaque(_) => "a parameter",
             Value::Closure(_) => "a closure",
-            Value::Accumulating => "a sum under way",
+            Value::Accumulating => "an incomplete sum",
             Value::Unit => "nothing",
             Value::Unknown => "unknown",
         }

@@ -30,13 +30,13 @@ pub(super) fn check(declaration: &Declaration, known: &Known, errors: &mut Error
     if let Some(claim) = &declaration.claims.symmetric
         && !scheme.proof.symmetric
     {
-        let message = "declared symmetric, but the sequence does not read the same backwards";
+        let message = "declared symmetric, but the sequence is not a palindrome";
         errors.push(syn::Error::new(claim.span(), message));
     }
     (errors.count() == found).then_some(scheme)
 }
 
-const NO_ORDER: &str = "an order is an integer of at least 1";
+const NO_ORDER: &str = "an order has to be an integer of at least 1";
 
 /// Chooses the class in which the claimed order holds; the error says why there is none.
 pub(super) fn order(scheme: &mut Scheme, order: u32) -> Result<(), String> {
@@ -56,7 +56,11 @@ pub(super) fn order(scheme: &mut Scheme, order: u32) -> Result<(), String> {
 /// that for words with any number of them: the plain one.
 fn generalised(scheme: &mut Scheme, orders: &[u32]) -> Result<(), String> {
     if orders.windows(2).any(|pair| pair[0] < pair[1]) {
-        return Err("orders for higher powers of the small part are not larger: `order (8, 4)`".to_owned());
+        return Err(
+            "generalised orders have to decrease\nhelp: write, for example, `order (8, 4)`\nnote: the numbers \
+                    are the orders in increasing powers of the small part"
+                .to_owned(),
+        );
     }
     if let Some(last) = orders.last() {
         order(scheme, *last)?;
@@ -71,7 +75,7 @@ fn generalised(scheme: &mut Scheme, orders: &[u32]) -> Result<(), String> {
             };
             return Err(match &found.violation {
                 Some(violation) => format!(
-                    "declared order {claimed} for words {words}, but the proof finds order {order}: {}",
+                    "declared order {claimed} for words {words}, but the proof finds order {order}\nnote: {}",
                     violation.text(scheme.letters)
                 ),
                 None => format!("declared order {claimed} for words {words}, but no order above {order} is proved"),
@@ -98,5 +102,5 @@ fn overclaimed(declared: u32, proof: &Proof, letters: Letters) -> String {
         Some(Verdict { order: general, violation: Some(other), .. }) if general == order => other,
         _ => violation,
     };
-    format!("declared order {declared}, but the proof finds order {order}{class}: {}", violation.text(letters))
+    format!("declared order {declared}, but the proof finds order {order}{class}\nnote: {}", violation.text(letters))
 }

@@ -18,7 +18,7 @@ const ROUNDED: u32 = 12;
 const LARGEST_ROOT: u32 = 64;
 
 const LANGUAGE: &str =
-    "a coefficient is written with numbers, `+`, `-`, `*`, `/`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`";
+    "note: coefficients may contain numbers, `+`, `-`, `*`, `/`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`";
 
 /// A number and how far it may be from the one that was meant.
 #[derive(Clone, Copy, Debug)]
@@ -109,15 +109,16 @@ pub(super) fn evaluate(expression: &Expr) -> syn::Result<Coefficient> {
                     return Err(syn::Error::new_spanned(&binary.right, "division by zero"));
                 }
                 BinOp::Div(_) => left / right,
-                _ => return Err(syn::Error::new_spanned(binary.op, format!("unknown operation: {LANGUAGE}"))),
+                _ => return Err(syn::Error::new_spanned(binary.op, format!("unknown operation\n{LANGUAGE}"))),
             }
         }
         Expr::Call(call) => root(call)?,
         Expr::Infer(_) => {
-            let message = "`_` stands alone: `T(_)` is what the other drifts leave of the step";
+            let message = "`_` has to be a whole coefficient\nhelp: write `T(_)`, which is what the other drifts \
+                           leave of the step";
             return Err(syn::Error::new_spanned(expression, message));
         }
-        _ => return Err(syn::Error::new_spanned(expression, format!("not a number: {LANGUAGE}"))),
+        _ => return Err(syn::Error::new_spanned(expression, format!("expected a number\n{LANGUAGE}"))),
     };
     if value.value.is_finite() && value.doubt.is_finite() {
         Ok(value)
@@ -148,19 +149,19 @@ fn root(call: &ExprCall) -> syn::Result<Coefficient> {
         ("cbrt", [of]) => (3, of),
         ("root", [degree, of]) => (root_degree(degree)?, of),
         ("sqrt" | "cbrt", _) => {
-            return Err(syn::Error::new_spanned(call, format!("`{name}` takes one argument: `{name}(x)`")));
+            return Err(syn::Error::new_spanned(call, format!("`{name}` takes one argument\nhelp: write `{name}(x)`")));
         }
         ("root", _) => {
             return Err(syn::Error::new_spanned(
                 call,
-                "`root` takes two arguments: `root(5, x)` is the fifth root of x",
+                "`root` takes two arguments\nhelp: write, for example, `root(5, x)` for the fifth root of x",
             ));
         }
-        _ => return Err(syn::Error::new_spanned(&call.func, format!("unknown function: {LANGUAGE}"))),
+        _ => return Err(syn::Error::new_spanned(&call.func, format!("unknown function\n{LANGUAGE}"))),
     };
     let value = evaluate(of)?;
     if value.value.value() < 0.0 {
-        let message = "root of a negative number: take the sign outside, `-cbrt(x)`";
+        let message = "the root of a negative number is not supported\nhelp: move the sign outside, `-cbrt(x)`";
         return Err(syn::Error::new_spanned(of, message));
     }
     Ok(value.root(degree))
@@ -173,7 +174,10 @@ fn root_degree(expression: &Expr) -> syn::Result<u32> {
     {
         return Ok(degree);
     }
-    let message = format!("which root: an integer from 1 to {LARGEST_ROOT}, as in `root(5, x)`");
+    let message = format!(
+        "the degree of a root has to be an integer from 1 to {LARGEST_ROOT}\nhelp: write, for \
+                           example, `root(5, x)`"
+    );
     Err(syn::Error::new_spanned(expression, message))
 }
 
@@ -181,10 +185,10 @@ fn literal(literal: &Lit) -> syn::Result<Coefficient> {
     let (digits, suffix) = match literal {
         Lit::Int(literal) => (literal.base10_digits(), literal.suffix()),
         Lit::Float(literal) => (literal.base10_digits(), literal.suffix()),
-        _ => return Err(syn::Error::new(literal.span(), format!("not a number: {LANGUAGE}"))),
+        _ => return Err(syn::Error::new(literal.span(), format!("expected a number\n{LANGUAGE}"))),
     };
     if !suffix.is_empty() {
-        let message = format!("coefficients have no type: write the number without `{suffix}`");
+        let message = format!("coefficients have no type suffix\nhelp: remove `{suffix}`");
         return Err(syn::Error::new(literal.span(), message));
     }
     decimal(digits).ok_or_else(|| syn::Error::new(literal.span(), "this coefficient is not finite"))
@@ -273,16 +277,16 @@ mod tests {
     #[test]
     fn every_mistake_has_its_message() {
         assert_eq!(message("1/(2 - 2)"), "division by zero");
-        assert_eq!(message("sqrt(1 - 2)"), "root of a negative number: take the sign outside, `-cbrt(x)`");
+        assert!(message("sqrt(1 - 2)").starts_with("the root of a negative number is not supported"));
         assert_eq!(message("1e300*1e-200 + 1e999"), "this coefficient is not finite | this coefficient is not finite");
-        assert_eq!(message("0.5f32"), "coefficients have no type: write the number without `f32`");
+        assert_eq!(message("0.5f32"), "coefficients have no type suffix\nhelp: remove `f32`");
         assert!(message("sqrt(1, 2)").starts_with("`sqrt` takes one argument"));
-        assert!(message("root(0, 2)").starts_with("which root"));
+        assert!(message("root(0, 2)").starts_with("the degree of a root"));
         assert!(message("root(3)").starts_with("`root` takes two arguments"));
         assert!(message("exp(1)").starts_with("unknown function"));
         assert!(message("2 ^ 3").starts_with("unknown operation"));
-        assert!(message("half").starts_with("not a number"));
+        assert!(message("half").starts_with("expected a number"));
         assert!(message("1/0 + 1/0").contains('|'), "both divisions are reported");
-        assert!(message("1 - _").starts_with("`_` stands alone"));
+        assert!(message("1 - _").starts_with("`_` has to be a whole coefficient"));
     }
 }

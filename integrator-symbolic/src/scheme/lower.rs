@@ -53,8 +53,10 @@ impl Known {
         }
         let names: Vec<String> = self.0.iter().map(|(known, _)| format!("`{known}`")).collect();
         let names = names.join(", ");
-        let message =
-            format!("unknown composition `{name}`: known here are {names}; the combinators are {COMBINATORS}");
+        let message = format!(
+            "unknown composition `{name}`\nnote: known compositions are {names}; the combinators are \
+                     {COMBINATORS}"
+        );
         errors.push(syn::Error::new(name.span(), message));
         None
     }
@@ -78,7 +80,7 @@ pub(super) fn lower(sequence: &Sequence, known: &Known, errors: &mut Errors) -> 
 fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut Errors) -> Option<Scheme> {
     let count = kernel.elements().len() + 2 * processor.elements().len();
     let message = if count > MOST_STAGES {
-        format!("{count} stages; at most {MOST_STAGES} are proved")
+        format!("the sequence has {count} stages, and at most {MOST_STAGES} are supported")
     } else {
         let scheme = Scheme { letters: sequence.letters(), ..Scheme::inferred(kernel, processor) };
         match scheme.proof.quadratic {
@@ -93,7 +95,10 @@ fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut E
 fn inconsistent(Violation { word, residual }: Violation, letters: Letters) -> String {
     let word = word.spelled(letters);
     if residual.abs() < SUSPICIOUS {
-        return format!("the coefficients of `{word}` miss the sum 1 by {residual:.1e}: a digit is wrong or missing");
+        return format!(
+            "the coefficients of `{word}` sum to 1 only up to {residual:.1e}\nnote: so small a residual \
+                        suggests wrong or missing digits"
+        );
     }
     // Twelve digits say what is wrong without the rounding of 1 - 0.8.
     let sum = format!("{:.12}", 1.0 + residual);
@@ -147,7 +152,7 @@ fn share(expression: &Expr, rest_is_taken: &mut bool, errors: &mut Errors) -> Op
         return errors.keep(evaluate(expression)).map(Some);
     }
     if *rest_is_taken {
-        let message = "`_` is what all others leave, so it can stand for one number only";
+        let message = "`_` may occur only once\nnote: it is what the other coefficients leave of the step";
         errors.push(syn::Error::new_spanned(expression, message));
         return None;
     }
@@ -228,7 +233,7 @@ fn combine(combined: &Combined, known: &Known, errors: &mut Errors) -> Option<St
             Some(stages)
         }
         Combined::Processed(pre, _) => {
-            let message = "`processed(..)` is a whole composition: it cannot be a part of another one";
+            let message = "`processed(..)` cannot be part of another composition";
             errors.push(syn::Error::new_spanned(&pre.tokens, message));
             None
         }
@@ -257,7 +262,7 @@ fn symmetric_base(name: &str, base: &Sequence, known: &Known, errors: &mut Error
         let order = scheme.order;
         return unprocessed(scheme, &base.tokens, errors).map(|stages| (stages, order));
     }
-    let message = format!("`{name}` raises the order of a symmetric composition, but this one is not symmetric");
+    let message = format!("`{name}` requires a symmetric composition, and this one is not symmetric");
     errors.push(syn::Error::new_spanned(&base.tokens, message));
     None
 }

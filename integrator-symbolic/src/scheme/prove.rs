@@ -136,7 +136,7 @@ impl Violation {
     pub(super) fn text(&self, letters: Letters) -> String {
         let (word, residual) = (self.word.spelled(letters), self.residual.abs());
         let suspicion = match residual < SUSPICIOUS {
-            true => "; so small a residual points at wrong or missing digits",
+            true => "\nnote: so small a residual suggests wrong or missing digits",
             false => "",
         };
         format!("the condition of the word {word} is violated by {residual:.1e}{suspicion}")

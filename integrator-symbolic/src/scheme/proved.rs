@@ -97,7 +97,7 @@ pub(crate) fn sequence(tokens: TokenStream, order: Option<u32>, errors: &mut Err
     let parser = |input: ParseStream<'_>| {
         let sequence = syntax::sequence(input, &tokens, errors);
         if !input.is_empty() && errors.is_empty() {
-            errors.push(input.error("a sequence ends here: what stands behind it belongs to none"));
+            errors.push(input.error("unexpected input after the end of the sequence"));
         }
         input.parse::<TokenStream>()?;
         Ok(sequence)

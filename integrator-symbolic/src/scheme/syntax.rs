@@ -64,7 +64,8 @@ impl Order {
         let mut tokens = TokenStream::new();
         parentheses.surround(&mut tokens, |inside| literals.to_tokens(inside));
         if literals.len() < 2 {
-            let message = "orders where the second part is small are one for each power of it, `order (8, 2)`";
+            let message = "expected several orders in parentheses\nhelp: write, for example, `order (8, 2)`, one for \
+                           each power of the small second part";
             return Err(syn::Error::new_spanned(tokens, message));
         }
         Ok(Self { literals: literals.into_iter().collect(), tokens })
@@ -145,9 +146,9 @@ impl Combined {
 pub(super) const COMBINATORS: &str =
     "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`";
 
-const STAGES: &str = "the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts";
+const STAGES: &str = "note: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts";
 
-const NO_END: &str = "a declaration ends with `;`";
+const NO_END: &str = "expected `;` at the end of a declaration";
 
 fn is_combinator(name: &str) -> bool {
     matches!(name, "triple_jump" | "suzuki" | "symmetric" | "compose" | "adjoint" | "processed")
@@ -226,7 +227,8 @@ fn claim(input: ParseStream<'_>, claims: &mut Claims, errors: &mut Errors) -> sy
         "symmetric" => claims.symmetric.replace(claim.clone()).is_some(),
         _ => {
             let message = format!(
-                "unknown claim `{claim}`: there are `order 4`, `order (8, 2)`, `symmetric` and `citation \"..\"`"
+                "unknown claim `{claim}`\nhelp: the claims are `order 4`, `order (8, 2)`, `symmetric` and `citation \
+                 \"..\"`"
             );
             return Err(syn::Error::new(claim.span(), message));
         }
@@ -255,7 +257,7 @@ pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &m
         return None;
     }
     if items.is_empty() {
-        errors.push(syn::Error::new_spanned(empty, format!("a sequence has at least one stage: {STAGES}")));
+        errors.push(syn::Error::new_spanned(empty, format!("a sequence has at least one stage\n{STAGES}")));
         return None;
     }
     let mut tokens = TokenStream::new();
@@ -271,15 +273,25 @@ pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &m
 /// One item; `Ok(None)` if all that is wrong is inside its parentheses. An error means that parsing cannot go on here.
 fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors) -> syn::Result<Option<Item>> {
     let name: Ident = input.parse().map_err(|error| {
-        syn::Error::new(error.span(), format!("expected a stage, a combinator or the name of a composition; {STAGES}"))
+        syn::Error::new(error.span(), format!("expected a stage, a combinator or the name of a composition\n{STAGES}"))
     })?;
     let spelled = name.to_string();
     if !input.peek(token::Paren) {
         return match spelled.as_str() {
-            "T" | "V" => Err(syn::Error::new(name.span(), format!("how long a stage? write `{spelled}(1/2)`"))),
-            _ if is_combinator(&spelled) => {
-                Err(syn::Error::new(name.span(), format!("`{spelled}` acts on a composition: `{spelled}(Verlet)`")))
-            }
+            "T" | "V" => Err(syn::Error::new(
+                name.span(),
+                format!(
+                    "the stage `{spelled}` lacks its coefficient\nhelp: \
+                                                                   write, for example, `{spelled}(1/2)`"
+                ),
+            )),
+            _ if is_combinator(&spelled) => Err(syn::Error::new(
+                name.span(),
+                format!(
+                    "`{spelled}` lacks its composition\nhelp: write, for \
+                                                          example, `{spelled}(Verlet)`"
+                ),
+            )),
             _ => Ok(Some(Item::Name(name))),
         };
     }
@@ -287,13 +299,13 @@ fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors
     let parentheses = parenthesized!(content in input);
     let item = if let Some((letter, letters)) = Letters::read(&spelled) {
         if *named.get_or_insert(letters) != letters {
-            errors.push(syn::Error::new(name.span(), "stages are of `T` and `V`, or of `A` and `B`, not of both"));
+            errors.push(syn::Error::new(name.span(), "a sequence cannot mix the stages `T` and `V` with `A` and `B`"));
         }
         errors.keep(stage(letter, &name, &parentheses, &content))
     } else if is_combinator(&spelled) {
         combined(&name, &parentheses, &content, errors).map(Item::Combined)
     } else {
-        let message = format!("unknown combinator `{spelled}`: {STAGES}, the combinators {COMBINATORS}");
+        let message = format!("unknown combinator `{spelled}`\n{STAGES}; the combinators are {COMBINATORS}");
         errors.push(syn::Error::new(name.span(), message));
         None
     };
@@ -309,9 +321,19 @@ fn stage(letter: Letter, name: &Ident, parentheses: &token::Paren, content: Pars
         (Letter::V, Some(coefficient), Some(gradient), None) => {
             Ok(Item::Stage { letter, coefficient, gradient: Some(Box::new(gradient)) })
         }
-        (Letter::T, ..) => Err(at(name, parentheses, &format!("a drift takes one number: `{name}(1/2)`"))),
+        (Letter::T, ..) => Err(at(
+            name,
+            parentheses,
+            &format!(
+                "a drift takes one number\nhelp: write, for example, \
+                                                               `{name}(1/2)`"
+            ),
+        )),
         (Letter::V, ..) => {
-            let message = format!("a kick takes one number, `{name}(1/2)`, or two, `{name}(2/3, -1/72)`");
+            let message = format!(
+                "a kick takes one number or two\nhelp: write, for example, `{name}(1/2)` or \
+                                   `{name}(2/3, -1/72)`"
+            );
             Err(at(name, parentheses, &message))
         }
     }
@@ -365,11 +387,12 @@ fn combined(
         }
         ("processed", None, Some(pre), Some(kernel)) if !several => Combined::Processed(pre, kernel),
         ("processed", ..) => {
-            errors.push(at(name, parentheses, "`processed(pre; kernel)` takes two sequences"));
+            errors.push(at(name, parentheses, "`processed` takes two sequences\nhelp: write `processed(pre; kernel)`"));
             return None;
         }
         ("compose", ..) => {
-            let message = "`compose(A, B, ..)` divides the step equally, `compose(w1, w2, ..; Base)` by weights";
+            let message = "`compose` takes compositions, or weights and a base\nhelp: write `compose(A, B, ..)` for \
+                           equal parts of the step, or `compose(w1, w2, ..; Base)` for weighted ones";
             errors.push(at(name, parentheses, message));
             return None;
         }

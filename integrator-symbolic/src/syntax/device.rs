@@ -23,8 +23,8 @@ pub(super) fn gpu_of(input: ParseStream<'_>, span: Span) -> syn::Result<Gpu> {
     if !input.peek(Paren) {
         return Ok(Gpu { span, functions: DeviceFunctions::Own });
     }
-    let is = "`gpu` takes `gpu(functions = native)`, for the elementary functions of the device, whose bits are others than those \
-              of a processor; `gpu` alone has the bits of one";
+    let is = "unknown argument of `gpu`\nhelp: write `gpu` or `gpu(functions = native)`\nnote: `native` selects the \
+              elementary functions of the device, which are not bitwise identical to those of the processor";
     let content;
     parenthesized!(content in input);
     let expect = |expected: &str| match content.parse::<Ident>() {

@@ -27,7 +27,7 @@ pub(super) fn compose_of(input: ParseStream<'_>, key: Span) -> syn::Result<Compo
     }
     let is_name = input.peek(Ident) || input.peek(Token![::]) || input.peek(Token![crate]);
     if !is_name && !input.peek(Token![self]) && !input.peek(Token![super]) && !input.peek(Token![Self]) {
-        return Err(misfit(input, key, "a composition is a name or a sequence of stages"));
+        return Err(misfit(input, key, "expected the name of a composition or a sequence of stages"));
     }
     Ok(Compose::Named(input.parse()?))
 }
@@ -37,7 +37,7 @@ fn method_with_arguments(input: ParseStream<'_>) -> syn::Result<syn::Error> {
     let (name, taken) = (input.call(Path::parse_mod_style)?, input.parse::<Group>()?);
     let method = quoted(quote!(#name #taken));
     let message = format!(
-        "the annotation names a composition, and `{method}` is a method with arguments: give it to the run, \
+        "`compose` does not support `{method}`, a method with arguments\nhelp: pass it to the run, \
          `system.run_with({method}, start, h)`"
     );
     Ok(syn::Error::new_spanned(quote!(#name #taken), message))
@@ -57,8 +57,8 @@ pub(super) fn without_tolerance(input: ParseStream<'_>) -> syn::Result<()> {
     };
     let tolerance = inner.to_string().parse::<f64>().map_or("1e-12".to_owned(), |_| inner.to_string());
     let message = format!(
-        "`taylor` takes no tolerance, which each run has for itself: write `taylor` here, and \
-         `system.run_with(Taylor::tolerance({tolerance}), start, h)` for a run"
+        "`taylor` takes no tolerance\nhelp: write `taylor` here, and `system.run_with(Taylor::tolerance({tolerance}), \
+         start, h)` for a run"
     );
     Err(syn::Error::new(place.span(), message))
 }

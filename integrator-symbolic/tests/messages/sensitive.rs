@@ -8,28 +8,37 @@ const KINETIC: &str = "fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.
 const ANNOTATIONS: &[Row] = &[
     ("sensitive(mass, length)", &[]),
     ("sensitive(mass,)", &[]),
-    ("sensitive", &["1:0 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"]),
+    (
+        "sensitive",
+        &[
+            "1:0 `sensitive` requires the names of fields in parentheses\nhelp: write, for example, `sensitive(mass, length)`",
+        ],
+    ),
     (
         "sensitive()",
-        &["1:0 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"],
+        &[
+            "1:0 `sensitive` requires the names of fields in parentheses\nhelp: write, for example, `sensitive(mass, length)`",
+        ],
     ),
     (
         "sensitive(self.mass)",
-        &["1:10 fields of the system that are numbers stand in parentheses, as in `sensitive(mass, length)`"],
+        &[
+            "1:10 `sensitive` requires the names of fields in parentheses\nhelp: write, for example, `sensitive(mass, length)`",
+        ],
     ),
     ("sensitive(mass, mass)", &["1:16 `mass` is named twice"]),
     ("sensitive(mass), sensitive(length)", &["1:17 `sensitive` is given twice"]),
-    ("sensitive(weight)", &["1:10 H does not read `self.weight`, so that nothing depends on it: leave it out"]),
+    ("sensitive(weight)", &["1:10 H does not depend on `self.weight`\nhelp: leave it out"]),
     (
         "sensitive(list)",
         &[
-            "1:10 derivatives are taken by single numbers, and `list` holds several: name fields that are one number each",
+            "1:10 `list` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "sensitive(mass), split = symmetric(omega = 20.0)",
         &[
-            "1:10 two coupled copies of the state have no tangent map: leave H in one piece, `split = none`, and compose it by `GaussLegendre4`, or leave out `sensitive`",
+            "1:10 `split = symmetric` does not support `sensitive`\nhelp: write `split = none` with `compose = GaussLegendre4`, or leave out `sensitive`\nnote: two coupled copies of the state have no tangent map",
         ],
     ),
 ];
@@ -42,145 +51,145 @@ const BODIES: &[Row] = &[
     (
         "(match self.length as u32 { 0 => 1.0, _ => 2.0 }) * q[0].cos()",
         &[
-            "2:12 `length` is read here by what has no derivative: derivatives by parameters follow arithmetic, methods of `f64`, `let`, `if` and helper methods of this impl, and one number each",
+            "2:12 this expression has no derivative with respect to `length`\nnote: supported are arithmetic, methods of `f64`, `let`, `if` and helper methods of this impl",
         ],
     ),
     (
         "f64::from(self.count(self.length as usize)) * q[0].cos()",
-        &["2:21 a number cannot be cast here: energies are computed in f64"],
+        &["2:21 a number cannot be cast here\nnote: energies are computed in `f64`"],
     ),
     (
         "self.elsewhere() * q[0].cos()",
         &[
-            "2:5 whether this reads `self.length` is not known, and derivatives are taken by that: give it the fields that it needs, or move it into this impl as a helper method",
+            "2:5 this call may read `self.length`, and its derivative is not known\nhelp: pass the fields that it needs, or move it into this impl as a helper method",
         ],
     ),
     (
         "outside(self) * q[0].cos()",
         &[
-            "2:8 whether this reads `self.length` is not known, and derivatives are taken by that: give it the fields that it needs, or move it into this impl as a helper method",
+            "2:8 this call may read `self.length`, and its derivative is not known\nhelp: pass the fields that it needs, or move it into this impl as a helper method",
         ],
     ),
     ("self.counted() * q[0].cos() * self.length", &[]),
     (
         "self.length[0] * q[0].cos()",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "q.iter().zip(&self.length).map(|(x, m)| m * x * x).sum()",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "q.iter().zip(self.length.iter()).map(|(x, m)| m * x * x).sum()",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let mut v = 0.0; for m in &self.length { v += m * q[0]; } v",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let mut v = 0.0; for m in self.length.iter() { v += m * q[0]; } v",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let mut v = 0.0; for i in 0..self.length.len() { v += self.length[i] * q[0]; } v",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let mut v = 0.0; for (i, m) in self.length.iter().enumerate() { v += m * q[i]; } v",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.iter().sum::<f64>() * q[0]",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let m = &self.length; m[0] * q[0]",
         &[
-            "2:22 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:22 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let m = self.length[0]; m * q[0]",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let Self { length, .. } = self; length[0] * q[0]",
         &[
-            "2:32 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:32 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.len() as f64 * q[0]",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let [a, b] = self.length; a * b * q[0]",
         &[
-            "2:4 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:4 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "(0..1).map(|i| self.length[i] * q[i]).sum()",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "let Self { length: [a, b], .. } = self; a * b * q[0]",
         &[
-            "2:19 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:19 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.0 * q[0]",
         &[
-            "2:12 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:12 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.x * q[0]",
         &[
-            "2:12 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "2:12 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.first().unwrap() * q[0]",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.length.get(0).unwrap() * q[0]",
         &[
-            "1:10 derivatives are taken by single numbers, and `length` holds several: name fields that are one number each",
+            "1:10 `length` has several numbers, and `sensitive` supports single numbers\nhelp: name fields that are one number each",
         ],
     ),
     (
         "self.well(q[0]) * self.length",
         &[
-            "4:24 `well` is called as it is, so that its derivatives by parameters that it reads are not known: give it what it reads as an argument",
-            "4:80 `slope` is called as it is, so that its derivatives by parameters that it reads are not known: give it what it reads as an argument",
+            "4:24 the derivatives of `well` with respect to parameters are not known\nhelp: pass what it reads as an argument\nnote: it has a stated derivative, with respect to its arguments only",
+            "4:80 the derivatives of `slope` with respect to parameters are not known\nhelp: pass what it reads as an argument\nnote: it has a stated derivative, with respect to its arguments only",
         ],
     ),
 ];
@@ -190,7 +199,7 @@ const PARTS: &[Row] = &[
     (
         "fn hamiltonian(&self, [q]: [f64; 1], [p]: [f64; 1]) -> f64 { (p * p + self.length * q * q) / 2.0 + q * q * q }",
         &[
-            "1:36 the flow of `quadratic` is solved with `self.length`, by which it has no derivative here: split H into T(p) and V(q), or leave it in one piece, `split = none`",
+            "1:36 the exact flow of `quadratic` has no derivative with respect to `self.length`\nhelp: split H into T(p) and V(q), or write `split = none`",
         ],
     ),
     (
@@ -241,7 +250,7 @@ fn parts_with_parameters() {
         &[(
             "coordinates = jacobi(self.mass), split = kepler + interaction, sensitive(g)",
             &[
-                "1:14 Jacobi coordinates are made with the masses, and have no derivatives by parameters: leave out `coordinates` and `split`, or `sensitive`",
+                "1:14 Jacobi coordinates do not support `sensitive`\nhelp: leave out `coordinates` and `split`, or `sensitive`\nnote: the coordinates depend on the masses",
             ],
         )],
         |text| (text.to_owned(), format!("impl System {{\n{functions}\n}}")),

@@ -162,23 +162,25 @@ impl Shape {
         let length = |length: &Length| match length {
             Length::Literal(length) => Ok(*length),
             Length::Constant(_) => {
-                Err("coordinates whose number is a constant have no text for devices yet: write the number".to_owned())
+                Err("`gpu` does not support a named constant as the number of coordinates\nhelp: write the number as \
+                     a literal"
+                    .to_owned())
             }
             Length::OfStart => {
-                Err("a device keeps the state in registers, so that the number of coordinates has to be \
-                                    known here: write an array such as `[f64; 4]` in place of a slice"
+                Err("`gpu` does not support slices of coordinates\nhelp: write an array such as `[f64; 4]`\nnote: a \
+                     device keeps the state in registers, so the number of coordinates has to be a literal"
                     .to_owned())
             }
         };
         if model.shape.is_volume() {
-            return Err("lattices in three dimensions have no text for devices yet".to_owned());
+            return Err("`gpu` does not support lattices in three dimensions\nhelp: leave out `gpu`".to_owned());
         }
         let shape =
             Self { length: length(&model.shape.length)?, dimension: model.shape.dimension().map(length).transpose()? };
         match 2 * shape.count() {
             numbers if numbers > MOST_COORDINATES => Err(format!(
-                "a device keeps the state of a member in registers, {MOST_COORDINATES} numbers at most, and this one has \
-                 {numbers}"
+                "the state has {numbers} numbers, and `gpu` supports at most {MOST_COORDINATES}\nnote: a device keeps \
+                 the state of a member in registers"
             )),
             _ => Ok(shape),
         }
@@ -217,24 +219,26 @@ impl Shape {
 /// Parts that are no sums of shears are solved by the runtime, in Rust.
 fn check_parts(model: &Model) -> Result<(), String> {
     let refused =
-        |what: &str| Err(format!("{what} has no text for devices yet: a device knows drifts, kicks and shears"));
+        |what: &str| Err(format!("`gpu` does not support {what}\nnote: devices integrate drifts, kicks and shears"));
     if model.coupling.is_some() {
-        return refused("the motion of two copies of the state");
+        return refused("`split = symmetric`, which evolves two copies of the state");
     }
     if model.unsplit {
-        return refused("H in one piece, which implicit methods integrate,");
+        return refused("H in one piece, `split = none`");
     }
     if model.jacobi.is_some() {
-        return refused("the motion in Jacobi coordinates");
+        return refused("Jacobi coordinates");
     }
     for part in &model.parts {
         match part.form {
             Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
-            Exact::Own => return refused(&format!("`{}`, the flow of which you wrote,", part.name)),
+            Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name)),
             Exact::Quadratic(_) => {
-                return refused(&format!("`{}`, a quadratic form, whose flow is a matrix,", part.name));
+                return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name));
             }
-            Exact::Kepler(_) => return refused(&format!("`{}`, Kepler motion, whose equation is solved,", part.name)),
+            Exact::Kepler(_) => {
+                return refused(&format!("`{}`, a Kepler motion whose flow solves Kepler's equation", part.name));
+            }
         }
     }
     Ok(())

@@ -61,9 +61,9 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let found = pairs(graph, *potential, length, &mut texts);
     let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
         Obstacle::Potential(
-            "V could not be read as a sum over all pairs of bodies, which Jacobi coordinates need: write one loop over `i` and \
-             one over `j` in `0..i`, with a term -G m[i] m[j] / |q[i] - q[j]| for each pair; other terms may be of each pair, \
-             of each body, or of the first body and each other one"
+            "Jacobi coordinates require V as a sum over all pairs of bodies\nhelp: write a loop over `i` and one over \
+             `j` in `0..i`, with the term `-G m[i] m[j] / |q[i] - q[j]|` of each pair\nnote: further terms may belong \
+             to each pair, to each body, or to the first body and each other one"
                 .to_owned(),
         )
     })?;
@@ -71,7 +71,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let inverse = velocity.and_then(|velocity| inverse_mass(graph, &velocity, dimension));
     let inverse = inverse.ok_or_else(|| {
         Obstacle::Kinetic(
-            "T could not be read as Σ |p[i]|² / 2m[i], which Jacobi coordinates need: write a loop over all bodies `i` with all \
+            "Jacobi coordinates require T = Σ |p[i]|² / 2m[i]\nhelp: write a loop over all bodies `i` that sums all \
              components of `p[i]`"
                 .to_owned(),
         )
@@ -79,8 +79,9 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let strength = attraction(graph, energy, pair, dimension).ok_or_else(|| {
         softening(graph, energy, pair, dimension).map(Obstacle::Softening).unwrap_or_else(|| {
             Obstacle::Potential(
-                "no term -G m[i] m[j] / |q[i] - q[j]| of each pair of bodies was found in V, which Jacobi coordinates need for \
-                 the Kepler part: write it as a term of its own, with the distance as a root of a sum of squares or by `hypot`"
+                "Jacobi coordinates require the term `-G m[i] m[j] / |q[i] - q[j]|` of each pair in V\nhelp: write it \
+                 as a separate term, with the distance as the root of a sum of squares or by `hypot`\nnote: the \
+                 Kepler part consists of these terms"
                     .to_owned(),
             )
         })
@@ -112,8 +113,8 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let in_rows = AllPairs::of(model).is_some();
     jacobi.filter(|_| in_rows).ok_or_else(|| {
         Obstacle::Potential(
-            "the terms of V are not read as those of any pair of bodies: use parameters of one body at a time, such as \
-             `self.mass[i]`, and no methods of your own"
+            "the terms of V do not have the same form for every pair of bodies\nhelp: use parameters of one body at a \
+             time, such as `self.mass[i]`, and call no methods in their index"
                 .to_owned(),
         )
     })
@@ -149,8 +150,8 @@ fn dimension(shape: &Shape) -> Result<u64, Obstacle> {
     dimension.filter(|_| many).ok_or_else(|| {
         let text = shape.text();
         Obstacle::Shape(format!(
-            "Jacobi coordinates are made of the positions of bodies, `[[f64; 3]; N]` with a number for 3 and two bodies at \
-             least; these are `{text}`"
+            "Jacobi coordinates require the positions of at least two bodies, and these are `{text}`\nhelp: write \
+             `[[f64; 3]; N]`, with a literal in place of 3"
         ))
     })
 }

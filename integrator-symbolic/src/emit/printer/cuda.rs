@@ -153,7 +153,7 @@ impl Cuda<'_, '_> {
             }
             Item::Begin(id) => match self.printer.graph.node(*id) {
                 Node::Fold(fold, ..) => {
-                    self.refuse(format!("the {} of any number of items has no text for devices yet", fold.noun()))
+                    self.refuse(format!("`gpu` does not support a {} over any number of items", fold.noun()))
                 }
                 _ => format!("R {} = R(0.0);\n", self.name(*id)),
             },
@@ -198,7 +198,7 @@ impl Cuda<'_, '_> {
             }
             Item::Sink(Sink::Return, value) => format!("return {};\n", self.expression(*value).1),
             Item::Sink(Sink::Contribution(number), value) => self.contribution(*number, *value),
-            Item::Sink(..) => self.refuse("a flow that is no sum of kicks has no text for devices yet"),
+            Item::Sink(..) => self.refuse("`gpu` does not support a flow that is not a sum of kicks"),
         }
     }
 
@@ -278,9 +278,7 @@ impl Cuda<'_, '_> {
                 None => format!("{}.value()", self.place(element)),
             }),
             Node::Time => Printed::atom("time"),
-            Node::Middle => {
-                Printed::atom(self.refuse("formulas that change at certain times have no text for devices yet"))
-            }
+            Node::Middle => Printed::atom(self.refuse("`gpu` does not support formulas that change at certain times")),
             Node::Step => Printed::atom("step"),
             Node::FromIndex(index) => Printed::atom(format!("R(double({}))", self.index(index))),
             Node::Neg(a) => Printed(Binding::Sign, format!("-{}", self.expression(a).at_least(Binding::Atom))),
@@ -301,7 +299,10 @@ impl Cuda<'_, '_> {
             Node::Binary(function, a, b) => self.function(function, &[a, b]),
             Node::External(id, _) => {
                 let name = self.printer.externals[id.0 as usize].name.to_string();
-                Printed::atom(self.refuse(format!("`{name}` is called as it is, and a device cannot call Rust")))
+                Printed::atom(self.refuse(format!(
+                    "`gpu` does not support `{name}`, which has a stated \
+                                                   derivative\nnote: a device cannot call Rust functions"
+                )))
             }
             // Sums and choices are always named; the blocks inside theirs compute them.
             Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(body),
@@ -328,9 +329,9 @@ impl Cuda<'_, '_> {
         if !KNOWN.contains(&row.name) {
             let name = row.name;
             let obstacle = format!(
-                "`{name}`, in H or in a derivative of it, has no kernel of this library's own, so that its bits on a device \
-                 would be others; write it with functions that have one, such as `exp` and `ln`, or take the device's own, \
-                 `gpu(functions = native)`"
+                "`gpu` has no kernel for `{name}`, which H or one of its derivatives calls\nhelp: use other \
+                 functions, such as `exp` and `ln`, or the device's own, `gpu(functions = native)`\nnote: the \
+                 device's own functions are not bitwise identical to those of the processor"
             );
             return Printed::atom(self.refuse(obstacle));
         }
@@ -386,7 +387,7 @@ impl Cuda<'_, '_> {
             Node::And(a, b) => format!("({} && {})", self.expression(a).1, self.expression(b).1),
             Node::Or(a, b) => format!("({} || {})", self.expression(a).1, self.expression(b).1),
             Node::Not(a) => format!("!({})", self.expression(a).1),
-            _ => self.refuse("this condition has no text for devices yet"),
+            _ => self.refuse("`gpu` does not support this condition"),
         }
     }
 
@@ -445,7 +446,7 @@ impl Cuda<'_, '_> {
             Index::Running(by) => return self.running(by),
             Index::Length => return self.length.to_string(),
             Index::Parameter(parameter) => return self.integer(parameter),
-            Index::Wrapped(..) => return self.refuse("integers that wrap have no text for devices yet"),
+            Index::Wrapped(..) => return self.refuse("`gpu` does not support integers that wrap"),
             Index::Typed(_, a) => return self.index(a),
             _ => {}
         }

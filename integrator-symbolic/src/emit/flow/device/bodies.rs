@@ -22,8 +22,8 @@ pub(super) fn flows(
 ) -> Result<String, String> {
     if shape.length > ROW {
         return Err(format!(
-            "{} bodies that act on each other in pairs are added in several rows, an order that devices do not know yet, as they do \
-             that of {ROW} bodies at most: write out the pairs, or leave out `gpu`",
+            "`gpu` supports pair sums over at most {ROW} bodies, and this one has {}\nhelp: write out the pairs, or \
+             leave out `gpu`\nnote: more bodies are summed in an order that devices do not reproduce",
             shape.length
         ));
     }

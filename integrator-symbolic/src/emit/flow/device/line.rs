@@ -24,8 +24,8 @@ pub(super) fn flow(
     part: Part,
 ) -> Result<String, String> {
     let [direction] = &stencil.directions[..] else {
-        return Err("the sites of a plane are added in an order of their own, which devices do not know yet, as they do that of a \
-                    line: leave out `gpu`"
+        return Err("`gpu` supports lattices along a line, and this one is a plane\nhelp: leave out `gpu`\nnote: the \
+                    sites of a plane are summed in an order that devices do not reproduce"
             .to_owned());
     };
     let within = Within { loops: &[direction.place], stencil: Some(stencil), ..Within::default() };
