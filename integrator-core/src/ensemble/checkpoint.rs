@@ -48,13 +48,14 @@ struct Member {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// Everything that this ensemble is, as bytes from which [`Ensemble::resume`] goes on as if nothing had happened: bit for
-    /// bit the same on one instruction set, on any number of threads.
+    /// Returns this ensemble as bytes, from which [`Ensemble::resume`] continues.
     ///
-    /// The parameters of the systems are not in it. After [`Ensemble::advance_to`], the ensemble is that at the end of the
-    /// last step of all. An ensemble by a method with a memory or with a time of its own, such as
-    /// [`Taylor`](crate::taylor::Taylor) or [`Logarithmic`](crate::Logarithmic), is written all the same, but nothing resumes it
-    /// ([`ResumableInLanes`] says why): such an ensemble begins anew from its states at a time.
+    /// A resumed ensemble is bitwise identical on the same instruction set, for any number of threads.
+    ///
+    /// - The parameters of the systems are not saved.
+    /// - After [`Ensemble::advance_to`], the end of the last step of all members is saved.
+    /// - A checkpoint of methods such as [`Taylor`](crate::taylor::Taylor) or [`Logarithmic`](crate::Logarithmic) can be
+    ///   written but not resumed ([`ResumableInLanes`] gives the reason). Start a new ensemble from the states at a time.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -90,12 +91,17 @@ impl<C: Coords> Ensemble<C> {
         sealed_record(MAGIC, VERSION, &Record { common, over: self.origin.over().to_owned(), members })
     }
 
-    /// The ensemble that a checkpoint was made of, with the method and the systems that it was begun with: a composition or an
-    /// implicit method, and all members, those included that are lost or gone.
+    /// Resumes an ensemble from a checkpoint, with the method and the systems of the original ensemble.
+    ///
+    /// `systems` has one system for each member, including failed and finished members. The method is a composition or an
+    /// implicit method.
     ///
     /// # Errors
-    /// As [`Run::resume_with`](crate::Run::resume_with); more or fewer systems than members, and a member whose system has
-    /// other parameters or formulas than then. Other methods are refused by the compiler:
+    /// - Those of [`Run::resume_with`](crate::Run::resume_with).
+    /// - The number of systems is not the number of members.
+    /// - The system of a member has other parameters or formulas than in the original ensemble.
+    ///
+    /// Other methods are compile errors:
     ///
     /// ```compile_fail,E0277
     /// # use integrator_core::prelude::*;
@@ -110,7 +116,7 @@ impl<C: Coords> Ensemble<C> {
     /// # }
     /// ```
     ///
-    /// They begin anew from where all members are at a time, whole steps or not:
+    /// For these methods, start a new ensemble from the states at a time:
     ///
     /// ```
     /// # use integrator_core::prelude::*;

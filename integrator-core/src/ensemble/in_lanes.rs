@@ -1,4 +1,4 @@
-//! Methods whose trajectories go side by side, each member of an ensemble in a lane of its own.
+//! Methods that can integrate several trajectories in SIMD lanes, one member of an ensemble per lane.
 
 use crate::{
     composition::{Composition, Scheme},
@@ -6,8 +6,10 @@ use crate::{
     trajectory::method::{Memoryless, Method},
 };
 
-/// A method that may carry on an ensemble of `H`: any composition that may integrate it, and
-/// [`Taylor`](crate::taylor::Taylor) where the system has its recurrences.
+/// A method that can integrate an ensemble of `H`.
+///
+/// Every composition that supports a run also supports an ensemble; so does [`Taylor`](crate::taylor::Taylor) for a system
+/// with `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not carry on the members of an ensemble",
     label = "neither a composition for this Hamiltonian, nor another method that has lanes",
@@ -19,10 +21,11 @@ pub trait InLanes<H: Hamiltonian>: Method<H> {}
 
 impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {}
 
-/// A method whose ensembles go on from a checkpoint: any composition that may integrate `H`, and implicit methods. Members by
-/// other methods go on from more than the positions and momenta that a checkpoint of an ensemble holds: those of
-/// [`Taylor`](crate::taylor::Taylor) are within a step of their own, of which each has an expansion, and those of
-/// [`Logarithmic`](crate::Logarithmic), `Power` and `Paced` are at times of their own.
+/// A method whose ensembles can be resumed from a checkpoint: compositions and implicit methods.
+///
+/// A checkpoint of an ensemble contains positions and momenta only. Other methods need more: the current polynomial of
+/// each member for [`Taylor`](crate::taylor::Taylor), the time of each member for [`Logarithmic`](crate::Logarithmic),
+/// [`Power`](crate::Power) and [`Paced`](crate::Paced).
 #[diagnostic::on_unimplemented(
     message = "no ensemble by `{Self}` goes on from a checkpoint",
     label = "neither a composition for this Hamiltonian, nor `ImplicitMidpoint` or a method of Gauss",

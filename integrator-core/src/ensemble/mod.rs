@@ -1,7 +1,7 @@
 //! Ensembles: many trajectories of one kind of system, in the lanes of vectors and distributed over threads.
 //!
-//! Always true: a member's bits are those of the same system run alone on the same instruction set, whatever its
-//! neighbours do and however many threads there are.
+//! Each member is bitwise identical to a run of the same system alone on the same instruction set, for any number of
+//! threads.
 
 pub(crate) mod batch;
 pub(crate) mod batches;
@@ -78,7 +78,11 @@ where
     }
 }
 
-/// Trajectories of one kind of system under way together; parameters may differ from member to member.
+/// Many trajectories of one type of system, integrated together in SIMD lanes and on all cores.
+///
+/// Parameters may differ between members. Each member is bitwise identical to a run of its own on the same instruction set.
+/// A member that diverges has *failed*; one that [`Ensemble::advance_while`] stopped has *finished*. All others are
+/// *active*.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -111,13 +115,17 @@ pub struct Ensemble<C: Coords> {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// An ensemble of `(system, start)` pairs that take steps `h` with any composition that may integrate the systems,
-    /// or with [`Taylor`](crate::taylor::Taylor), where each member goes by polynomials of its own between these steps.
+    /// Creates an ensemble of `(system, start)` pairs with step `h`.
+    ///
+    /// The method is a composition or another method with [`InLanes`](crate::InLanes). With
+    /// [`Taylor`](crate::taylor::Taylor), each member has its own polynomials between these steps.
     ///
     /// # Errors
-    /// [`Error::NoMembers`] without members; [`Error::Member`] naming the member whose start or step is refused, for the
-    /// reasons of [`Hamiltonian::run`], or [`Error::Members`] naming all of them where others are not.
-    /// [`Ensemble::of_admissible`] leaves them out.
+    /// [`Ensemble::of_admissible`] leaves out the members that cause these errors.
+    ///
+    /// - [`Error::NoMembers`]: there are no members.
+    /// - [`Error::Member`]: one member, or every one, cannot start, for the reasons of [`Hamiltonian::run`].
+    /// - [`Error::Members`]: several, but not all, cannot start.
     pub fn new<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: Hamiltonian,
@@ -135,8 +143,9 @@ impl<C: Coords> Ensemble<C> {
         Err(refusal(refused, count))
     }
 
-    /// The ensemble of those `(system, start)` pairs that [`Ensemble::new`] takes, in their order, and all others by their
-    /// numbers among the pairs, each with the reason.
+    /// Creates an ensemble of the pairs that can start; returns it with the indices and errors of all other pairs.
+    ///
+    /// Members keep the order of the pairs.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -158,7 +167,8 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoMembers`] without pairs; [`Error::Member`] naming the first one, if none is taken.
+    /// - [`Error::NoMembers`]: there are no pairs.
+    /// - [`Error::Member`]: no pair can start; the error is that of the first one.
     pub fn of_admissible<H, X>(
         method: X,
         members: impl IntoIterator<Item = (H, Phase<C>)>,
@@ -253,47 +263,50 @@ impl<C: Coords> Ensemble<C> {
         })
     }
 
-    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    /// Starts the clock at `t0` instead of 0.
+    ///
+    /// If `t0` is not finite, the first `advance` returns an error.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.members.clock.t0 = t0;
         self
     }
 
-    /// Uses at most so many threads instead of all that the machine has; no result depends on it.
+    /// Limits the number of threads; the default is all cores. Results do not depend on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.members.threads = threads.max(1);
         self
     }
 
-    /// Takes `steps` steps with every member that is under way.
+    /// Takes `steps` steps with every active member.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members that left the finite numbers in these steps, or came too near to a singularity
-    /// for [`Taylor`](crate::taylor::Taylor); all others have taken them, and the ensemble goes on without the lost
-    /// ones, which stay at their last finite state. [`Error::Time`], [`Error::Clock`] and [`Error::Steps`] leave the
-    /// ensemble as it was, and so does [`Error::Member`], which the first call returns where `H` reads the time and has
-    /// no value at a start.
+    /// - [`Error::Lost`]: members diverged, or came too close to a singularity for [`Taylor`](crate::taylor::Taylor). The
+    ///   error lists them; they stay at their last finite state. All other members have taken the steps, and the ensemble
+    ///   can be continued.
+    /// - [`Error::Time`], [`Error::Clock`], [`Error::Steps`]: the ensemble is unchanged.
+    /// - [`Error::Member`]: `H` depends on time, and the energy of a start is not finite. The first call returns this error;
+    ///   the ensemble is unchanged.
     ///
     /// # Panics
-    /// Where your own functions would, once all members have taken the steps for which they do not. A program that
-    /// catches the panic finds the members for which they do at the last step before it, as if they had left there
-    /// ([`Ensemble::steps_of`]); the ensemble goes on without them.
+    /// If your own functions panic; all other members take their steps first. A program that catches the panic finds the
+    /// members that panicked finished at the last step before it ([`Ensemble::steps_of`]), and can continue the ensemble.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.members.advance(steps, u64::MAX, &|_, _| true)
     }
 
-    /// As [`Ensemble::advance`], and tells `progress` about ten times a second how far it is, as
-    /// [`Run::advance_with`](crate::Run::advance_with) does. When it is told to break, all members stop after the same
-    /// number of steps, which it returns.
+    /// Takes `steps` steps like [`Ensemble::advance`], and calls `progress` about ten times a second.
+    ///
+    /// `progress` is that of [`Run::advance_with`](crate::Run::advance_with). If it returns `ControlFlow::Break`, all members
+    /// stop after the same number of steps, which is returned.
     ///
     /// # Errors
-    /// As [`Ensemble::advance`]; lost members are named at the end.
+    /// Those of [`Ensemble::advance`]; failed members are reported at the end.
     ///
     /// # Panics
-    /// Where your own functions would, or `progress` does, once all members have taken the portion under way. Members that were
-    /// lost in the portions before are told by [`Ensemble::steps_of`] alone then.
+    /// If your own functions or `progress` panic, after all members have taken the current portion of steps. Members that
+    /// failed in earlier portions are then found by [`Ensemble::steps_of`] only.
     pub fn advance_with(
         &mut self,
         steps: u64,
@@ -313,11 +326,12 @@ impl<C: Coords> Ensemble<C> {
         if lost.is_empty() { Ok(taken) } else { Err(Lost { members: lost }.into()) }
     }
 
-    /// As [`Ensemble::advance`], but members may leave when they are done: after every `interval` steps, each member
-    /// under way is shown to `stays`, and those for which it returns `false` stay where they are from then on. Their
-    /// lanes are closed up, so that they cost nothing any more.
+    /// Takes `steps` steps like [`Ensemble::advance`], and stops members individually.
     ///
-    /// A member is shown at increasing times, by any thread; what is returned should depend on nothing else.
+    /// After every `interval` steps, `stays(member, state)` is called for each active member. If it returns `false`, the
+    /// member has finished and keeps this state. Finished members are removed and the remaining lanes are compacted.
+    ///
+    /// Any thread can call `stays`, with increasing times for each member. Its result should depend on its arguments only.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -340,7 +354,7 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// As [`Ensemble::advance`]; [`Error::SampleInterval`] for an interval of 0.
+    /// Those of [`Ensemble::advance`]; [`Error::SampleInterval`] if `interval` is 0.
     pub fn advance_while(
         &mut self,
         steps: u64,
@@ -350,12 +364,13 @@ impl<C: Coords> Ensemble<C> {
         self.members.advance(steps, interval, &|member, state| stays(member, shaped(state)))
     }
 
-    /// Changes the states of the members that are under way, one after the other, between two steps: coordinates that
-    /// are wrapped into a periodic box, momenta that are drawn anew by a thermostat. Time and the number of steps go
-    /// on; members that are lost or gone stay as they are. After [`Ensemble::advance_to`], these are the states at the end of
-    /// the last step of all.
+    /// Changes the states of the active members between two steps, one after the other.
     ///
-    /// Each member has the bits of a run whose state is [changed](crate::Run::map_state) in the same way.
+    /// Examples are wrapping coordinates into a periodic box, or drawing new momenta for a thermostat. The time and the
+    /// number of steps are kept; failed and finished members are unchanged. After [`Ensemble::advance_to`], the states are
+    /// those at the end of the last step that all members have taken.
+    ///
+    /// Each member is bitwise identical to a run whose state is [changed](crate::Run::map_state) in the same way.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -381,8 +396,8 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Member`] naming the first member whose new state is refused, for the reasons of
-    /// [`Run::map_state`](crate::Run::map_state); all members stay as they were.
+    /// [`Error::Member`] with the first member that cannot continue from its new state, for the reasons of
+    /// [`Run::map_state`](crate::Run::map_state). All members are unchanged.
     pub fn map_states(&mut self, mut map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         let mut states = Vec::with_capacity(self.len());
         for batch in 0..self.members.batches() {
@@ -399,66 +414,76 @@ impl<C: Coords> Ensemble<C> {
         Ok(())
     }
 
-    /// How many members there are.
+    /// Returns the number of members.
     pub fn len(&self) -> usize {
         self.members.count()
     }
 
-    /// Whether there are no members; never so.
+    /// Returns `false`: an ensemble has at least one member.
     pub fn is_empty(&self) -> bool {
         self.members.count() == 0
     }
 
-    /// How many members are under way: neither lost nor gone.
+    /// Returns the number of active members, which have neither failed nor finished.
     pub fn active(&self) -> usize {
         self.members.active()
     }
 
-    /// The time of the members that are under way, `t0 + n·h`; that of one that has a time of its own is
-    /// [`Ensemble::time_of`] it; and what [`Ensemble::advance_to`] was called with.
+    /// Returns the time of the active members: `t0 + n·h`, or the time to which [`Ensemble::advance_to`] advanced.
+    ///
+    /// For a method with a fictitious time, [`Ensemble::time_of`] returns the physical time of a member.
     pub fn time(&self) -> f64 {
         self.members.time()
     }
 
-    /// How many steps the members that are under way have taken.
+    /// Returns the number of steps that the active members have taken.
     pub fn steps(&self) -> u64 {
         self.members.clock.steps
     }
 
-    /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
+    /// Returns the number of steps of a member, which is smaller for failed and finished members.
+    ///
+    /// `None` if there is no such member.
     pub fn steps_of(&self, member: usize) -> Option<u64> {
         self.members.steps_of(member)
     }
 
-    /// The time of a member: that of its last step if it is lost or gone, and its own where the method has one, such as
-    /// [`Logarithmic`](crate::Logarithmic). `None` beyond the last member.
+    /// Returns the time of a member; for failed and finished members, that of the last step.
+    ///
+    /// For a method with a fictitious time, such as [`Logarithmic`](crate::Logarithmic), this is the physical time of the
+    /// member. `None` if there is no such member.
     pub fn time_of(&self, member: usize) -> Option<f64> {
         self.members.time_of(member)
     }
 
-    /// The state of a member: its last finite one if it is lost, the one in which it left if it is gone.
+    /// Returns the state of a member: the last finite state if it failed, the last state if it finished.
     pub fn state(&self, member: usize) -> Option<Phase<C>> {
         Some(shaped::<C>(&*self.members.state(member)?).clone())
     }
 
-    /// The energy of a member in that state.
+    /// Returns the energy of a member in the state that [`Ensemble::state`] returns.
     pub fn energy(&self, member: usize) -> Option<f64> {
         self.members.energy(member)
     }
 
-    /// An [invariant](crate::Run::invariant) of a member in that state, by its name; `None` beyond the last member.
+    /// Returns a conserved quantity of a member, by its name, like [`Run::invariant`](crate::Run::invariant).
+    ///
+    /// `None` if there is no such member.
     ///
     /// # Errors
-    /// [`Error::NoInvariant`]
+    /// [`Error::NoInvariant`] if there is none of this name.
     pub fn invariant(&self, member: usize, name: &str) -> Result<Option<f64>, Error> {
         self.members.invariant(member, name)
     }
 
-    /// A member that is under way as a run of its own, from where it is: for its [samples](crate::Run::samples), its
-    /// [crossings](crate::Run::crossings), a [watch](crate::Run::watch_energy), and changes of its state. It takes the steps of
-    /// the member, bit for bit, and the ensemble stays where it is. A [checkpoint](crate::Run::checkpoint) of it is resumed with
-    /// the system of the member. Where a method counts its [evaluations](crate::Run::evaluations) step by step, the run counts
-    /// those from here on. `None` for members that are lost or gone, and beyond the last one.
+    /// Returns an active member as a run of its own, from its current state; the ensemble is unchanged.
+    ///
+    /// The run can be used for [samples](crate::Run::samples), [crossings](crate::Run::crossings), a
+    /// [watch](crate::Run::watch_energy), or changes of the state. Its steps are bitwise identical to those of the member.
+    ///
+    /// - A checkpoint of the run is resumed with the system of the member.
+    /// - If a method counts its [evaluations](crate::Run::evaluations) step by step, the run counts from here on.
+    /// - `None` if the member failed or finished, or if there is no such member.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -488,9 +513,9 @@ impl<C: Coords> Ensemble<C> {
         ))
     }
 
-    /// A sample of each member, in their order, at its present time or where it ended: for
-    /// `output::csv` or `output::npz`, each of which takes
-    /// `swarm.present().map(Ok)`.
+    /// Returns an iterator over samples of all members, at their current or last times.
+    ///
+    /// `output::csv` and `output::npz` accept `swarm.present().map(Ok)`.
     pub fn present(&self) -> impl Iterator<Item = Sample<C>> {
         self.states().zip(0..).filter_map(|(state, member)| {
             let (time, step) = (self.time_of(member)?, self.steps_of(member)?);
@@ -498,7 +523,7 @@ impl<C: Coords> Ensemble<C> {
         })
     }
 
-    /// The states of all members, in their order.
+    /// Returns an iterator over the states of all members, in their order.
     pub fn states(&self) -> impl Iterator<Item = Phase<C>> {
         (0..self.members.batches()).flat_map(|batch| {
             let mut states: Vec<Phase<C>> = Vec::new();

@@ -77,12 +77,14 @@ enum Outcome {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// Goes with every member under way to a time, to the rounding: by whole steps that lead none of them beyond it, and from
-    /// there each on a copy, as [`Run::advance_to`] does.
+    /// Advances every active member to the time `time`, up to rounding, like [`Run::advance_to`].
     ///
-    /// [`Ensemble::time`], [`Ensemble::state`] and [`Ensemble::energy`] are then those of this time, with the bits of each
-    /// member's run alone. The ensemble itself stands at the steps that all have taken, which [`Ensemble::steps`] counts, and
-    /// goes on from there; members that are lost or gone stay as they are.
+    /// All members take whole steps, as long as none of them passes `time`. From there, a copy of each member advances to
+    /// `time`.
+    ///
+    /// [`Ensemble::time`], [`Ensemble::state`] and [`Ensemble::energy`] then refer to `time`, bitwise identical to those of
+    /// single runs. [`Ensemble::steps`] counts the whole steps that all members have taken, and the ensemble continues from
+    /// there. Failed and finished members are unchanged.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -104,12 +106,13 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Time`] for a time that is not finite, [`Error::Passed`] for one that lies before the last step of all members,
-    /// in [`Error::Member`] where they have times of their own; and as [`Ensemble::advance`]. Members that are lost on the way
-    /// are named, and the others are at the time.
+    /// - Those of [`Ensemble::advance`]. Members that fail are listed; all others are at `time`.
+    /// - [`Error::Time`]: `time` is not finite.
+    /// - [`Error::Passed`]: `time` is before the last whole step. For a method with a fictitious time, it is contained in
+    ///   [`Error::Member`].
     ///
     /// # Panics
-    /// As [`Ensemble::advance`].
+    /// Like [`Ensemble::advance`].
     pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
         let before = self.members.between.take();
         let mut lost = match self.members.whole_steps_to(time) {

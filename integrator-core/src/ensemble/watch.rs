@@ -8,16 +8,18 @@ use crate::{
 };
 
 impl<C: Coords> Ensemble<C> {
-    /// Makes [`Ensemble::advance`] end members where their energies leave a bound, as [`Run::watch_energy`](crate::Run::watch_energy)
-    /// does with a run: a member takes no step whose energy `H` differs by more than `relative_bound` times `|T₀| + |V₀|` from
-    /// `H₀`, or is not a number. `H₀`, `T₀` and `V₀` are its own at the time of this call, or where
-    /// [`Ensemble::map_states`] has changed its state since. With a bound of infinity, members end at energies that are not
-    /// numbers alone, such as those left of the zero of a logarithm.
+    /// Stops members whose energy error exceeds a bound, like [`Run::watch_energy`](crate::Run::watch_energy).
     ///
-    /// Such a member stays one step before and is named in [`Error::Strayed`]; the others go on, with the bits that they have
-    /// without the watch. A step costs one energy of each member more. A checkpoint does not keep the watch, nor does
-    /// [`Ensemble::run_of`]. [`Ensemble::advance_to`] looks after whole steps, and returns the error before it is at its time:
-    /// call it again.
+    /// A member rejects a step if `|H - H₀| > relative_bound · (|T₀| + |V₀|)`, or if `H` is not finite. `H₀`, `T₀` and `V₀` are
+    /// the energies of the member when this method is called, or after [`Ensemble::map_states`] changed its state.
+    /// `f64::INFINITY` rejects only energies that are not finite.
+    ///
+    /// - Such a member stays at the step before, and [`Error::Strayed`] lists it. The other members continue, bitwise
+    ///   identical to those without a watch.
+    /// - Each step costs one evaluation of the energy per member more.
+    /// - Neither a checkpoint nor [`Ensemble::run_of`] contains the watch.
+    /// - [`Ensemble::advance_to`] checks after whole steps. It returns the error before it has reached its time; call it
+    ///   again.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -41,8 +43,9 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::WatchBound`] for a bound that is not above zero; [`Error::NotConserved`] where `H` reads the time;
-    /// [`Error::Member`] for a member under way that has no energy.
+    /// - [`Error::WatchBound`]: the bound is not positive.
+    /// - [`Error::NotConserved`]: `H` depends on time.
+    /// - [`Error::Member`]: the energy of an active member is not finite.
     pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
         check_bound(relative_bound, self.kind.autonomous)?;
         self.members.watch(relative_bound)
