@@ -17,21 +17,23 @@ use crate::{
 };
 use core::fmt;
 
-/// Whether an orbit is regular.
+/// The verdict on an orbit: regular, chaotic or undecided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Its neighbours leave it in proportion to time.
+    /// Neighbouring orbits separate in proportion to time.
     Regular,
-    /// They leave it exponentially.
+    /// Neighbouring orbits separate exponentially.
     Chaotic,
-    /// The orbit was not followed long enough to tell: the mean of MEGNO is between both, or so few turns were followed that a
-    /// chaotic orbit would not have shown itself.
+    /// The integration time is too short for a verdict.
+    ///
+    /// The mean of MEGNO is between both thresholds, or chaos could not have appeared in so few turns.
     Undecided,
 }
 
 impl Verdict {
-    /// What the mean of MEGNO says, such as that of a [map](crate::chaos::map()): regular below 2.5, chaotic above 4. It does not
-    /// know for how long the orbit was followed; the verdict of [`indicators()`] does.
+    /// Returns the verdict for a mean of MEGNO, for example from a [map](crate::chaos::map()): regular below 2.5, chaotic above 4.
+    ///
+    /// It ignores the integration time, which the verdict of [`indicators()`] takes into account.
     pub fn of_megno(mean: f64) -> Self {
         match mean {
             mean if mean < REGULAR_BELOW => Self::Regular,
@@ -41,31 +43,36 @@ impl Verdict {
     }
 }
 
-/// What deviation vectors tell of an orbit. Displays the verdict and its reason.
+/// The chaos indicators of an orbit. `Display` prints the verdict and its reason.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Indicators {
-    /// The mean rate at which a deviation vector grew: the largest exponent, as far as the orbit tells. On regular orbits
-    /// it falls like `ln t / t`.
+    /// The estimate of the largest exponent: the mean growth rate of a deviation vector.
+    ///
+    /// On regular orbits it decreases like `ln t / t`.
     pub exponent: f64,
-    /// MEGNO at the end: it swings about 2 on quasiperiodic orbits and is about the exponent times the time on chaotic
-    /// ones.
+    /// MEGNO at the end of the orbit.
+    ///
+    /// It oscillates about 2 on quasiperiodic orbits and is about the exponent times the time on chaotic ones.
     pub megno: f64,
-    /// Its mean over time, which tends to 2 on quasiperiodic orbits and is about half of that on chaotic ones.
+    /// The time average of MEGNO.
+    ///
+    /// It tends to 2 on quasiperiodic orbits and is about half the exponent times the time on chaotic ones.
     pub mean_megno: f64,
-    /// The fast Lyapunov indicator: the largest logarithm of the length of the vector, over that at the start.
+    /// The fast Lyapunov indicator: the maximum over time of the logarithm of `|v(t)| / |v(0)|`.
     pub fli: f64,
-    /// The same of what the vector has orthogonal to the motion: on a periodic orbit it stays bounded, where `fli` grows like the
-    /// logarithm of the time.
+    /// The orthogonal fast Lyapunov indicator, of the component orthogonal to the flow.
+    ///
+    /// On a periodic orbit it stays bounded, whereas `fli` grows like the logarithm of the time.
     pub ofli: f64,
     /// The smaller alignment index: of the order of one on regular orbits of two and more degrees of freedom, and
     /// exponentially small on chaotic ones.
     pub sali: f64,
-    /// The generalised alignment indices of two, three, ... vectors, at most of four and of as many as there are directions.
+    /// The generalised alignment indices of two, three and four vectors, up to the dimension of phase space.
     pub gali: Vec<f64>,
-    /// For how long the orbit was followed.
+    /// The integration time.
     pub time: f64,
-    /// What the mean of MEGNO says. An orbit is regular only after 64 turns of its vector, or after a growth by e^6.
+    /// The verdict, from the mean of MEGNO. "Regular" also requires 64 turns of the vector, or its growth by `e^6`.
     pub verdict: Verdict,
 }
 
@@ -89,11 +96,12 @@ impl fmt::Display for Indicators {
     }
 }
 
-/// Indicators of the orbit from `start`, of `steps` steps of `h`.
+/// Computes the chaos indicators of the orbit from `start`, over `steps` steps of length `h`.
 ///
-/// Two to four deviation vectors go with the orbit. They are sampled about a hundred times, and every 64 steps at
-/// least. By a method with a time of its own, such as [`Logarithmic`](crate::Logarithmic), they are the differences at equal times;
-/// by these methods and by [`Taylor`](crate::taylor::Taylor) an orbit ends where a vector outgrows the numbers.
+/// Two to four deviation vectors are integrated with the orbit. They are sampled about a hundred times, and at least
+/// every 64 steps. For a method with a fictitious time, such as [`Logarithmic`](crate::Logarithmic), vectors are compared
+/// at equal physical times. With these methods and with [`Taylor`](crate::taylor::Taylor), vectors are not rescaled, so
+/// that the orbit ends if a vector overflows.
 ///
 /// ```
 /// use integrator_core::{chaos::{self, Verdict}, check::CheckError, prelude::*};
@@ -123,8 +131,10 @@ impl fmt::Display for Indicators {
 /// ```
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`Error::NoEnergy`], where the orbit passes a state in which `H` has no value; [`CheckError::TooFewSteps`].
+/// - The start or the step is invalid, as for [`Hamiltonian::run`].
+/// - The state or a vector diverges.
+/// - [`Error::NoEnergy`]: the energy of a state on the orbit is not finite.
+/// - [`CheckError::TooFewSteps`]: `steps` is too small.
 pub fn indicators<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     system: &H,
     method: X,

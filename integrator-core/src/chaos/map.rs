@@ -29,27 +29,30 @@ use crate::{
 };
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What a map shows of each orbit.
+/// The indicator that a map computes for each orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Indicator {
-    /// The mean of MEGNO: 2 on regular orbits, larger on chaotic ones.
+    /// The time average of MEGNO: 2 on regular orbits, larger on chaotic ones.
     Megno,
-    /// The largest exponent, as far as the orbit tells.
+    /// The estimate of the largest exponent.
     Exponent,
     /// The fast Lyapunov indicator.
     Fli,
 }
 
-/// An indicator of the orbit from each of the starts, in their order: of `steps` steps of `h`, from time 0.
+/// Computes an indicator of the orbit from each start, over `steps` steps of length `h` from time 0.
 ///
-/// An orbit that leaves the finite numbers, or whose deviation vector does, has the indicator that it had at the sample
-/// before: NaN where there is none. One that passes a state without an energy, as left of the zero of a logarithm, has NaN. The
-/// others have the bits that they have alone, whoever shares their lanes, on any number of threads. [`map_while`] says which
-/// orbits were lost, and lets them end where they are ejected.
+/// Results are in the order of the starts, and bitwise independent of the other orbits and of the number of threads.
+///
+/// - If an orbit or its deviation vector diverges, its indicator is that of the last sample; NaN if there is none.
+/// - If the energy of a state on the orbit is not finite, its indicator is NaN.
+///
+/// [`map_while`] also returns how each orbit ended, and can stop orbits that are ejected.
 ///
 /// # Errors
-/// [`Error::Member`], naming the start that no run would begin with, or [`Error::Members`], naming all of them where there are
-/// others; [`CheckError::TooFewSteps`].
+/// - [`Error::Member`]: one start, or every one, is invalid.
+/// - [`Error::Members`]: several, but not all, are invalid.
+/// - [`CheckError::TooFewSteps`]: `steps` is too small.
 pub fn map<H, X, K>(
     system: &H,
     method: X,
@@ -76,15 +79,15 @@ where
     if members.is_empty() { Ok(indicators) } else { Err(refusal(members, starts.len()).into()) }
 }
 
-/// What a map shows of one orbit.
+/// The result of a map for one orbit.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Mapped {
-    /// The indicator at the end, or at the sample before an earlier end: NaN where there is none.
+    /// The indicator at the end of the orbit, or at the last sample before it diverged; NaN if there is none.
     pub value: f64,
-    /// For how long the orbit was followed.
+    /// The integration time of this orbit.
     pub time: f64,
-    /// How it ended.
+    /// How the orbit ended.
     pub end: End,
 }
 
@@ -92,24 +95,26 @@ pub struct Mapped {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum End {
-    /// It was followed for all steps.
+    /// The orbit was integrated for all steps.
     Followed,
-    /// The condition of [`map_while`] no longer held: it was ejected, or it hit something.
+    /// The condition of [`map_while`] was violated, for example by an ejection or a collision.
     Gone,
-    /// It left the finite numbers, or its deviation vector did, or a step could not be solved.
+    /// The state or the deviation vector diverged, or an implicit method could not solve a step.
     Lost,
-    /// Its energy was not finite, where forces are: a step led over the edge of where `H` has a value.
+    /// The energy is not finite although forces are: a step left the domain of `H`.
     NoEnergy,
-    /// No run would begin there.
+    /// The start is invalid.
     Refused(Error),
 }
 
-/// As [`map`], and each orbit ends where it no longer `stays`, such as within a distance from the centre. Starts that no run
-/// would begin with are marked, and all others are followed.
+/// Computes indicators like [`map`], and stops each orbit when `stays(state)` returns `false`.
 ///
-/// States are tested where the indicator is sampled: about a hundred times in all, and every 64 steps at least. Energies are
-/// read at every eighth sample and at the end. What is ejected, lost or without an energy has a small indicator, as regular
-/// orbits have: [`Mapped::end`] tells these apart.
+/// An example of `stays` is a maximal distance from the centre. Invalid starts are marked in the result; all other orbits
+/// are integrated.
+///
+/// `stays` is called when the indicator is sampled: about a hundred times in all, and at least every 64 steps. Energies are
+/// checked at every eighth sample and at the end. Orbits that end early have small indicators like regular orbits;
+/// [`Mapped::end`] distinguishes them.
 ///
 /// ```
 /// use integrator_core::{chaos::{self, End, Indicator}, check::CheckError, prelude::*};
@@ -137,7 +142,8 @@ pub enum End {
 /// ```
 ///
 /// # Errors
-/// [`CheckError::TooFewSteps`]; [`CheckError::Run`] for a step that no run takes.
+/// - [`CheckError::TooFewSteps`]: `steps` is too small.
+/// - [`CheckError::Run`]: the step `h` is invalid.
 pub fn map_while<H, X, K>(
     system: &H,
     method: X,

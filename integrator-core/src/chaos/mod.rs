@@ -1,21 +1,20 @@
-//! Whether an orbit is regular or chaotic, and how fast its neighbours leave it.
+//! Lyapunov exponents and chaos indicators.
 //!
-//! In: a system, a method that carries deviation vectors (for spectra and maps a composition or an implicit method), a start, a
-//! step. Out: exponents and indicators of the orbit, by
-//! the derivative of the very steps that a run takes ([`Tangent`](crate::Tangent)), with no finite difference but for flows that users wrote.
-//! Always true: the orbit has the bits of the run without vectors; what is measured is told with its uncertainty or with
-//! the reason of the verdict.
-//!
-//! | ask | for |
+//! | function | result |
 //! |---|---|
-//! | [`indicators()`] | one orbit: the largest exponent, MEGNO, FLI, SALI, GALI, and a verdict |
-//! | [`lyapunov_spectrum()`] | all exponents of one orbit |
-//! | [`map()`] | one indicator of many orbits, in lanes and on threads |
-//! | [`map_while()`] | the same, and which orbits were ejected or lost |
+//! | [`indicators()`] | one orbit: largest exponent, MEGNO, FLI, SALI, GALI, and a verdict |
+//! | [`lyapunov_spectrum()`] | one orbit: all exponents |
+//! | [`map()`] | many orbits: one indicator each, in SIMD lanes and on all cores |
+//! | [`map_while()`] | many orbits: one indicator each, and which orbits were ejected or failed |
 //! | [`monodromy()`](crate::check::monodromy) | a periodic orbit: multipliers and stability |
 //!
-//! Lengths of vectors are Euclidean over all coordinates in the units of the system. Another choice of units changes
-//! what indicators show after a short time, and no exponent.
+//! Deviation vectors are multiplied by the exact derivative of each step ([`Tangent`](crate::Tangent)). Only flows that users
+//! wrote are differentiated by finite differences. The orbit is bitwise identical to that of a run without vectors.
+//!
+//! Spectra and maps require a composition or an implicit method; indicators accept every method with deviation vectors.
+//!
+//! Lengths of vectors are Euclidean norms over all coordinates, in the units of the system. Other units change indicators
+//! at short times, but not exponents.
 
 mod growth;
 mod indicators;

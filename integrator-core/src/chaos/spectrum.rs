@@ -26,42 +26,47 @@ const LEFT: f64 = 1.0 / (1_u64 << 10) as f64;
 /// The logarithm of the factor that a double can show between two lengths: whatever is farther apart looks like this.
 const ALL_DIGITS: f64 = 52.0 * LN_2;
 
-/// The Lyapunov exponents of an orbit, by the method of Benettin and others (1980, Meccanica 15, 9 and 21).
+/// The Lyapunov exponents of an orbit, computed by the method of Benettin et al. (1980, Meccanica 15, 9 and 21).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Spectrum {
-    /// The exponents, the largest first: as many as there are positions and momenta.
+    /// The exponents in descending order, as many as positions and momenta.
     pub exponents: Vec<f64>,
-    /// How well each is known: the standard error of its means over sixteen spans of the orbit, or what the second half
-    /// of the orbit changes, if that is more. On regular orbits exponents are zero and fall like `ln t / t`.
+    /// The uncertainty of each exponent.
+    ///
+    /// It is the larger of the standard error of the means over sixteen spans of the orbit and the change by its second
+    /// half. On regular orbits the exponents are zero; the estimates decrease like `ln t / t`.
     pub uncertainties: Vec<f64>,
-    /// For how long the orbit was followed.
+    /// The integration time.
     pub time: f64,
 }
 
 impl Spectrum {
-    /// The sum of all exponents: zero for a symplectic method, up to rounding.
+    /// Returns the sum of all exponents, which is zero up to rounding for a symplectic method.
     pub fn sum(&self) -> f64 {
         self.exponents.iter().sum()
     }
 
-    /// By how much exponents are not in pairs of opposite ones: the largest sum of such a pair. Zero for an orbit that
-    /// is followed for ever by a symplectic method.
+    /// Returns the largest absolute sum of a pair of opposite exponents.
+    ///
+    /// For a symplectic method it tends to zero with the integration time.
     pub fn pairing(&self) -> f64 {
         let pairs = self.exponents.iter().zip(self.exponents.iter().rev());
         pairs.map(|(large, small)| (large + small).abs()).fold(0.0, f64::max)
     }
 }
 
-/// All Lyapunov exponents of the orbit from `start`, of `steps` steps of `h`.
+/// Computes all Lyapunov exponents of the orbit from `start`, over `steps` steps of length `h`.
 ///
-/// As many deviation vectors as there are directions go with the orbit. They are made orthogonal, by QR decompositions,
-/// before the first has outgrown the last by a factor of some thousands, and every 64 steps at least.
+/// As many deviation vectors as phase space has dimensions are integrated with the orbit. They are orthogonalised by QR
+/// decompositions, at least every 64 steps, and before their lengths differ by a factor of some thousands.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`CheckError::TooFewSteps`]; [`CheckError::LongForExponents`], where one step stretches some directions so much more than
-/// others that no digits of the latter are left.
+/// - The start or the step is invalid, as for [`Hamiltonian::run`].
+/// - The state or a vector diverges.
+/// - [`CheckError::TooFewSteps`]: `steps` is too small.
+/// - [`CheckError::LongForExponents`]: one step stretches some directions so much more than others that the smaller
+///   exponents have no significant digits.
 pub fn lyapunov_spectrum<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,

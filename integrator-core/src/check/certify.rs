@@ -54,22 +54,29 @@ const FLOWS: &str = "the flows of the parts";
 /// The time over which gradients are taken, in steps, where no order tells a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
-/// Measures `method`, a composition or another one, on `system` by every check, and certifies that it is what it claims
-/// to be.
+/// Verifies by measurement that `method` integrates `system` from `start` with step `h` as it claims.
 ///
-/// A certificate says that one step of size `h` from `start` is symplectic, that errors fall with the claimed order,
-/// that a composition that claims symmetry runs back to where it began, that the energy stays (or has no jumps, if `H` reads
-/// the time), that the second part of H is small where
-/// [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS) are claimed for a small one, that the flows belong to the energies (those of parts with names each for itself: [`FlowErrors`]), that the Poisson bracket
-/// of what `#[invariant]` says is conserved vanishes, and that both are what the user's own functions say. Each is judged by
-/// a bound that follows from the rounding of the scalar, the energy by the fraction of its deviation that is a trend,
-/// and derivatives of the user's functions by what their differences are known to. Beside these it warns of a step that
-/// is half as long as the composition bears, or longer. Small systems take milliseconds; the work grows with the number
-/// of coordinates times that of the forces.
+/// A certificate confirms that
+///
+/// - one step is symplectic;
+/// - errors decrease with the claimed order;
+/// - a composition that claims symmetry is reversible;
+/// - the energy has no drift, or no jumps if `H` depends on time;
+/// - the second part of `H` is small, if the composition claims
+///   [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS);
+/// - the flows are those of the energies, for each named part ([`FlowErrors`]);
+/// - the Poisson bracket of `H` and each function with `#[invariant]` vanishes;
+/// - generated energies and invariants agree with the user's own functions.
+///
+/// The bounds follow from the rounding errors of the scalar type. The energy is judged by the fraction of its deviation that
+/// is a trend; derivatives of the user's functions by the accuracy of finite differences. The certificate warns if the step
+/// is at least half the stability limit of the composition.
+///
+/// Small systems take milliseconds. The cost is proportional to the number of coordinates times the cost of the forces.
 ///
 /// # Errors
-/// [`CertifyError::Run`] for a start or a step that no run would begin with; [`CertifyError::Refused`] with everything
-/// that was measured and all that fell short, or that could not be measured.
+/// - [`CertifyError::Run`]: the start or the step is invalid, as for [`Hamiltonian::run`].
+/// - [`CertifyError::Refused`]: a property does not hold or cannot be measured. The error contains all measurements.
 ///
 /// ```
 /// use integrator_core::prelude::*;

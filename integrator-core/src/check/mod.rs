@@ -1,43 +1,38 @@
-//! Proofs by measurement that a stepper is what it claims to be.
+//! Certificates: measurements that verify the properties of a stepper on your own problem.
 //!
-//! In: a system, a composition, a start and a step of the user's own problem. Out: numbers, each with the bound that
-//! follows from the rounding of the scalar, and from [`certify()`] a verdict over all of them. Always true: the flows
-//! that are checked are the generated ones, entered through the same trait as by a run; every verdict is one comparison
-//! in one function, in which a NaN fails; a check that can find nothing says so in an error and does not pass.
+//! [`certify()`] runs all checks for a system, a method, a start and a step, and returns a verdict. Each check is also
+//! available as a function. Measured values come with a bound that follows from the rounding errors of the scalar type. The
+//! checked flows are the generated ones that runs use. NaN fails every check, and a check that cannot measure anything
+//! returns an error.
 //!
-//! | check | right | wrong |
+//! | check | if correct | if incorrect |
 //! |---|---|---|
 //! | [`symplectic_defect`] | rounding, for any step | of the size of the step |
 //! | [`observed_order`] | the claimed order | below it |
 //! | [`reversibility()`] | rounding, if the composition is symmetric | of the size of the error |
 //! | [`energy_drift`] | [`Course::Bounded`], up to rounding | [`Course::Drift`] |
 //! | [`gradient_error`] | rounding | of the size of the gradient |
-//! | [`FlowErrors`] | rounding, for parts that are no `T(p)` and `V(q)` | of the size of the flow |
-//! | [`Agreement`] | the user's own functions and their differences | off by more than rounding |
-//! | [`InvariantDrift`] | a bracket with H of rounding, of what `#[invariant]` says is conserved | of the size of its terms |
-//! | [`shadow()`] | the powers of [`ModifiedHamiltonian`], two by two for a symmetric composition | a lower one |
+//! | [`FlowErrors`], for parts other than `T(p)` and `V(q)` | rounding | of the size of the flow |
+//! | [`Agreement`] with the user's own functions | rounding | larger than rounding |
+//! | [`InvariantDrift`], of functions with `#[invariant]` | Poisson bracket with `H` of rounding | of the size of its terms |
+//! | [`shadow()`] | the powers of [`ModifiedHamiltonian`], even only for a symmetric composition | a lower power |
 //!
-//! [`certify()`] also looks for the order piece by piece along the orbit, wherever the slope of [`observed_order`] was
-//! measured, and at the energy in steps of half the length: a kink that is met later, or a potential that jumps, would
-//! escape the others.
+//! [`certify()`] also measures the order along the orbit, and the energy with half the step. This detects a kink of the
+//! potential later on the orbit, and a potential that jumps.
 //!
-//! Each of them takes a [`Phase`](crate::Phase) as its start, or a [`Start`], which has a time as well.
+//! Each check accepts a [`Phase`](crate::Phase) as its start, or a [`Start`], which contains a time as well.
 //!
-//! [`stability()`] measures how far a step is below the one at which its composition becomes unstable; that is no fault
-//! of a stepper, so a certificate mentions it and is not refused for it.
+//! Further measurements, which do not affect a certificate:
 //!
-//! [`global_error()`] measures how far a run is from the exact motion, and how well that is known: no fault either,
-//! since every step has an error.
+//! - [`stability()`]: the ratio of the step to the stability limit of the composition. A certificate reports it.
+//! - [`global_error()`]: the error of a run with respect to the exact solution, with its uncertainty.
+//! - [`branches()`]: the branches of `H` that an orbit crosses. Deviation vectors may be wrong there.
+//! - [`monodromy()`]: the stability of a periodic orbit. The module [`chaos`](crate::chaos) is for other orbits.
+//! - [`choose()`]: the cheapest composition and step for a required error. [`choose_among()`] compares several splittings of
+//!   one Hamiltonian.
 //!
-//! [`branches()`] tells which branches of H an orbit crosses, where deviation vectors may lose their meaning.
-//!
-//! [`monodromy()`] tells whether a periodic orbit is stable; the module [`chaos`](crate::chaos) is about all others.
-//!
-//! [`choose()`] measures too, but not whether a stepper is right: which of the right ones is the cheapest. [`choose_among()`]
-//! does so for several splittings of one Hamiltonian.
-//!
-//! What is a property of the flows (symplecticity, order, gradient) is measured in `f64` whatever the leaf of the
-//! start; what rounding takes part in (reversibility, energy) is measured in the precision of the start.
+//! Properties of the flows (symplecticity, order, gradient) are measured in `f64`. Properties that involve rounding
+//! (reversibility, energy) are measured in the precision of the start.
 
 mod certificate;
 mod certify;
