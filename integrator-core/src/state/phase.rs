@@ -2,7 +2,7 @@
 
 use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed, precision::Precision};
 
-/// Positions and momenta, in the shape that the Hamiltonian's functions take them.
+/// A point of phase space: positions and momenta, in the shape of the arguments of the Hamiltonian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase<C> {
     /// Positions.
@@ -12,13 +12,16 @@ pub struct Phase<C> {
 }
 
 impl<C: Coords> Phase<C> {
-    /// The point with positions `q` and momenta `p`. Its leaf type decides the precision of a run from it.
+    /// Creates a point from positions `q` and momenta `p`.
+    ///
+    /// The scalar type, `f64` or `f32`, is the precision of a run from this point.
     pub fn new(q: C, p: C) -> Self {
         Self { q, p }
     }
 
-    /// The point in plain `f64`, whatever its leaf type is: what a compensated coordinate carries is added to it, and
-    /// rounded. So generic code reads numbers, by [`Coords::flat`].
+    /// Converts the point to `f64`, for generic code that reads numbers with [`Coords::flat`].
+    ///
+    /// The correction of a compensated coordinate is added to its value and rounded.
     ///
     /// ```
     /// use integrator_core::{Coords, prelude::*};
@@ -42,29 +45,31 @@ impl<C: Coords> Phase<C> {
 }
 
 impl<C: Coords<Leaf = f64>> Phase<C> {
-    /// The point with positions `q` and momenta `p`, from which a run carries the rounding error of every update.
+    /// Creates a point for compensated runs, which carry the rounding error of every update of a coordinate.
     pub fn compensated(q: C, p: C) -> Phase<C::With<Compensated<f64>>> {
         let leaf = |value| Compensated { value, carried: 0.0 };
         Phase { q: q.map(leaf), p: p.map(leaf) }
     }
 
-    /// The point of a grid next to positions `q` and momenta `p`, from which a run can be undone: `n` steps by `h` and
-    /// then `n` by `-h` return the very same bits, for every symmetric composition and a Hamiltonian that does not read
-    /// the time.
+    /// Creates a point on a grid for bitwise reversible runs: the grid point nearest to `q` and `p`.
     ///
-    /// `grid` is the spacing of the values that every coordinate is rounded to after each update, in the unit of the
-    /// coordinate; it has to be a power of two, such as `1.0 / (1_u64 << 40) as f64`. Coordinates have to stay below
-    /// 2^51 times the spacing. [`run`](crate::Hamiltonian::run) refuses another spacing, a start beyond the range, and
-    /// compositions that are not symmetric; a run that leaves the range stops at its last good state.
+    /// `n` steps by `h` and then `n` steps by `-h` return the same bits. This requires a symmetric composition and a
+    /// Hamiltonian that does not depend on time.
+    ///
+    /// `grid` is the spacing to which every coordinate is rounded after each update, in the unit of the coordinate. It is a
+    /// power of two, such as `1.0 / (1_u64 << 40) as f64`. Coordinates have to stay below 2^51 times the spacing.
+    ///
+    /// [`run`](crate::Hamiltonian::run) returns an error for another spacing, a start outside this range, and a composition
+    /// that is not symmetric. A run that leaves the range stops at its last state within it.
     pub fn reversible(q: C, p: C, grid: f64) -> Phase<C::With<Fixed<f64>>> {
         let leaf = |value| Fixed::new(value, grid);
         Phase { q: q.map(leaf), p: p.map(leaf) }
     }
 }
 
-/// What a run with the coordinates `C` starts from: a [`Phase`] of them.
+/// The start of a run with coordinates `C`: a [`Phase`].
 ///
-/// The precision of the run follows from the start alone, so that generic code has to name none:
+/// The precision of the run follows from the start, so that generic code does not name it:
 ///
 /// ```
 /// use integrator_core::{Method, prelude::*};
@@ -91,9 +96,9 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
     note = "a start is a `Phase<{C}>`: `Phase::new(q, p)` with positions and momenta in the shape that the system's functions take"
 )]
 pub trait StartOf<C> {
-    /// The type of one coordinate.
+    /// The scalar type.
     type Leaf: Precision;
-    /// The point.
+    /// Returns the point.
     fn into_phase(self) -> Phase<C>;
 }
 

@@ -97,9 +97,11 @@ impl Goal {
 /// ```
 ///
 /// # Errors
-/// A span, a start or a tolerance that no run can have; an energy that is not conserved because the Hamiltonian reads
-/// the time; edges between pieces in time that no equal steps over the span meet; a motion that cannot be followed to
-/// the tolerance; a tolerance that no composition reaches.
+/// - The span, the start or the tolerance is invalid.
+/// - The goal is an energy error, but the Hamiltonian depends on time.
+/// - The Hamiltonian has pieces in time whose edges equal steps over the span cannot meet.
+/// - The reference solution cannot be computed to the tolerance.
+/// - No composition reaches the tolerance.
 pub fn choose<H: Hamiltonian, K: Precision>(
     system: &H,
     start: impl IntoStart<Shaped<H, K>, Leaf = K>,
@@ -109,18 +111,18 @@ pub fn choose<H: Hamiltonian, K: Precision>(
     rank(&[system], start.into_start(), span, goal)
 }
 
-/// Ranks the compositions of several splittings of one Hamiltonian by the time in which each of them reaches `goal` from
-/// `start` over `span`, fastest first.
+/// Ranks compositions of several splittings of one Hamiltonian by the time that they need to reach `goal`, fastest first.
 ///
-/// Splittings are systems of the same coordinates: a plain `kinetic` and `potential` beside the same bodies by
-/// `coordinates = jacobi(..)`, or beside `split = quadratic + rest`. Force evaluations of different splittings are
-/// different work, so that what counts is the processor's time on this machine: leave out what takes more than sixteen times
-/// that of the best. The true motion, or the energy, is that of the first splitting for all of them.
+/// Splittings are systems with the same coordinates. Examples are `kinetic` and `potential`, the same bodies with
+/// `coordinates = jacobi(..)`, and `split = quadratic + rest`. Force evaluations of different splittings cost different
+/// amounts of work, so that processor time on this machine is compared. Candidates that need more than sixteen times the
+/// time of the best one are left out.
 ///
-/// [`LogarithmicSteps`] and [`PacedSteps`] are splittings as well: the steps of a system in a time of their own, at the same
-/// physical times as the others. Why one of them is not tried stands in [`Ranking::unranked`].
+/// The reference solution, or the energy, is that of the first splitting.
 ///
-/// A splitting with nothing to show is among [`Ranking::unranked`]; that of another Hamiltonian is, with its error.
+/// [`LogarithmicSteps`] and [`PacedSteps`] are splittings as well: they control the step size of a system by a fictitious
+/// time, and are compared at the same physical times. [`Ranking::unranked`] lists the splittings without a result, with
+/// reasons; a system with another Hamiltonian is among them with its error.
 ///
 /// ```
 /// use integrator_core::{check::{Goal, choose_among}, prelude::*};
@@ -159,7 +161,7 @@ pub fn choose<H: Hamiltonian, K: Precision>(
 /// ```
 ///
 /// # Errors
-/// As [`choose`], of any of the splittings; no splitting at all.
+/// Those of [`choose`], for any of the splittings; there is no splitting.
 pub fn choose_among<C: Coords>(
     splittings: &[&dyn Splitting<C>],
     start: impl Into<Start<C>>,

@@ -82,7 +82,7 @@ use alloc::sync::Arc;
 use motion::Implicit;
 use tableau::{GAUSS_4, GAUSS_6, Tableau, one_stage};
 
-/// A method that takes the whole field of H, and no flows of parts.
+/// A method that uses the whole vector field of `H` instead of the flows of parts.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` composes exact flows, and `split = none` leaves H in one piece",
     label = "no method for the whole of H",
@@ -92,11 +92,13 @@ use tableau::{GAUSS_4, GAUSS_6, Tableau, one_stage};
 pub trait TakesWhole: Described + Default {}
 
 implicit! {
-    /// `y + h f(z)` at the middle `z = (y + y')/2` of the step. It is symplectic for every Hamiltonian, separable or not,
-    /// and conserves every quadratic integral, the energy of a harmonic oscillator among them.
+    /// The implicit midpoint rule, `y' = y + h f((y + y')/2)`.
+    ///
+    /// It is symplectic for every Hamiltonian, separable or not, and conserves every quadratic first integral, such as the
+    /// energy of a harmonic oscillator.
     ImplicitMidpoint: order 2, symmetric true, stages one_stage(0.5);
-    /// The method of Gauss with two stages: symplectic for every Hamiltonian, separable or not, like [`ImplicitMidpoint`].
+    /// The Gauss–Legendre method with two stages, symplectic for every Hamiltonian, separable or not.
     GaussLegendre4: order 4, symmetric true, stages GAUSS_4;
-    /// The method of Gauss with three stages.
+    /// The Gauss–Legendre method with three stages, symplectic for every Hamiltonian, separable or not.
     GaussLegendre6: order 6, symmetric true, stages GAUSS_6;
 }

@@ -20,16 +20,19 @@ use crate::{
 };
 use alloc::sync::Arc;
 
-/// The logarithmic Hamiltonian `ln(T + B) - ln(-V)` with `B = -H` at the start, by a composition (Mikkola and Tanikawa
-/// 1999, Celest. Mech. Dyn. Astron. 74, 287; Preto and Tremaine 1999, Astron. J. 118, 2532).
+/// Step-size control by the logarithmic Hamiltonian, `dt = ds/(-V)`.
 ///
-/// Steps are equal in a fictitious time `s` with `dt = ds/(-V)`: short where the attraction is strong. They are symplectic
-/// in the space of `(q, t)` and `(p, B)`, and those of two bodies that attract each other by `1/r` stay on their orbit to the
-/// rounding, whatever the step; errors are in the time alone. It needs `V < 0` all along, which every kick and drift checks; a
-/// constant that is subtracted in `potential` changes no motion.
+/// The composition integrates `ln(T + B) - ln(-V)` with `B = -H` at the start, in equal steps of a fictitious time `s`
+/// (Mikkola and Tanikawa 1999, Celest. Mech. Dyn. Astron. 74, 287; Preto and Tremaine 1999, Astron. J. 118, 2532).
 ///
-/// The composition must be of general class. Those that are made of symmetric steps, such as
-/// [`SofroniouSpaletta8`](crate::SofroniouSpaletta8), keep the orbit of two bodies; others keep their order alone.
+/// - Steps are short where the attraction is strong.
+/// - Steps are symplectic in the space of `(q, t)` and `(p, B)`.
+/// - For two bodies with a `1/r` potential, the state stays on the exact orbit up to rounding, for every step size. Errors
+///   are in the time only. This holds for compositions of symmetric steps, such as
+///   [`SofroniouSpaletta8`](crate::SofroniouSpaletta8); others keep their order only.
+/// - `V < 0` is required on the whole orbit, which every kick and drift checks. Subtract a constant in `potential` if
+///   needed; this does not change the motion.
+/// - The composition must be of general class.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -54,10 +57,10 @@ use alloc::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Logarithmic<X>(pub X);
 
-/// The Hamiltonian `f(T + B) - f(-V)` with `f(x) = x^g` and `B = -H` at the start, by a composition: `dt = ds g (-V)^(g-1)`.
+/// Step-size control by a power of the potential, `dt = ds g (-V)^(g-1)`.
 ///
-/// As [`Logarithmic`], with another pace: the smaller `g`, the more do steps shorten where the attraction is strong. With
-/// `g = 1` they do not.
+/// Like [`Logarithmic`], for the Hamiltonian `f(T + B) - f(-V)` with `f(x) = x^g` and `B = -H` at the start. The smaller
+/// `g`, the shorter steps become where the attraction is strong; with `g = 1` all steps are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<X>(pub f64, pub X);
 
@@ -86,13 +89,15 @@ impl<X: Scheme> Described for Power<X> {
     }
 }
 
-/// Steps in a time of which a pace of your own decides, `dt = ds/Ω(q)` with `Ω` by `fn rate(&self, q: ...) -> f64` beside
-/// `kinetic` and `potential`, by a composition: the larger the pace, the shorter the steps (Mikkola and Aarseth 2002, Celest.
-/// Mech. Dyn. Astron. 84, 343).
+/// Step-size control by a function of your own, `dt = ds/Ω(q)`.
 ///
-/// A variable `W` follows the pace along the motion, so that both flows stay exact, and every composition of general class keeps
-/// its order. Steps are reversible in the space with `W`, and **not symplectic**: [`Logarithmic`] is, where `V < 0`. Where `T` is
-/// not quadratic in the momenta, what a kick adds to `W` is an integral by Gauss's rule, whose error is of order 10.
+/// The function `fn rate(&self, q: ...) -> f64` next to `kinetic` and `potential` is `Ω`: the larger it is, the shorter the
+/// steps (Mikkola and Aarseth 2002, Celest. Mech. Dyn. Astron. 84, 343).
+///
+/// An auxiliary variable `W` follows `Ω` along the orbit, so that both flows are exact and every composition of general
+/// class keeps its order. Steps are reversible in the space extended by `W`, but **not symplectic**. [`Logarithmic`] is
+/// symplectic, but requires `V < 0`. If `T` is not quadratic in the momenta, the change of `W` in a kick is an integral by
+/// Gauss quadrature with an error of order 10.
 ///
 /// ```
 /// use integrator_core::prelude::*;

@@ -44,12 +44,13 @@ const LOWEST_BY_WORK: f64 = 8.0;
 const DOWN: f64 = 0.25;
 
 impl Taylor {
-    /// Steps whose last coefficients add at most the fraction `tolerance` of the size of a coordinate, with the order
-    /// that takes about the least work to the error that is left: eight more than the tolerance has digits, made even, and at
-    /// most 28. For 1e-10 that is 18.
+    /// Creates a method with a relative tolerance and the order that needs about the least work for it.
     ///
-    /// Below the rounding, 1e-16, steps become shorter and no more accurate; tolerances of 1e-18 and less leave
-    /// nothing but rounding.
+    /// The last coefficients of a step contribute at most the fraction `tolerance` of the size of a coordinate. The order is
+    /// the number of digits of the tolerance plus eight, made even, and at most 28; for 1e-10 it is 18.
+    ///
+    /// Below rounding, 1e-16, smaller tolerances shorten steps without improving their accuracy. At 1e-18 and below, only
+    /// rounding errors remain.
     #[must_use]
     pub fn tolerance(tolerance: f64) -> Self {
         let digits = -LOG10_2 * Logarithm::of(tolerance).value();
@@ -57,7 +58,7 @@ impl Taylor {
         Self { tolerance, order: 2 * ((LOWEST_BY_WORK + digits) / 2.0 + DOWN) as usize }.with_order_within()
     }
 
-    /// The same with another order, from 4 to 28. Higher ones allow longer steps, which cost more.
+    /// Sets the order, from 4 to 28. Higher orders allow longer steps, which cost more.
     #[must_use]
     pub fn with_order(self, order: usize) -> Self {
         Self { order, ..self }.with_order_within()
@@ -67,7 +68,7 @@ impl Taylor {
         Self { order: self.order.clamp(ORDERS[0], ORDERS[1]), ..self }
     }
 
-    /// The order.
+    /// Returns the order.
     #[inline(always)]
     pub fn order(self) -> usize {
         // The bounds are known to hold; said here, they spare tables the question.

@@ -157,12 +157,13 @@ pub fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
 }
 
 impl<C: Coords> Run<C> {
-    /// Everything that this run is, as bytes from which [`Run::resume`] goes on as if nothing had happened: bit for bit
-    /// the same on one instruction set.
+    /// Returns this run as bytes, from which [`Run::resume`] continues.
     ///
-    /// The parameters of the system are not in it: a run is resumed with the system that it began with. A run by a method
-    /// with a memory, such as [`Taylor`](crate::taylor::Taylor), is written all the same, but there is nothing to resume it
-    /// with. After [`Run::advance_to`], the run is that at the end of the last whole step.
+    /// A resumed run is bitwise identical on the same instruction set.
+    ///
+    /// - The parameters of the system are not saved; a run is resumed with its original system.
+    /// - A run by [`Taylor`](crate::taylor::Taylor), or another method with memory, can be saved but not resumed.
+    /// - After [`Run::advance_to`], the end of the last whole step is saved.
     pub fn checkpoint(&self) -> Vec<u8> {
         let Phase { q, p } = self.unfinished();
         let record = self.origin.record::<C::Leaf>(self.clock, self.opened);
@@ -172,9 +173,10 @@ impl<C: Coords> Run<C> {
         Stored::new(record, over, own).to_bytes()
     }
 
-    /// Writes [`Run::checkpoint`] to a file. Whenever the program is killed, the file is whole: it holds the previous
-    /// checkpoint or this one. The bytes go to a file beside it first, with `.partial` at the end of its name, and are on
-    /// the disk before that file takes the other's place.
+    /// Writes [`Run::checkpoint`] to a file, atomically.
+    ///
+    /// If the program is killed at any time, the file contains either the previous checkpoint or this one. The bytes are
+    /// first written to disk in a file with the suffix `.partial`, which then replaces the file.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -201,20 +203,23 @@ impl<C: Coords> Run<C> {
     /// ```
     ///
     /// # Errors
-    /// [`CheckpointError::File`] if a file cannot be written; the previous checkpoint is still there then.
+    /// [`CheckpointError::File`] if a file cannot be written. The previous checkpoint is kept.
     #[cfg(feature = "std")]
     pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), CheckpointError> {
         Ok(write_whole(path.as_ref(), &self.checkpoint())?)
     }
 
-    /// The run that a checkpoint was made of, with the annotated composition of its system.
+    /// Resumes a run from a checkpoint, with the annotated composition of its system.
     ///
     /// # Errors
-    /// Bytes that are no checkpoint, damaged, or of another format; a checkpoint of another system (by the name of its type,
-    /// the formulas of its energies and the values of its parameters), composition or precision; a state from which no run
-    /// can go on. Parameters are compared by their bits, those included that only a `#[flow]`, a method with a stated derivative,
-    /// or a method of the impl that these call reads; where such a method reads a field that is neither made of numbers nor
-    /// `Hash`, the impl needs `fn fingerprint(&self) -> u64`, which is compared then.
+    /// - The bytes are not a checkpoint, are damaged, or have another format version.
+    /// - The checkpoint is of another composition, another precision, or another system. Systems are compared by the names
+    ///   of their types, the formulas of their energies and the values of their parameters.
+    /// - The run cannot continue from the stored state.
+    ///
+    /// Parameters are compared bitwise. This includes parameters that only a `#[flow]` function, a function with a stated
+    /// derivative, or a method that these call reads. If such a function reads a field that neither consists of numbers nor
+    /// implements `Hash`, the impl needs `fn fingerprint(&self) -> u64`, which is compared instead.
     pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
@@ -223,10 +228,10 @@ impl<C: Coords> Run<C> {
         Self::resume_with(system, H::Compose::default(), checkpoint)
     }
 
-    /// The run that a checkpoint was made of, with the composition or the other method that it was begun with.
+    /// Resumes a run from a checkpoint, with the composition or other method of the original run.
     ///
     /// # Errors
-    /// As [`Run::resume`]; a checkpoint by a [`Power`](crate::Power) of another exponent.
+    /// Those of [`Run::resume`]; a checkpoint by [`Power`](crate::Power) with another exponent.
     pub fn resume_with<H, X>(system: &H, composition: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
@@ -236,12 +241,13 @@ impl<C: Coords> Run<C> {
         Self::resumed(system, composition, checkpoint, false)
     }
 
-    /// The run that a checkpoint was made of, with the annotated composition of its system, whatever the parameters and the
-    /// formulas of the system are now: it goes on with those from the stored state. This one is in the middle of a step, so that
-    /// where they differ the step under way is taken with both.
+    /// Resumes a run from a checkpoint with changed parameters or formulas, and the annotated composition of its system.
+    ///
+    /// The run continues from the stored state, which is in the middle of a step. The current step is therefore taken partly
+    /// with the old and partly with the new parameters.
     ///
     /// # Errors
-    /// As [`Run::resume`], but for the parameters and the formulas.
+    /// Those of [`Run::resume`], except for differences of parameters and formulas.
     pub fn resume_with_changed_parameters<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,
@@ -250,12 +256,13 @@ impl<C: Coords> Run<C> {
         Self::resume_with_changed_parameters_with(system, H::Compose::default(), checkpoint)
     }
 
-    /// The same with the composition that the run was begun with. Where a time of its own follows the energy, as by
-    /// [`Logarithmic`](crate::Logarithmic), the step under way is completed and a new run goes on from its end, since another
-    /// system has another energy.
+    /// Resumes a run from a checkpoint with changed parameters or formulas, and the method of the original run.
+    ///
+    /// If the fictitious time depends on the energy, as for [`Logarithmic`](crate::Logarithmic), the current step is completed
+    /// and a new run starts from its end, because a changed system has another energy.
     ///
     /// # Errors
-    /// As [`Run::resume_with_changed_parameters`].
+    /// Those of [`Run::resume_with_changed_parameters`].
     pub fn resume_with_changed_parameters_with<H, X>(
         system: &H,
         composition: X,
