@@ -66,7 +66,7 @@ pub enum Error {
         constants: Vec<NotFinite>,
     },
     /// Fewer masses than bodies, whose coordinates are made with them.
-    #[error("there are {bodies} bodies, but {masses} masses to make their Jacobi coordinates with")]
+    #[error("Jacobi coordinates of {bodies} bodies require as many masses, and there are {masses}")]
     FewMasses {
         /// How many masses.
         masses: usize,
@@ -139,7 +139,7 @@ pub enum Error {
         composition: &'static str,
     },
     /// Positions and momenta of a start whose size is known at run time differ in number.
-    #[error("the start has {positions} positions but {momenta} momenta: every position needs its momentum")]
+    #[error("the start has {positions} positions but {momenta} momenta")]
     Length {
         /// How many positions.
         positions: usize,
@@ -147,15 +147,15 @@ pub enum Error {
         momenta: usize,
     },
     /// The time of a start, or one to go to, is not finite.
-    #[error("the time {time} is not finite, and no run starts or arrives there", time = Number(*time))]
+    #[error("the time {time} is not finite", time = Number(*time))]
     Time {
         /// The time that was asked for.
         time: f64,
     },
     /// The step is too short for the clock: it adds nothing to the time that it begins or ends at.
     #[error(
-        "the clock would stand still: t + h is t again at t = {time} for the step h = {h}. Start the clock nearer to 0, \
-         or take another unit of time", h = Number(*h), time = Number(*time))]
+        "the step h = {h} is too short at t = {time}, where t + h rounds to t: start the clock nearer to 0, or choose \
+         another unit of time", h = Number(*h), time = Number(*time))]
     Clock {
         /// The step.
         h: f64,
@@ -171,9 +171,7 @@ pub enum Error {
         known: &'static [&'static str],
     },
     /// Samples every 0 steps, or after no time.
-    #[error(
-        "an interval of 0 between samples would stay at one point for ever: ask for one every 1 or more steps, or after a time"
-    )]
+    #[error("the interval between samples is 0: choose at least one step, or a time above zero")]
     SampleInterval,
     /// Samples after intervals of time that no run with these steps can take.
     #[error("samples after every {} of time: {}", Number(*interval), interval_for(*interval, *h))]
@@ -184,7 +182,7 @@ pub enum Error {
         h: f64,
     },
     /// The function whose zeros are looked for has no value at a state of the run.
-    #[error("the function whose zeros are looked for is {value} at t = {time}: it has to be finite along the run", time = Number(*time), value = Number(*value))]
+    #[error("the function whose zeros are sought is {value} at t = {time}: it has to be finite along the run", time = Number(*time), value = Number(*value))]
     Crossing {
         /// The time of that state.
         time: f64,
@@ -227,10 +225,10 @@ pub enum Error {
         bound: f64,
     },
     /// A watch on an energy that is not conserved.
-    #[error("H reads the time, so that the energy is not conserved and no bound holds it")]
+    #[error("the energy cannot be watched, since H depends on time")]
     NotConserved,
     /// A state that was changed between two steps has another number of coordinates than before.
-    #[error("the state had {before} positions, and has {after} now: a run keeps its coordinates")]
+    #[error("the number of positions changed from {before} to {after}: a run keeps its coordinates")]
     Resized {
         /// How many positions there were.
         before: usize,
@@ -267,7 +265,7 @@ pub enum Error {
         exponent: f64,
     },
     /// A run cannot go back to a time before its last step.
-    #[error("the run is at t = {present} and steps away from t = {time}: take steps of `-h` from there", time = Number(*time), present = Number(*present))]
+    #[error("the run is at t = {present} and its steps lead away from t = {time}: integrate with steps of `-h`", time = Number(*time), present = Number(*present))]
     Passed {
         /// The time that was asked for.
         time: f64,
@@ -316,7 +314,7 @@ pub enum Error {
         fault: VectorFault,
     },
     /// An ensemble without members.
-    #[error("an ensemble needs one member at least")]
+    #[error("an ensemble requires at least one member")]
     NoMembers,
     /// A member of an ensemble is refused.
     #[error("member {member}: {error}")]
@@ -392,12 +390,12 @@ pub enum VectorFault {
     #[error("is not finite")]
     NotFinite,
     /// It is zero.
-    #[error("is zero: it has no direction")]
+    #[error("is zero and has no direction")]
     Zero,
     /// It left the finite numbers, though the state did not.
     #[error(
-        "leaves the finite numbers in step {step} (to t = {time}): H has no second derivative there, or the vector grew too \
-         fast for its precision. The last step is kept", time = Number(*time))]
+        "becomes infinite or NaN in step {step} (to t = {time}): H has no second derivative there, or the vector grew \
+         too fast for its precision; the last step is kept", time = Number(*time))]
     Lost {
         /// The step that was not taken.
         step: u64,

@@ -228,7 +228,7 @@ pub trait Hamiltonian: Sized {
 #[diagnostic::on_unimplemented(
     message = "H of `{Self}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M",
     label = "this composition needs H = ½ pᵀ M⁻¹ p + V(q)",
-    note = "its order conditions were shortened for such an H; on another one it would lose its order",
+    note = "its order conditions hold only for such an H",
     note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every splitting"
 )]
 pub trait QuadraticKinetic: Hamiltonian {

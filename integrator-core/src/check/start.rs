@@ -46,9 +46,9 @@ impl<C: Coords> Phase<C> {
 /// What a check takes for a start with the coordinates `C`: a [`Phase`] at time 0 or a [`Start`], by value or by reference.
 /// The precision of the measured motion follows from it.
 #[diagnostic::on_unimplemented(
-    message = "the coordinates of this system are `{C}`, and this start is a `{Self}`",
-    label = "not a start of this system",
-    note = "a start is a `Phase<{C}>`, or one at a time: `Phase::new(q, p).at_time(t)`"
+    message = "this system has the coordinates `{C}`, and this initial state is a `{Self}`",
+    label = "not an initial state of this system",
+    note = "write a `Phase<{C}>`, or one with a time, `Phase::new(q, p).at_time(t)`"
 )]
 pub trait IntoStart<C> {
     /// The type of one coordinate.

@@ -208,10 +208,10 @@ pub const fn admits_pairs<X: Scheme>() {
 
 /// A composition that may integrate `H`. Written by `composition!`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a composition that may integrate `{H}`",
+    message = "the composition `{Self}` cannot integrate `{H}`",
     label = "not a composition for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
-    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+    note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition"
 )]
 pub trait Composition<H: Hamiltonian>: Scheme {
     /// The kick of one stage.

@@ -34,9 +34,10 @@ const CHUNK: usize = 256;
 /// `Vec<K>`, `Vec<[K; D]>` or `Vec<[[K; L]; M]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
 /// [`Fixed<f64>`](crate::Fixed).
 #[diagnostic::on_unimplemented(
-    message = "positions and momenta are arrays or vectors, and not `{Self}`",
+    message = "positions and momenta have to be arrays or vectors, and these are `{Self}`",
     label = "neither an array nor a `Vec` of numbers or points",
-    note = "write `[1.0]` where you wrote `1.0` for a single coordinate, `[[x, y], [x, y]]` for points, and `vec![...]` where their number is known at run time"
+    note = "write `[1.0]` in place of `1.0` for a single coordinate, `[[x, y], [x, y]]` for points, and `vec![...]` \
+            if their number is known at run time"
 )]
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The type of one coordinate.

@@ -91,9 +91,10 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
 /// # Ok::<(), Error>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "the coordinates of this system are `{C}`, and this start is a `{Self}`",
-    label = "not a start of this system",
-    note = "a start is a `Phase<{C}>`: `Phase::new(q, p)` with positions and momenta in the shape that the system's functions take"
+    message = "this system has the coordinates `{C}`, and this initial state is a `{Self}`",
+    label = "not an initial state of this system",
+    note = "write a `Phase<{C}>`, `Phase::new(q, p)`, with positions and momenta in the shape of the arguments of the \
+            system's functions"
 )]
 pub trait StartOf<C> {
     /// The scalar type.

@@ -102,9 +102,9 @@ impl<R: Real> Slot<R> for R {
 /// The leaf type of a state: `f64`, `f32`, [`Compensated`](crate::Compensated) or [`Fixed`](crate::Fixed). It decides the precision of a
 /// run.
 #[diagnostic::on_unimplemented(
-    message = "coordinates are numbers of the type `f64` or `f32`, and not `{Self}`",
+    message = "coordinates have to be of type `f64` or `f32`, and these are `{Self}`",
     label = "not in `f64` or `f32`",
-    note = "write `1.0` where you wrote `1`"
+    note = "write `1.0` in place of `1`"
 )]
 pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static {
     /// The scalar of flows on every machine.

@@ -5,9 +5,9 @@ use alloc::vec::Vec;
 
 /// A Hamiltonian whose flows are also text for devices. Written by `#[hamiltonian(gpu)]`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no text for devices",
-    label = "its flows were written for processors alone",
-    note = "ask for it at the annotation: `#[hamiltonian(gpu)]`"
+    message = "`{Self}` has no device code",
+    label = "generated without `gpu`",
+    note = "write `#[hamiltonian(gpu)]` to generate it"
 )]
 pub trait DeviceText: Hamiltonian {
     /// The struct `System`: the shape of the state, its prepared constants, and its flows.

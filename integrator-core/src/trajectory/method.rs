@@ -105,13 +105,14 @@ impl<X: Scheme> Described for X {
 /// These are the compositions that support `H`, implicit methods, methods with step-size control, the methods of the
 /// module `reference`, and [`Taylor`](crate::taylor::Taylor) for a system with `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a method that may integrate `{H}`",
-    label = "neither a composition nor another method for this Hamiltonian",
+    message = "`{Self}` cannot integrate `{H}`",
+    label = "neither a composition nor a method for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
-    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`",
-    note = "`Taylor` needs recurrences, which are only written where they are asked for: `#[hamiltonian(taylor)]`",
-    note = "`Paced` and `Logarithmic` need H = T(p) + V(q) that does not read the time, and `Paced` a `fn rate(&self, q: ...) -> f64` beside it",
-    note = "`Stoermer4` and `StoermerCowell4` need a T that is quadratic in p, with a constant mass"
+    note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition",
+    note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
+    note = "`Paced` and `Logarithmic` require H = T(p) + V(q) without explicit time; `Paced` also requires `fn \
+            rate(&self, q: ...) -> f64`",
+    note = "`Stoermer4` and `StoermerCowell4` require a T that is quadratic in p with constant masses"
 )]
 pub trait Method<H: Hamiltonian>: Described {
     /// Whether steps are compiled for several instruction sets, of which a run uses the best available.
@@ -164,10 +165,10 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
 
 /// A method whose runs can be resumed from a checkpoint: compositions, implicit methods, and those with a fictitious time.
 #[diagnostic::on_unimplemented(
-    message = "no run by `{Self}` goes on from a checkpoint",
-    label = "neither a composition for this Hamiltonian, nor another method whose checkpoints hold all of a run",
-    note = "compositions, `ImplicitMidpoint` and the methods of Gauss, `Logarithmic`, `Power` and `Paced` do",
-    note = "steps with a memory, such as those of `Taylor`, begin anew from `state()`"
+    message = "a run with `{Self}` cannot be resumed from a checkpoint",
+    label = "neither a composition for this Hamiltonian nor a method with checkpoints",
+    note = "compositions, `ImplicitMidpoint`, Gauss methods, `Logarithmic`, `Power` and `Paced` support checkpoints",
+    note = "a method with memory, such as `Taylor`, restarts from `state()`"
 )]
 pub trait Resumable<H: Hamiltonian>: Method<H> {}
 
@@ -177,9 +178,10 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
 ///
 /// These are compositions, implicit methods, methods with a fictitious time, and [`Taylor`](crate::taylor::Taylor).
 #[diagnostic::on_unimplemented(
-    message = "steps of `{H}` by `{Self}` have no derivatives here",
-    label = "neither a composition for this Hamiltonian, nor another method that carries deviation vectors",
-    note = "compositions, `ImplicitMidpoint` and the methods of Gauss, `Logarithmic`, `Power`, `Paced` and `Taylor` do"
+    message = "`{Self}` has no tangent map for `{H}`",
+    label = "neither a composition for this Hamiltonian nor a method with deviation vectors",
+    note = "compositions, `ImplicitMidpoint`, Gauss methods, `Logarithmic`, `Power`, `Paced` and `Taylor` integrate \
+            deviation vectors"
 )]
 pub trait Differentiable<H: Hamiltonian>: Method<H> {
     /// Whether a run depends on its state and vectors only, so that vectors can be rescaled by powers of two.
@@ -194,10 +196,10 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Differentiable<H> for X {
 ///
 /// `compose = ...` of `#[hamiltonian]` accepts these methods.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a composition that may integrate `{H}`",
+    message = "the composition `{Self}` cannot integrate `{H}`",
     label = "not a composition for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
-    note = "a new one is declared with `composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}`"
+    note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition"
 )]
 pub trait Memoryless<H: Hamiltonian>: Resumable<H> + Differentiable<H> + Default {}
 

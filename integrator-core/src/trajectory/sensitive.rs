@@ -20,9 +20,9 @@ use core::ops::Range;
 ///
 /// `#[hamiltonian(sensitive(name, ...))]` implements this trait for the parameters that it names.
 #[diagnostic::on_unimplemented(
-    message = "no parameter of `{Self}` is named that derivatives are taken by",
-    label = "the annotation names no parameters",
-    note = "name fields of `{Self}` that are numbers: `#[hamiltonian(sensitive(mass, length))]`"
+    message = "`{Self}` has no parameters with derivatives",
+    label = "the annotation has no `sensitive`",
+    note = "name fields of `{Self}` that are numbers, as in `#[hamiltonian(sensitive(mass, length))]`"
 )]
 pub trait Sensitive: Hamiltonian {
     /// The names of the parameters, in the order of the annotation.

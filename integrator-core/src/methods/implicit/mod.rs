@@ -85,9 +85,9 @@ use tableau::{GAUSS_4, GAUSS_6, Tableau, one_stage};
 /// A method that uses the whole vector field of `H` instead of the flows of parts.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` composes exact flows, and `split = none` leaves H in one piece",
-    label = "no method for the whole of H",
-    note = "`ImplicitMidpoint`, `GaussLegendre4` and `GaussLegendre6` take H as it is; compositions take the parts that \
-            `split = a + b` or `split = symmetric(omega = 20.0)` names"
+    label = "not a method for H in one piece",
+    note = "`ImplicitMidpoint`, `GaussLegendre4` and `GaussLegendre6` integrate H in one piece; compositions require \
+            `split = a + b` or `split = symmetric(omega = 20.0)`"
 )]
 pub trait TakesWhole: Described + Default {}
 

@@ -34,10 +34,10 @@ pub const NODES: [[f64; 2]; 5] = [
 
 /// A Hamiltonian `T(p) + V(q)` with flows whose durations are numbers of each lane. Written by `#[hamiltonian]`.
 #[diagnostic::on_unimplemented(
-    message = "no time transformation is known for `{Self}`",
-    label = "its steps cannot follow a time of their own",
-    note = "`Logarithmic`, `Power` and `Paced` are for `kinetic` and `potential` without explicit time, in the coordinates \
-            of the functions themselves"
+    message = "`{Self}` does not support time transformation",
+    label = "cannot be integrated in a fictitious time",
+    note = "`Logarithmic`, `Power` and `Paced` require `kinetic` and `potential` without explicit time, and without \
+            Jacobi coordinates"
 )]
 pub trait TimeTransformed: Hamiltonian {
     /// Whether `V` has the same sign everywhere.
@@ -56,10 +56,10 @@ pub trait TimeTransformed: Hamiltonian {
 
 /// A Hamiltonian `T(p) + V(q)` with a pace of the user's own. Written by `#[hamiltonian]`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no pace",
-    label = "`Paced` does not know how fast time may pass",
-    note = "add `fn rate(&self, q: ...) -> f64` beside `kinetic` and `potential`: larger where steps have to be shorter",
-    note = "`Logarithmic` and `Power` need no `rate`"
+    message = "`{Self}` has no `rate` for `Paced`",
+    label = "`fn rate` is missing",
+    note = "add `fn rate(&self, q: ...) -> f64` next to `kinetic` and `potential`; a larger value shortens the steps",
+    note = "`Logarithmic` and `Power` do not require `rate`"
 )]
 pub trait Rated: TimeTransformed {
     /// The pace.

@@ -5,9 +5,9 @@ use crate::{hamiltonian::Hamiltonian, scalar::real::Real};
 
 /// A Hamiltonian with recurrences for the Taylor coefficients of its motion. Written by `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
-    message = "no recurrences were written for `{Self}`",
-    label = "has no Taylor series",
-    note = "they are only written where they are asked for: `#[hamiltonian(taylor)]`"
+    message = "`{Self}` has no Taylor recurrences",
+    label = "generated without `taylor`",
+    note = "write `#[hamiltonian(taylor)]` to generate them"
 )]
 pub trait Recurrences: Hamiltonian {
     /// The coefficients that recurrences read.
