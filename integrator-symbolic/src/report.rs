@@ -82,7 +82,7 @@ impl fmt::Display for Report {
         write!(f, "drift: {}\nkick: {}\n", self.drift, self.kick)?;
         writeln!(
             f,
-            "operations of a drift and a kick: {} as derived, {} with what is shared computed once",
+            "operations of a drift and a kick: {}, or {} after common subexpression elimination",
             self.operations_written, self.operations_shared
         )?;
         write!(

@@ -9,11 +9,11 @@ fn a_pendulum_is_two_equations() {
     dq[0]/dt = p[0] / (mass length^2)
     dp[0]/dt = -mass gravity length sin(q[0])
     H: separable; T: quadratic in p, constant masses; time: not read
-    drift: as the formulas stand
+    drift: plain code
       once: 1 multiplication, 1 coordinate moved
-    kick: as the formulas stand
+    kick: plain code
       once: 1 multiplication, 1 sin, 1 coordinate moved
-    operations of a drift and a kick: 3 as derived, 3 with what is shared computed once
+    operations of a drift and a kick: 3, or 3 after common subexpression elimination
     operations of the energies: 4, of energies and derivatives together: 7
     composition: Yoshida4, order 4, symmetric, 3 forces per step, stable for h ω < 1.573
     admissible: all of the catalogue, 82 compositions
@@ -85,7 +85,7 @@ fn forms_loops_and_compositions() {
         (chain, "Chain, "),
         (
             chain,
-            "kick: neighbour sums along a line of sites, in vectors\n      per iteration of i in 0..n - 1: 1 addition,",
+            "kick: neighbour sums along a line of sites, in SIMD lanes\n      per iteration of i in 0..n - 1: 1 addition,",
         ),
         (chain, "composition: Verlet, order 2, symmetric, 1 force per step"),
         (

@@ -24,7 +24,7 @@ fn a_pendulum_is_two_equations_and_few_operations() {
     assert!(report.quadratic_kinetic && report.autonomous);
     // A product in the drift; a sine and a product in the kick.
     assert_eq!((report.operations_written, report.operations_shared), (3, 3));
-    assert!(report.to_string().contains("3 with what is shared computed once"));
+    assert!(report.to_string().contains("or 3 after common subexpression elimination"));
 }
 
 #[test]

@@ -54,18 +54,18 @@ impl Form {
 impl fmt::Display for Form {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = match self {
-            Self::Plain => "as the formulas stand",
-            Self::Lists => "terms of lists side by side, in vectors; all else as the formulas stand",
-            Self::Line => "neighbour sums along a line of sites, in vectors",
-            Self::Plane => "neighbour sums along the rows of a plane, in vectors",
-            Self::Volume => "neighbour sums along the rows of planes, one behind the other, in vectors",
+            Self::Plain => "plain code",
+            Self::Lists => "terms of lists in SIMD lanes, the rest plain code",
+            Self::Line => "neighbour sums along a line of sites, in SIMD lanes",
+            Self::Plane => "neighbour sums along the rows of a plane, in SIMD lanes",
+            Self::Volume => "neighbour sums along the rows of stacked planes, in SIMD lanes",
             Self::Row => "pair sums by rotations of one row of bodies",
             Self::Tiles => "pair sums in tiles of eight bodies by eight",
             Self::Neighbours | Self::NeighboursInBox => {
                 let in_box = if matches!(self, Self::NeighboursInBox) { ", in a periodic box" } else { "" };
                 return write!(
                     formatter,
-                    "{}; from {LISTED_FROM} bodies on over lists of neighbours within the cutoff{in_box}",
+                    "{}; from {LISTED_FROM} bodies on, sums over neighbour lists within the cutoff{in_box}",
                     Self::Tiles
                 );
             }
