@@ -39,14 +39,14 @@ impl core::fmt::Display for Number {
 
 debug_as_display!(Error, VectorFault, Unsolved, NotFinite, Misread, Divergence, Lost);
 
-/// Why a run could not start or go on. Displays what is wrong, where, and what to do.
+/// The reason why a run could not start or continue. `Display` prints what is wrong, where, and what to do.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The step is zero or not finite.
     #[error("the step h is {h}: it has to be finite and not zero (negative steps run backwards)", h = Number(*h))]
     Step {
-        /// The step that was asked for.
+        /// The requested step.
         h: f64,
     },
     /// A coordinate of the start is not finite.
@@ -54,9 +54,9 @@ pub enum Error {
     Start {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Which one, counted over the flattened coordinates.
+        /// Its index in the flattened coordinates.
         index: usize,
-        /// What it is.
+        /// Its value.
         value: f64,
     },
     /// A force or a velocity at the start is not finite, and nor are numbers that are made of the parameters.
@@ -65,42 +65,44 @@ pub enum Error {
         /// The numbers, of a table the first one.
         constants: Vec<NotFinite>,
     },
-    /// Fewer masses than bodies, whose coordinates are made with them.
+    /// There are fewer masses than bodies, so that Jacobi coordinates cannot be computed.
     #[error("Jacobi coordinates of {bodies} bodies require as many masses, and there are {masses}")]
     FewMasses {
-        /// How many masses.
+        /// The number of masses.
         masses: usize,
-        /// How many bodies.
+        /// The number of bodies.
         bodies: usize,
     },
-    /// A mass with which no Jacobi coordinates are made.
+    /// A mass is unusable for Jacobi coordinates.
     #[error("the mass of body {body} is {mass}: {reason}", mass = Number(*mass))]
     Mass {
-        /// Which body, counted from 0.
+        /// The index of the body, from 0.
         body: usize,
         /// Its mass.
         mass: f64,
         /// What is wrong with it.
         reason: &'static str,
     },
-    /// The kinetic or the potential energy of the start, or that of a part of H with a name, is not finite, as at a
-    /// pole or where a logarithm or a root has no value.
+    /// The kinetic or potential energy of the start, or that of a named part, is not finite.
+    ///
+    /// Examples are a pole, and a logarithm or a root of a negative number.
     #[error(
         "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
          parameters", value = Number(*value), time = Number(*time))]
     Energy {
         /// `kinetic` or `potential`; where parts of H have names, that of the first one, or of the other one.
         function: &'static str,
-        /// What it is.
+        /// Its value.
         value: f64,
         /// The time at the start.
         time: f64,
     },
-    /// The generated code is not what the user's function says. Told by builds with debug assertions, at the start of a
-    /// run of at most 4096 coordinates.
+    /// The generated code disagrees with the user's function.
+    ///
+    /// Builds with debug assertions check this at the start of runs of at most 4096 coordinates.
     #[error(transparent)]
     Misread(#[from] Misread),
-    /// The spacing of a reversible start's grid is no power of two.
+    /// The grid spacing of a reversible start is not a power of two.
     #[error(
         "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \
          1.0 / (1_u64 << 40) as f64"
@@ -108,21 +110,21 @@ pub enum Error {
     Grid {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Which one, counted over the flattened coordinates.
+        /// Its index in the flattened coordinates.
         index: usize,
-        /// The spacing that was asked for.
+        /// The requested spacing.
         spacing: f64,
     },
-    /// A coordinate of a reversible start is beyond the range of its grid.
+    /// A coordinate of a reversible start is outside the range of its grid.
     #[error(
         "{coordinate}[{index}] is {value}, but a grid with the spacing {spacing} reaches to ±{limit} only: choose a \
          coarser grid or smaller units", value = Number(*value), spacing = Number(*spacing), limit = Number(*limit))]
     GridRange {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Which one, counted over the flattened coordinates.
+        /// Its index in the flattened coordinates.
         index: usize,
-        /// What it is.
+        /// Its value.
         value: f64,
         /// The spacing of the grid.
         spacing: f64,
@@ -141,55 +143,55 @@ pub enum Error {
     /// Positions and momenta of a start whose size is known at run time differ in number.
     #[error("the start has {positions} positions but {momenta} momenta")]
     Length {
-        /// How many positions.
+        /// The number of positions.
         positions: usize,
-        /// How many momenta.
+        /// The number of momenta.
         momenta: usize,
     },
     /// The time of a start, or one to go to, is not finite.
     #[error("the time {time} is not finite", time = Number(*time))]
     Time {
-        /// The time that was asked for.
+        /// The requested time.
         time: f64,
     },
-    /// The step is too short for the clock: it adds nothing to the time that it begins or ends at.
+    /// The step is so short that adding it does not change the time.
     #[error(
         "the step h = {h} is too short at t = {time}, where t + h rounds to t: start the clock nearer to 0, or choose \
          another unit of time", h = Number(*h), time = Number(*time))]
     Clock {
         /// The step.
         h: f64,
-        /// The time at which it adds nothing.
+        /// The time that it does not change.
         time: f64,
     },
     /// The system has no `#[invariant]` of this name.
     #[error("the system has no invariant `{name}`: {}", those_known(known))]
     NoInvariant {
-        /// The name that was asked for.
+        /// The requested name.
         name: String,
-        /// Those that there are.
+        /// The names of all invariants.
         known: &'static [&'static str],
     },
-    /// Samples every 0 steps, or after no time.
+    /// The sampling interval is zero.
     #[error("the interval between samples is 0: choose at least one step, or a time above zero")]
     SampleInterval,
-    /// Samples after intervals of time that no run with these steps can take.
+    /// The sampling interval is not finite, or has another sign than the step.
     #[error("samples after every {} of time: {}", Number(*interval), interval_for(*interval, *h))]
     Interval {
-        /// The interval that was asked for.
+        /// The requested interval.
         interval: f64,
         /// The step of the run.
         h: f64,
     },
-    /// The function whose zeros are looked for has no value at a state of the run.
+    /// The function of a crossing is not finite at a state of the run.
     #[error("the function whose zeros are sought is {value} at t = {time}: it has to be finite along the run", time = Number(*time), value = Number(*value))]
     Crossing {
         /// The time of that state.
         time: f64,
-        /// What the function is there.
+        /// The value of the function.
         value: f64,
     },
-    /// The energy of a run left the bound of its watch.
+    /// The energy error of a run exceeds the bound of its watch.
     #[error(
         "the energy after step {step} (t = {time}) is {energy}, and was {before} when the watch began: it strays by more \
          than {bound} of the sizes of its parts, |T| + |V|. The run stays one step before; a smaller step helps", time = Number(*time), energy = Number(*energy), before = Number(*before), bound = Number(*bound))]
@@ -216,37 +218,37 @@ pub enum Error {
         /// The energy there.
         energy: f64,
     },
-    /// The bound of a watch is not above zero.
+    /// The bound of a watch is not positive.
     #[error(
         "the energy is to stay within {bound} of the sizes of its parts, |T| + |V|: the bound has to be above zero, for \
          example 1e-3", bound = Number(*bound))]
     WatchBound {
-        /// The bound that was asked for.
+        /// The requested bound.
         bound: f64,
     },
-    /// A watch on an energy that is not conserved.
+    /// The energy cannot be watched, because it is not conserved.
     #[error("the energy cannot be watched, since H depends on time")]
     NotConserved,
     /// A state that was changed between two steps has another number of coordinates than before.
     #[error("the number of positions changed from {before} to {after}: a run keeps its coordinates")]
     Resized {
-        /// How many positions there were.
+        /// The number of positions before the change.
         before: usize,
-        /// How many there would be.
+        /// The number of positions after the change.
         after: usize,
     },
     /// The number of steps exceeds `u64::MAX`.
     #[error("{done} steps are done and {asked} more exceed the largest step count, {}", u64::MAX)]
     Steps {
-        /// Steps done.
+        /// The number of steps taken.
         done: u64,
-        /// Steps asked for on top.
+        /// The number of additional steps requested.
         asked: u64,
     },
-    /// The state left the finite numbers.
+    /// The state diverged.
     #[error(transparent)]
     Diverged(#[from] Divergence),
-    /// A method could not solve for the end of a step. The run stays at the last state.
+    /// A method could not compute a step. The run stays at the last state.
     #[error("{method} could not solve step {step} (from t = {time}): {reason}. The last state is kept")]
     NotSolved {
         /// The name of the method.
@@ -255,19 +257,19 @@ pub enum Error {
         step: u64,
         /// The time at the beginning of that step.
         time: f64,
-        /// Why.
+        /// The reason.
         reason: Unsolved,
     },
     /// The exponent of a time transformation is zero or not finite.
     #[error("the exponent of `Power` is {exponent}: it has to be finite and not zero, for example 0.5", exponent = Number(*exponent))]
     Exponent {
-        /// The exponent that was asked for.
+        /// The requested exponent.
         exponent: f64,
     },
     /// A run cannot go back to a time before its last step.
     #[error("the run is at t = {present} and its steps lead away from t = {time}: integrate with steps of `-h`", time = Number(*time), present = Number(*present))]
     Passed {
-        /// The time that was asked for.
+        /// The requested time.
         time: f64,
         /// The time at the end of the last step.
         present: f64,
@@ -288,7 +290,7 @@ pub enum Error {
     Tolerance {
         /// The name of the method.
         method: &'static str,
-        /// The tolerance that was asked for.
+        /// The requested tolerance.
         tolerance: f64,
     },
     /// A state or a method without a tangent map.
@@ -297,51 +299,53 @@ pub enum Error {
         /// Why, and what to take instead.
         reason: &'static str,
     },
-    /// No deviation vectors, or more than there are directions.
+    /// There are no deviation vectors, or more than phase space has dimensions.
     #[error("there are {count} deviation vectors, but there have to be 1 to {most}, twice the number of positions")]
     VectorCount {
-        /// How many there are.
+        /// The number of vectors.
         count: usize,
-        /// How many there may be.
+        /// The largest number of vectors.
         most: usize,
     },
-    /// A deviation vector is refused or lost.
+    /// A deviation vector is invalid or diverged.
     #[error("deviation vector {vector} {fault}")]
     Vector {
-        /// Which vector, counted from 0.
+        /// The index of the vector, from 0.
         vector: usize,
         /// What is wrong with it.
         fault: VectorFault,
     },
-    /// An ensemble without members.
+    /// The ensemble has no members.
     #[error("an ensemble requires at least one member")]
     NoMembers,
-    /// A member of an ensemble is refused.
+    /// A member of an ensemble is invalid.
     #[error("member {member}: {error}")]
     Member {
-        /// Which member, counted from 0.
+        /// The index of the member, from 0.
         member: usize,
-        /// Why.
+        /// The reason.
         error: Box<Error>,
     },
-    /// Several members of an ensemble are refused, and others are not.
+    /// Several, but not all, members of an ensemble are invalid.
     #[error("{} members of {count} are refused ({}); {}", members.len(), numbers_of(members), first_of(members))]
     Members {
-        /// Those members, counted from 0 and in order, each with the reason.
+        /// The indices of these members in ascending order, each with the reason.
         members: Vec<(usize, Error)>,
-        /// How many members there are.
+        /// The number of members.
         count: usize,
     },
-    /// Members of an ensemble left the finite numbers.
+    /// Members of an ensemble failed.
     #[error(transparent)]
     Lost(#[from] Lost),
-    /// The energies of members of an ensemble left the bound of its watch. They stay one step before; the others have gone on.
+    /// The energy errors of members of an ensemble exceed the bound of its watch.
+    ///
+    /// These members stay at the step before; all others have taken their steps.
     #[error(
         "{} members left the bound on their energy or the finite numbers ({}); the others went on; {}",
         members.len(), numbers_of(members), first_of(members)
     )]
     Strayed {
-        /// Those members in order, each with [`Error::EnergyStrayed`], or with [`Error::Diverged`] if it left the finite numbers in
+        /// These members in ascending order, each with [`Error::EnergyStrayed`], or with [`Error::Diverged`] if it diverged in
         /// the same call.
         members: Vec<(usize, Error)>,
     },
@@ -374,7 +378,7 @@ fn first_of<T: core::fmt::Display>(members: &[(usize, T)]) -> String {
     members.first().map(|(member, reason)| format!("member {member}: {reason}")).unwrap_or_default()
 }
 
-/// What is wrong with a deviation vector.
+/// The fault of a deviation vector.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VectorFault {
@@ -386,13 +390,13 @@ pub enum VectorFault {
         /// How many positions the state has.
         positions: usize,
     },
-    /// A component is infinite or not a number.
+    /// A component is infinite or NaN.
     #[error("is not finite")]
     NotFinite,
     /// It is zero.
     #[error("is zero and has no direction")]
     Zero,
-    /// It left the finite numbers, though the state did not.
+    /// The vector diverged although the state is finite.
     #[error(
         "becomes infinite or NaN in step {step} (to t = {time}): H has no second derivative there, or the vector grew \
          too fast for its precision; the last step is kept", time = Number(*time))]
@@ -404,7 +408,7 @@ pub enum VectorFault {
     },
 }
 
-/// Why a method found no end of a step.
+/// The reason why a method could not compute a step.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unsolved {
@@ -413,7 +417,7 @@ pub enum Unsolved {
         "Newton's method still moves by {update:.1e} of the state after {iterations} iterations; a smaller step helps"
     )]
     Newton {
-        /// How many iterations were made.
+        /// The number of iterations.
         iterations: u32,
         /// The last update, relative to the largest coordinate.
         update: f64,
@@ -425,7 +429,7 @@ pub enum Unsolved {
          Newton's method, which the feature `check` brings"
     )]
     Contraction {
-        /// How many iterations were made.
+        /// The number of iterations.
         iterations: u32,
         /// The last update, relative to the largest coordinate.
         update: f64,
@@ -433,7 +437,7 @@ pub enum Unsolved {
     /// The motion comes near a singularity, and the steps of the Taylor method are too short for the clock.
     #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock", time = Number(*time))]
     Singular {
-        /// About where.
+        /// The approximate time of the singularity.
         time: f64,
         /// The length of the last step.
         reach: f64,
@@ -461,7 +465,7 @@ pub enum Unsolved {
         "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \
          it meets the centre, or time or place have no digits left; a smaller step helps", duration = Number(*duration))]
     Kepler {
-        /// Which body, counted from 0.
+        /// The index of the body, from 0.
         body: usize,
         /// The distance of the body from the centre before the flow.
         distance: f64,
@@ -476,7 +480,7 @@ pub enum Unsolved {
         /// The energy that is not positive.
         value: f64,
     },
-    /// A pace that is not positive.
+    /// The rate of a time transformation is not positive.
     #[error("the pace by `rate`, or what follows it along the motion, is {value}: it has to be above zero everywhere", value = Number(*value))]
     Rate {
         /// The pace.
@@ -507,7 +511,7 @@ pub enum Unsolved {
     Adaptive(String),
 }
 
-/// A number that is made of parameters alone, evaluated once per run, and not finite.
+/// A constant that depends on parameters only and is not finite.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error("`{formula}` is {value}{}", self.place(), value = Number(*value))]
 pub struct NotFinite {
@@ -515,7 +519,7 @@ pub struct NotFinite {
     pub formula: &'static str,
     /// Which one, where there is one for each iteration of a loop: the names of the indices, and what they are.
     pub indices: Vec<(&'static str, usize)>,
-    /// What it is.
+    /// Its value.
     pub value: f64,
 }
 
@@ -537,7 +541,7 @@ fn listed(constants: &[NotFinite]) -> String {
     constants.iter().map(NotFinite::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// A function of the user's whose value is not that of the code that was generated from it.
+/// A function of the user whose value differs from that of the generated code.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[error(
@@ -547,11 +551,11 @@ fn listed(constants: &[NotFinite]) -> String {
 pub struct Misread {
     /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
     pub function: &'static str,
-    /// What the function gives.
+    /// The value of the function.
     pub stated: f64,
-    /// What the generated code gives.
+    /// The value of the generated code.
     pub generated: f64,
-    /// How far apart rounding explains that both are.
+    /// The largest difference that rounding explains.
     pub rounding: f64,
     /// The time at this state.
     pub time: f64,
@@ -576,7 +580,7 @@ impl Misread {
     }
 }
 
-/// Where a run left the finite numbers, or the range of its grid. The run itself stays at the last good state.
+/// The step in which a run diverged or left the range of its grid. The run stays at the last good state.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Divergence {
@@ -584,10 +588,11 @@ pub struct Divergence {
     pub step: u64,
     /// The time at the end of that step.
     pub time: f64,
-    /// What coordinates have to stay below: infinity, or the range of the grid of a reversible state.
+    /// The limit of coordinates: infinity, or the range of the grid of a reversible state.
     pub limit: f64,
-    /// The first coordinate that is not finite after that step, or beyond the limit: `q` or `p`, and which one, counted
-    /// over the flattened coordinates. `None` where that was not found out.
+    /// The first coordinate beyond the limit after that step: `q` or `p`, and its index in the flattened coordinates.
+    ///
+    /// `None` if it is unknown.
     pub coordinate: Option<(&'static str, usize)>,
     /// The positions one step earlier, flattened.
     pub q: Vec<f64>,
@@ -632,12 +637,13 @@ impl Divergence {
     }
 }
 
-/// Which members of an ensemble left the finite numbers, or have a next step that the method could not solve. They stay
-/// at their last finite state; the others have gone on.
+/// The members of an ensemble that failed: they diverged, or the method could not compute their next step.
+///
+/// They stay at their last finite state; all others have taken their steps.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error("{}", self.text())]
 pub struct Lost {
-    /// The members that were lost in these steps, in order, each with where it happened.
+    /// The members that failed in these steps, in ascending order, each with the step in which it failed.
     pub members: Vec<(usize, Divergence)>,
 }
 
