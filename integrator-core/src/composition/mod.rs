@@ -15,7 +15,7 @@ pub(crate) mod visitor;
 
 use crate::hamiltonian::{Flows, Hamiltonian};
 
-/// One drift and one kick of a composition, as fractions of the step `h`.
+/// A drift and a kick of a composition, as fractions of the step `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// `a` in the drift, the flow of `T` for a time `a·h`.
@@ -24,9 +24,9 @@ pub struct Stage {
     pub kick: f64,
     /// `c` in the force-gradient kick with `b·V + c·h²·|∇V|²`; zero in a plain kick.
     pub gradient: f64,
-    /// When `T(p, t)` is read, as a fraction of the step: the sum of the kicks before this drift.
+    /// The time at which `T(p, t)` is evaluated, as a fraction of the step: the sum of the kicks before this drift.
     pub drift_time: f64,
-    /// When `V(q, t)` is read, as a fraction of the step: the sum of the drifts before this kick.
+    /// The time at which `V(q, t)` is evaluated, as a fraction of the step: the sum of the drifts before this kick.
     pub kick_time: f64,
     /// `γ` of the parts between the first and the last, where there are more than two: between the two flows of this
     /// stage, and between it and the next stage.
@@ -112,48 +112,49 @@ impl Processor {
     pub const NONE: Self = Self { before: Rows::NONE, after: Rows::NONE };
 }
 
-/// The class of Hamiltonians that a composition may integrate.
+/// The class of Hamiltonians that a composition can integrate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
-    /// Any `T(p)`, and any parts, of any number.
+    /// Every `T(p)`, and any number of parts with exact flows.
     General,
     /// `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     QuadraticKinetic,
 }
 
-/// The facts about a composition, all proved when it was compiled. Written by `composition!`.
+/// The properties of a composition, proved when it is compiled. `composition!` implements this trait.
 pub trait Scheme: Copy + Default + Send + Sync + 'static {
-    /// The name it was declared by.
+    /// The name in the declaration.
     const NAME: &'static str;
-    /// Where it was published; empty if the declaration does not say.
+    /// The publication; empty if the declaration has no citation.
     const CITATION: &'static str;
     /// The order, proved from the order conditions.
     const ORDER: u32;
-    /// The generalised orders `(n₁, n₂, …)` for a Hamiltonian whose second part, that of the kicks, is of a small size
-    /// `ε`: errors are of the sizes `ε hⁿ¹`, `ε² hⁿ²` and so on, where the last one goes for all higher powers
-    /// (McLachlan 1995, BIT 35, 258). Proved where the declaration claims them, as in `order (8, 4)`; else
-    /// [`ORDER`](Self::ORDER) alone.
+    /// The generalised orders `(n₁, n₂, …)` for `H = A + ε B`, where kicks integrate the small part `ε B`.
+    ///
+    /// Errors are of the sizes `ε hⁿ¹`, `ε² hⁿ²` and so on; the last order applies to all higher powers of `ε` (McLachlan
+    /// 1995, BIT 35, 258). They are proved if the declaration claims them, as in `order (8, 4)`; otherwise this is
+    /// [`ORDER`](Self::ORDER) only.
     const GENERALISED_ORDERS: &'static [u32] = &[Self::ORDER];
-    /// Whether it keeps its orders where the last of two parts is itself a symmetric pair, `J/2 I J/2` for `J + I`. Such a
-    /// pair errs in the third power of its duration, so that those of order two do; above, `Σ bᵢ³ = 0` is the first of the
-    /// conditions, which are proved.
+    /// Whether the orders hold if the last of two parts is itself a symmetric pair, `J/2 I J/2` for `J + I`.
+    ///
+    /// The error of such a pair is of third order in its duration. Compositions of order two keep their order; higher orders
+    /// need further conditions, beginning with `Σ bᵢ³ = 0`, which are proved.
     const KEEPS_PAIRS: bool = Self::ORDER < 3;
-    /// Whether the sequence reads the same backwards, so that a step by `-h` undoes a step by `h`.
+    /// Whether the sequence is a palindrome, so that a step by `-h` inverts a step by `h`.
     const SYMMETRIC: bool;
-    /// The class of Hamiltonians that it may integrate.
+    /// The class of Hamiltonians that the composition can integrate.
     const CLASS: Class;
     /// Force evaluations per step, after merging across steps.
     const FORCE_EVALUATIONS: usize;
-    /// The number of these that also go along the gradient of the squared force, which costs about one more evaluation
-    /// each.
+    /// Force-gradient kicks per step, each of which costs about one more force evaluation.
     const GRADIENT_EVALUATIONS: usize;
-    /// The smallest `h·ω` beyond which the step is unstable on a harmonic oscillator, computed from its step matrix.
+    /// The smallest `h·ω` beyond which the step is unstable for a harmonic oscillator, computed from its step matrix.
     const STABILITY_LIMIT: f64;
-    /// The norm of the first terms that the step gets wrong, those of degree `ORDER + 1`, in the basis of bracketed
-    /// Lyndon words (modulo the brackets that vanish for quadratic `T`, where that is the class). It compares
-    /// compositions of one order and class.
+    /// The norm of the leading error terms, of degree `ORDER + 1`, for comparing compositions of equal order and class.
+    ///
+    /// The basis are bracketed Lyndon words. For the class of quadratic `T`, brackets that vanish there are left out.
     const LEADING_ERROR: Option<f64>;
-    /// The table that a run loops over.
+    /// The table of stages over which a run loops.
     const STAGES: Stages;
     /// The processor; none for most compositions.
     const PROCESSOR: Processor = Processor::NONE;
@@ -206,7 +207,7 @@ pub const fn admits_pairs<X: Scheme>() {
     );
 }
 
-/// A composition that may integrate `H`. Written by `composition!`.
+/// A composition that can integrate `H`. `composition!` implements this trait.
 #[diagnostic::on_unimplemented(
     message = "the composition `{Self}` cannot integrate `{H}`",
     label = "not a composition for this Hamiltonian",

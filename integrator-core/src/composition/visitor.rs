@@ -7,7 +7,7 @@ use crate::{
     hamiltonian::{Hamiltonian, QuadraticKinetic},
 };
 
-/// A visitor of the compositions that may integrate `H`.
+/// A visitor of the compositions that can integrate `H`.
 ///
 /// ```
 /// use integrator_core::{Visitor, prelude::*};

@@ -9,33 +9,35 @@ use std::io;
 
 debug_as_display!(OutputError);
 
-/// Why not all samples were written.
+/// The reason why not all samples were written.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
-    /// The run went no further. The samples before are written.
+    /// The run failed. The samples before are written.
     #[error("the run ended after {written} samples, which are written: {error}")]
     Run {
         /// The number of samples written.
         written: u64,
-        /// Why it ended.
+        /// The error of the run.
         error: Error,
     },
-    /// Something could not be written.
+    /// A sample could not be written.
     #[error("writing ended after {written} samples: {error}")]
     Write {
-        /// The number of samples that the writer had accepted; those that it buffered may be lost.
+        /// The number of samples that the writer accepted; buffered samples can be lost.
         written: u64,
         /// The error of the writer.
         error: io::Error,
     },
 }
 
-/// Hands each sample to `callback`, and returns how many there were.
+/// Calls `callback` with each sample, and returns the number of samples.
 ///
 /// # Errors
-/// [`OutputError::Run`] with the error of the run, [`OutputError::Write`] with the one that `callback` returned; either
-/// ends it.
+/// The first error ends the loop.
+///
+/// - [`OutputError::Run`]: the run failed.
+/// - [`OutputError::Write`]: `callback` returned an error.
 pub fn each<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     mut callback: impl FnMut(&Sample<C>) -> io::Result<()>,

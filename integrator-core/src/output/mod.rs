@@ -1,11 +1,11 @@
 //! Saving the samples of a run: as CSV, as NPZ for NumPy, or by a function of your own.
 //!
-//! Comes in: the samples of a run, or its crossings, or whatever iterator adaptors leave of them. Goes out: one record
-//! for each, and how many there are.
+//! The functions accept samples, crossings, and iterator adaptors of both. They write one record for each sample and return
+//! the number of records.
 //!
-//! Always true: numbers read back equal, bit for bit; if the run fails, everything up to there is written, and the
-//! error comes with the count. Of [compensated](crate::Compensated) coordinates the value is written and not the error
-//! that it carries.
+//! - Numbers that are read back are bitwise identical.
+//! - If the run fails, all samples before are written, and the error contains their number.
+//! - For [compensated](crate::Compensated) coordinates, the value is written without its correction.
 //!
 //! ```
 //! use integrator_core::{output, prelude::*};

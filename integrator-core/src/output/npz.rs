@@ -7,15 +7,18 @@ use npyz::{WriteOptions, WriterBuilder};
 use std::io::{self, BufWriter, Seek, Write};
 use zip::{ZipWriter, write::SimpleFileOptions};
 
-/// Writes samples as an NPZ file, `np.load(path)` in Python, and returns how many there were.
+/// Writes samples as an NPZ file for `np.load(path)` in Python, and returns the number of samples.
 ///
-/// It holds the arrays `t` and `energy` of `n` samples, one of the name of each function that the system says is
-/// [conserved](crate::Run::invariant), and `q` and `p` of the shape `(n, number of coordinates)` or
-/// `(n, number of points, components)`, all in double precision. A file of arrays has to know how many samples there
-/// are before the second array begins, so that all are in memory until the last one is seen.
+/// For `n` samples, the file contains these arrays in double precision:
+///
+/// - `t` and `energy`, of length `n`;
+/// - each [conserved quantity](crate::Run::invariant) by its name, of length `n`;
+/// - `q` and `p`, of shape `(n, number of coordinates)` or `(n, number of points, components)`.
+///
+/// All samples are kept in memory until the last one, because the arrays are stored one after the other.
 ///
 /// # Errors
-/// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
+/// Those of [`each`]; also [`OutputError::Write`] if the numbers of coordinates of samples differ.
 pub fn npz<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     to: impl Write + Seek,

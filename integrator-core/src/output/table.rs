@@ -15,14 +15,20 @@ use alloc::{
 use core::mem::replace;
 use std::io::{self, Write};
 
-/// Writes samples as CSV and returns how many there were.
+/// Writes samples as CSV and returns the number of samples.
 ///
-/// The columns are the time `t`, the positions `q0`, `q1` and so on (`q0_2` is the third component of the first point),
-/// the momenta likewise, the `energy`, and what the system says is [conserved](crate::Run::invariant). The first line names them. Each number is the shortest text that reads back
-/// equal.
+/// The first line contains the names of the columns:
+///
+/// - the time `t`;
+/// - the positions `q0`, `q1`, ..., where `q0_2` is the third component of the first point;
+/// - the momenta `p0`, `p1`, ...;
+/// - the `energy`;
+/// - each [conserved quantity](crate::Run::invariant) by its name.
+///
+/// Each number is the shortest text that reads back bitwise identical.
 ///
 /// # Errors
-/// As [`each`]; also [`OutputError::Write`] if a sample has more or fewer coordinates than the first one.
+/// Those of [`each`]; also [`OutputError::Write`] if the numbers of coordinates of samples differ.
 pub fn csv<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     to: impl Write,
