@@ -112,7 +112,7 @@ impl fmt::Display for Certificate {
             true => Ok(()),
             false => write!(f, "\n  {name:<18} {number:.1e} {rest}"),
         };
-        let explained = |tolerance: f64| format!("(rounding explains {tolerance:.1e})");
+        let explained = |tolerance: f64| format!("(rounding tolerance {tolerance:.1e})");
         line(f, "symplectic defect", self.symplectic_defect, explained(symplectic_defect))?;
         if let Some(order) = &self.order {
             self.write_order(order, f)?;
@@ -155,7 +155,7 @@ impl Certificate {
         write!(f, "\n  observed order     {:.2} (claimed {}", Number(*slope), self.claimed_order)?;
         write!(f, "; {points} steps from {finest:.1e} to {coarsest:.1e} over a time of {span:.1e}")?;
         if !self.order_until.is_nan() {
-            write!(f, "; it holds up to t = {:.1e}", self.order_until)?;
+            write!(f, "; observed up to t = {:.1e}", self.order_until)?;
         }
         write!(f, ")")
     }

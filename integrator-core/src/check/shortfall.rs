@@ -34,7 +34,7 @@ pub enum CertifyError {
 #[non_exhaustive]
 pub enum Shortfall {
     /// The tangent map is not symplectic.
-    #[error("symplectic defect {defect:.1e} exceeds what rounding explains, {tolerance:.1e}")]
+    #[error("symplectic defect {defect:.1e} exceeds the rounding tolerance {tolerance:.1e}")]
     Symplecticity {
         /// The defect of one step.
         defect: f64,
@@ -63,7 +63,7 @@ pub enum Shortfall {
     },
     /// The order holds up to a time only.
     #[error(
-        "the order {claimed} holds up to t = {} only: {}", Number(readable(*time)), Shrinking(*observed)
+        "order {claimed} was observed only up to t = {}: {}", Number(readable(*time)), Shrinking(*observed)
     )]
     OrderLost {
         /// The time at which it is lost.
@@ -137,7 +137,7 @@ pub enum Shortfall {
     NotSmall(SecondPart),
     /// A flow is not that of its energy.
     #[error(
-        "gradient error {error:.1e} exceeds what rounding explains, {tolerance:.1e}: the flows do not belong to T and V"
+        "gradient error {error:.1e} exceeds the rounding tolerance {tolerance:.1e}: the flows are not those of T and V"
     )]
     Gradient {
         /// The relative error.
@@ -253,12 +253,12 @@ impl fmt::Display for Shrinking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(observed) = self;
         if observed.is_nan() {
-            return f.write_str("from there, no step is short enough to end in finite numbers");
+            return f.write_str("beyond it, runs of all step sizes diverge");
         }
         write!(
             f,
-            "there, errors shrink with the power {observed:.1} of the step, as they do at a kink, a jump or a \
-             cutoff of the potential, however short it is, and where the motion is much faster than it: then shorten it"
+            "beyond it, the error scales as h^{observed:.1}, which is typical of a kink, a jump or a cutoff of the \
+             potential; if the motion is much faster there, a shorter step restores the order"
         )
     }
 }

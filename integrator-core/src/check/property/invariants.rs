@@ -56,7 +56,7 @@ impl fmt::Display for InvariantDrift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, bracket, deviation, rounding, steps } = self;
         write!(f, "{name}: bracket with H {bracket:.1e}; strays by {deviation:.1e} in {steps} steps ")?;
-        write!(f, "(rounding explains {rounding:.1e})")
+        write!(f, "(rounding tolerance {rounding:.1e})")
     }
 }
 
