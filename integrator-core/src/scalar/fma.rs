@@ -161,6 +161,7 @@ macro_rules! fused_real {
 
         impl<S: Instructions> Real for Fused<$scalar, S> {
             const LANES: usize = 1;
+            const BEYOND_BASELINE: bool = true;
             type Mask = bool;
             type Block = S::$block;
             type Row<const N: usize> = S::$row;

@@ -104,6 +104,8 @@ macro_rules! declare_real {
             const MEMBERS: usize = Self::LANES;
             /// Whether a linear map with constant coefficients maps each lane by itself: lanes are not parts of one number.
             const LANEWISE: bool = true;
+            /// Whether the numbers are those of an instruction set beyond the least of the architecture.
+            const BEYOND_BASELINE: bool = false;
             /// The mask of its lanes.
             type Mask: Mask;
             /// A vector of consecutive numbers of an array, as wide as the variant's registers; `Self` where a value

@@ -159,6 +159,7 @@ macro_rules! lanes_real {
     (unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl<F: Real, const N: usize> Real for Lanes<F, N> {
             const LANES: usize = N * F::LANES;
+            const BEYOND_BASELINE: bool = F::BEYOND_BASELINE;
             const MEMBERS: usize = N * F::MEMBERS;
             const LANEWISE: bool = F::LANEWISE;
             type Mask = LaneMask<F::Mask, N>;

@@ -129,6 +129,7 @@ macro_rules! vector {
 
             impl Real for $vector {
                 const LANES: usize = $lanes;
+                const BEYOND_BASELINE: bool = true;
                 type Mask = $mask;
                 type Block = Self;
                 type Row<const N: usize> = Lanes<Self, N>;
