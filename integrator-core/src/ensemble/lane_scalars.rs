@@ -4,10 +4,12 @@ use crate::{
     scalar::{
         fma::{Avx512, Fma, Fused},
         real::Real,
-        simd::lanes::Lanes,
     },
     state::{compensated::Compensated, fixed::Fixed, precision::Precision},
 };
+
+#[cfg(not(target_arch = "x86_64"))]
+use crate::scalar::simd::lanes::Lanes;
 
 /// The scalars with lanes that members of an ensemble are computed in. Named nowhere outside, like the types it leads
 /// to: vectors may only be used where their instructions were detected.
@@ -26,10 +28,17 @@ type Vector<F, S, const N: usize> = <Fused<F, S> as Real>::Block;
 #[cfg(not(target_arch = "x86_64"))]
 type Vector<F, S, const N: usize> = Lanes<Fused<F, S>, N>;
 
+/// Scalars on x86, where nearly every processor has fused multiply-add: vectors for the others are a quarter of what an ensemble
+/// takes to compile. Elsewhere as many as 128 bits hold.
+#[cfg(target_arch = "x86_64")]
+type Least<F, const N: usize> = F;
+#[cfg(not(target_arch = "x86_64"))]
+type Least<F, const N: usize> = Lanes<F, N>;
+
 macro_rules! lane_scalars {
     ($($leaf:ty: $lanes:literal of $scalar:ident;)*) => {$(
         impl LaneScalars for $leaf {
-            type Plain = Lanes<$scalar, $lanes>;
+            type Plain = Least<$scalar, $lanes>;
             type Fused = Vector<$scalar, Fma, $lanes>;
             type Avx512 = Vector<$scalar, Avx512, $lanes>;
         }
