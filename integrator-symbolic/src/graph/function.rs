@@ -292,6 +292,10 @@ pub(crate) const TABLE: &[Row] = &[
         [g.mul(b, lowered), g.mul(y, logarithm)]
     }),
     binary("atan2", f64::atan2, |g, a, b, _| {
+        // The angle of two multiples of a value jumps where that is zero, and else stays: the quotient below would be 0/0.
+        if g.without_factors(a) == g.without_factors(b) {
+            return [g.constant(0.0); 2];
+        }
         let (aa, bb) = (g.power(a, 4), g.power(b, 4));
         let square = g.add(aa, bb);
         let scale = over(g, square);

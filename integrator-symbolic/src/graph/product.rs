@@ -7,6 +7,15 @@ use super::{Graph, Node, NodeId};
 const LONG: usize = 8;
 
 impl Graph {
+    /// A value without its sign and its prepared factors.
+    pub(crate) fn without_factors(&self, x: NodeId) -> NodeId {
+        match self.node(x) {
+            Node::Neg(inner) => self.without_factors(inner),
+            Node::Mul(factor, inner) if self.is_prepared(factor) => self.without_factors(inner),
+            _ => x,
+        }
+    }
+
     /// A product. Numbers are gathered from both sides and put, with parameters, at the far left, where they are
     /// multiplied once per run.
     pub(crate) fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
