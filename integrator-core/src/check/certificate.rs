@@ -9,7 +9,7 @@ use crate::{
 };
 use std::fmt;
 
-/// The measurements of one composition on one system, with one start and one step.
+/// The measurements of one composition for one system, start and step.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
@@ -21,72 +21,75 @@ pub struct Certificate {
     pub step: f64,
     /// The time at the start.
     pub time: f64,
-    /// The order that the composition claims.
+    /// The declared order of the composition.
     pub claimed_order: u32,
-    /// Whether it claims to be symmetric.
+    /// Whether the composition is declared symmetric.
     pub symmetric: bool,
-    /// Whether the Hamiltonian does not read the time; only then is there an energy to conserve.
+    /// Whether the Hamiltonian is independent of time. Energy is conserved only then.
     pub autonomous: bool,
     /// The symplectic defect of one step: [`symplectic_defect`](crate::check::symplectic_defect).
     pub symplectic_defect: f64,
-    /// The slope of [`observed_order`](crate::check::observed_order), NaN where none could be measured.
+    /// The slope of [`observed_order`](crate::check::observed_order); NaN if it could not be measured.
     pub observed_order: f64,
-    /// The range and the scatter of that slope.
+    /// The step sizes and the standard error of that slope.
     pub order: Option<Order>,
-    /// The time up to which the order holds along the orbit, piece by piece; NaN where that could not be measured.
+    /// The time along the orbit up to which the order was observed; NaN if it could not be measured.
     pub order_until: f64,
-    /// The distance from its start at which a run forward and back ends:
-    /// [`reversibility`](crate::check::reversibility()) over the span of [`Certificate::order`], in its coarsest steps
-    /// or in [`Certificate::step`] if that is longer.
+    /// The distance from the start after a run forward and back.
+    ///
+    /// It is [`reversibility`](crate::check::reversibility()) over the span of [`Certificate::order`], in the coarsest
+    /// steps of that fit, or in [`Certificate::step`] if that is longer.
     pub reversibility: f64,
-    /// The drift of the energy: [`energy_drift`](crate::check::energy_drift) over 8192 steps, longer ones where so
-    /// many are too short to tell a trend from the flank of an oscillation. Nothing for a Hamiltonian that reads the
-    /// time.
+    /// The [`energy_drift`](crate::check::energy_drift) over 8192 steps; `None` for a time-dependent Hamiltonian.
+    ///
+    /// The steps are longer if so many are too short to distinguish a trend from part of an oscillation.
     pub energy_drift: Option<EnergyDrift>,
-    /// The same over as long a time in steps of half the length; nothing where rounding explains the deviation.
+    /// The energy drift over the same time in steps of half the length; `None` if rounding explains the deviation.
     pub finer_energy_drift: Option<EnergyDrift>,
-    /// The error of the flows as gradients of the energies: the largest
-    /// [`gradient_error`](crate::check::gradient_error) along the path. NaN where [`Certificate::flows`] has the
-    /// errors of parts that are no `T(p)` and `V(q)`.
+    /// The largest [`gradient_error`](crate::check::gradient_error) along the orbit. NaN if the parts are not `T(p)`
+    /// and `V(q)`; [`Certificate::flows`] has the errors then.
     pub gradient_error: f64,
-    /// The errors of the flows of parts, of flows as long as the step, at the start and along the path; nothing where the parts
-    /// are `T(p)` and `V(q)`.
+    /// The errors of the flows of parts for one step, at the start and along the orbit; `None` if the parts are `T(p)`
+    /// and `V(q)`.
     pub flows: Option<FlowErrors>,
-    /// The number of comparisons with the user's own functions, at the start and along the path, in which the generated
-    /// code agreed. `None` where it does not, or where no comparison could be made.
+    /// The number of comparisons between the generated code and the user's functions, at the start and along the orbit.
+    ///
+    /// `None` if one of them disagrees, or if no comparison was possible.
     pub agreement: Option<Agreement>,
-    /// The size of the second part of H, where the composition claims
+    /// The relative size of the second part of `H`. It is measured if the composition claims
     /// [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS) and both parts move the same coordinates.
     pub second_part: Option<SecondPart>,
-    /// What was measured of each `#[invariant]`.
+    /// The measurements of each `#[invariant]`.
     pub invariants: Vec<InvariantDrift>,
-    /// The distance of the step from the one at which the composition becomes unstable. A warning at most: no
-    /// certificate is refused for it.
+    /// The phase advance in relation to the stability limit of the composition. It causes a warning at most, never a
+    /// failed certification.
     pub stability: Option<Stability>,
-    /// The errors that rounding explains.
+    /// The tolerances: the errors that rounding explains.
     pub tolerances: Tolerances,
 }
 
-/// The sizes that rounding alone explains.
+/// The errors that rounding explains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tolerances {
-    /// Of [`Certificate::symplectic_defect`].
+    /// The tolerance of [`Certificate::symplectic_defect`].
     pub symplectic_defect: f64,
-    /// Of [`Certificate::reversibility`].
+    /// The tolerance of [`Certificate::reversibility`].
     pub reversibility: f64,
-    /// Of [`Certificate::gradient_error`].
+    /// The tolerance of [`Certificate::gradient_error`].
     pub gradient_error: f64,
 }
 
-/// The size of the second part of H, and what is claimed where it is small.
+/// The size of the second part of `H`, and the orders that are claimed if it is small.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SecondPart {
-    /// The root mean square of its derivatives along the path, over that of the first part or of both together, whichever is smaller.
-    /// Each derivative is taken in units of those of both parts by its coordinate.
+    /// The root mean square of the derivatives of the second part along the orbit, relative to the first part or to
+    /// both together, whichever is smaller.
+    ///
+    /// Each derivative is measured in units of the derivatives of both parts by its coordinate.
     pub size: f64,
-    /// The powers of the step with which the errors of its first, second, ... power fall.
+    /// The powers of the step that multiply the first, second, ... power of the second part in the error.
     pub orders: &'static [u32],
 }
 

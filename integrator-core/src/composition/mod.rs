@@ -28,13 +28,14 @@ pub struct Stage {
     pub drift_time: f64,
     /// The time at which `V(q, t)` is evaluated, as a fraction of the step: the sum of the drifts before this kick.
     pub kick_time: f64,
-    /// `γ` of the parts between the first and the last, where there are more than two: between the two flows of this
-    /// stage, and between it and the next stage.
+    /// `γ` of the parts between the first and the last, if there are more than two parts.
+    ///
+    /// The first entry applies between the two flows of this stage, the second one between this stage and the next.
     pub middle: [f64; 2],
 }
 
 impl Stage {
-    /// The stage without a drift or a kick.
+    /// A stage without a drift or a kick.
     pub const NONE: Self =
         Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0, middle: [0.0; 2] };
 }
@@ -48,21 +49,26 @@ pub enum Lead {
     Kick,
 }
 
-/// The stages of a composition, merged inside a step and across step boundaries.
+/// The stages of a composition, merged within a step and across steps.
 ///
-/// A run keeps its state just before the last stage of a step, so that this stage and the first one of the next step
-/// are one. `opening` then `cycle[1..]` bring a start there, `cycle` goes from there to the same place one step later,
-/// and `closing` completes the step (on a copy). Where the first and the last letter of the sequence differ, nothing
-/// merges: `opening` is `cycle[0]` and `closing` is [`Stage::NONE`].
+/// A run keeps its state just before the last stage of a step. That stage and the first one of the next step are hence
+/// merged.
+///
+/// - `opening`, then `cycle[1..]`, advance a start to this point.
+/// - `cycle` advances from this point to the same point one step later.
+/// - `closing` completes the step on a copy.
+///
+/// If the sequence begins and ends with different flows, nothing merges: `opening` is `cycle[0]` and `closing` is
+/// [`Stage::NONE`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stages {
     /// The flow that comes first in every stage.
     pub lead: Lead,
-    /// The first stage of the first step: `cycle[0]` before its leading flow was merged with the previous step's end.
+    /// The first stage of the first step: `cycle[0]` without the flow that it has in common with the previous step.
     pub opening: Stage,
     /// One step, from just before its merged first stage.
     pub cycle: &'static [Stage],
-    /// The leading flow that ends a step; its other one is zero.
+    /// The leading flow that ends a step; the other flow of this stage is zero.
     pub closing: Stage,
 }
 
@@ -77,7 +83,7 @@ impl Stages {
     }
 }
 
-/// A list of stages that are applied once, before the first step or wherever a state is shown.
+/// A list of stages that are applied once: before the first step, or before an output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rows {
     /// The flow that comes first in every stage.
@@ -87,23 +93,23 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// No stages.
+    /// An empty list.
     pub const NONE: Self = Self { lead: Lead::Drift, rows: &[] };
 }
 
-/// A processor: stages that a processed composition applies once before its first step, and undoes wherever its state
-/// is shown.
+/// A processor: stages that a processed composition applies once before its first step and inverts before each output.
 ///
-/// With the processor `P` and the kernel `K`, `n` steps are `P`, then `K` `n` times, then the inverse of `P`: conjugate
-/// to `K`, hence as symplectic, at the cost of `K` alone. The inverse acts on a copy, so what is shown changes no run.
-/// Nor does it end one: a run diverges where `K` does. Where the inverse alone leaves the domain of a potential, or the
-/// finite numbers, the end of the step of `K` is shown as it is: `P` is near the identity, and its order means nothing
-/// there.
+/// For a processor `P` and a kernel `K`, `n` steps are `P`, then `n` times `K`, then the inverse of `P`. The map is
+/// conjugate to `K`, hence symplectic if `K` is, at the cost of `K` alone.
+///
+/// The inverse acts on a copy, so an output never changes a run and never ends it: a run diverges only if `K` does. If
+/// only the inverse diverges or leaves the domain of a potential, the output is the state after `K`. `P` is near the
+/// identity, and its order has no meaning at such a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Processor {
-    /// `P`.
+    /// The stages of `P`.
     pub before: Rows,
-    /// The inverse of `P`.
+    /// The stages of the inverse of `P`.
     pub after: Rows,
 }
 
@@ -152,7 +158,8 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const STABILITY_LIMIT: f64;
     /// The norm of the leading error terms, of degree `ORDER + 1`, for comparing compositions of equal order and class.
     ///
-    /// The basis are bracketed Lyndon words. For the class of quadratic `T`, brackets that vanish there are left out.
+    /// The basis consists of bracketed Lyndon words. For the class of quadratic `T`, brackets that vanish there are
+    /// left out.
     const LEADING_ERROR: Option<f64>;
     /// The table of stages over which a run loops.
     const STAGES: Stages;

@@ -40,7 +40,7 @@ pub trait Visitor<H: Hamiltonian> {
     /// Called once with each composition.
     fn visit<X: Composition<H>>(&mut self, composition: X);
 
-    /// Called once before compositions with force gradients, where `H` admits these.
+    /// Called once before compositions with force gradients, if they can integrate `H`.
     fn admit_gradients(&mut self)
     where
         H: QuadraticKinetic,
@@ -65,7 +65,7 @@ pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(unprocessed: visit!);
 }
 
-/// Visits the compositions that keep their orders where the second of two parts is itself a symmetric pair.
+/// Visits the compositions that keep their orders if the second of two parts is itself a symmetric pair.
 pub fn visit_pairs<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
@@ -73,7 +73,7 @@ pub fn visit_pairs<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(pairs: visit!);
 }
 
-/// Visits the compositions for every `T(p)`, then those for a small second part: for two parts that have names.
+/// Visits the compositions for every `T(p)`, then those for a small second part: for two named parts.
 pub fn visit_two_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
@@ -82,7 +82,7 @@ pub fn visit_two_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(near_integrable_general: visit!);
 }
 
-/// The same, then those for a first part that is quadratic in `p`.
+/// Visits the compositions of [`visit_two_parts`], then those for a first part that is quadratic in `p`.
 pub fn visit_two_parts_quadratic<H: QuadraticKinetic>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};

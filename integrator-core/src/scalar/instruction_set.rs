@@ -8,14 +8,14 @@ use core::{hint::black_box, mem::MaybeUninit};
 #[cfg(feature = "std")]
 use std::{env, sync::OnceLock};
 
-/// The instruction sets that the hot loops are compiled for, from the least to the most.
+/// The instruction sets for which hot loops are compiled, in increasing order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum InstructionSet {
-    /// The instructions that every machine of the target has.
+    /// The baseline of the target: instructions that all of its machines have.
     Baseline,
-    /// Fused multiply-add: AVX2 and FMA on x86-64, every aarch64.
+    /// Fused multiply-add: AVX2 and FMA on x86-64; always available on aarch64.
     Fused,
-    /// Vectors of 512 bits: AVX-512 with its extensions F, DQ, VL and BW, on x86-64 alone.
+    /// Vectors of 512 bits: AVX-512 with its extensions F, DQ, VL and BW, on x86-64 only.
     Avx512,
 }
 
@@ -23,9 +23,11 @@ impl InstructionSet {
     /// All sets, from the least to the most; a machine that has one has those before it.
     const ALL: [Self; 3] = [Self::Baseline, Self::Fused, Self::Avx512];
 
-    /// The best set of this machine, or the one that the environment variable `INTEGRATOR_ISA` asks for (`baseline`,
-    /// `avx2` or `avx512`), read once. A set that the machine lacks is not used, whatever the variable says. Without
-    /// the feature `std` the machine cannot be queried, and it is the baseline.
+    /// Returns the instruction set for runs: the best one of this machine, or the one in the environment variable
+    /// `INTEGRATOR_ISA`.
+    ///
+    /// The values of the variable are `baseline`, `avx2` and `avx512`; it is read once. A set that the machine lacks is
+    /// never used. Without the feature `std` the machine cannot be queried, and the result is the baseline.
     pub fn chosen() -> Self {
         #[cfg(feature = "std")]
         {
@@ -36,7 +38,7 @@ impl InstructionSet {
         best()
     }
 
-    /// The sets of this machine, the best one last.
+    /// Returns the instruction sets of this machine, the best one last.
     pub fn available() -> &'static [Self] {
         let best = best();
         &Self::ALL[..Self::ALL.iter().filter(|set| **set <= best).count()]

@@ -12,16 +12,16 @@ use crate::{
 };
 use core::ops::{AddAssign, Neg, SubAssign};
 
-/// A number together with the rounding error that its updates have left behind.
+/// A number together with the accumulated rounding error of its updates.
+/// [`Phase::compensated`](crate::Phase::compensated) creates it.
 ///
-/// Every update adds the carried error first and carries the rounding error of the addition (Kahan 1965), so that the
-/// error of a long sum stays at the rounding of one addition. Made by
-/// [`Phase::compensated`](crate::Phase::compensated).
+/// Every update first adds the carried error, then carries the rounding error of the new addition (Kahan 1965). The
+/// error of a long sum hence stays at the rounding of one addition.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Compensated<F> {
     /// The number.
     pub value: F,
-    /// The rounding error that is still to be added to it, below half a unit in its last place.
+    /// The rounding error that is still to be added, below half a unit in the last place of the number.
     pub carried: F,
 }
 

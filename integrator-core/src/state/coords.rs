@@ -13,8 +13,9 @@ use alloc::{format, string::String};
 use alloc::{vec, vec::Vec};
 use core::fmt::Debug;
 
-/// The names that columns of so many coordinates have, `q0`, `q1` and so on; `q0_2` is the third component of the first point,
-/// `q0_1_2` the third site of the second row of the first plane.
+/// Returns the column names of `count` coordinates: `q0`, `q1` and so on.
+///
+/// `q0_2` is the third component of the first point; `q0_1_2` is the third site of the second row of the first plane.
 #[cfg(any(all(feature = "checkpoint", feature = "std"), feature = "output"))]
 pub fn column_names<C: Coords>(letter: char, count: usize) -> impl Iterator<Item = String> {
     (0..count).map(move |index| match (C::COMPONENTS, C::ROWS) {
@@ -30,9 +31,10 @@ pub fn column_names<C: Coords>(letter: char, count: usize) -> impl Iterator<Item
 /// The number of coordinates that are searched without a branch.
 const CHUNK: usize = 256;
 
-/// The positions or the momenta of a system, in the shape that the user wrote: `[K; N]`, `[[K; D]; N]`, `[[[K; L]; M]; N]`,
-/// `Vec<K>`, `Vec<[K; D]>` or `Vec<[[K; L]; M]>` with a leaf `K` of `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or
-/// [`Fixed<f64>`](crate::Fixed).
+/// The positions or the momenta of a system, in the shape that the user wrote.
+///
+/// The shapes are `[K; N]`, `[[K; D]; N]`, `[[[K; L]; M]; N]`, `Vec<K>`, `Vec<[K; D]>` and `Vec<[[K; L]; M]>`. The
+/// scalar type `K` is `f64`, `f32`, [`Compensated<f64>`](crate::Compensated) or [`Fixed<f64>`](crate::Fixed).
 #[diagnostic::on_unimplemented(
     message = "positions and momenta have to be arrays or vectors, and these are `{Self}`",
     label = "neither an array nor a `Vec` of numbers or points",
@@ -40,42 +42,42 @@ const CHUNK: usize = 256;
             if their number is known at run time"
 )]
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
-    /// The type of one coordinate.
+    /// The scalar type of a coordinate.
     type Leaf: Precision;
-    /// The same shape with another leaf; from there, `f64` leads back to where it leads from here.
+    /// The same shape with another scalar type.
     type With<K: Precision>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
-    /// The same shape, filled with slots.
+    /// The same shape with slots in place of coordinates.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
-    /// The number of numbers, points or planes, where it is known from the type.
+    /// The number of scalars, points or planes, if the type fixes it.
     const LENGTH: Option<usize>;
-    /// The number of components of a point, or of sites of a plane; one where there are neither.
+    /// The number of components of a point, or of sites in a row of a plane; otherwise one.
     const COMPONENTS: usize;
-    /// The number of rows of a plane, where there are planes.
+    /// The number of rows of a plane, if the shape has planes.
     const ROWS: Option<usize> = None;
 
-    /// The number of numbers, points or planes.
+    /// Returns the number of scalars, points or planes.
     fn length(&self) -> usize;
-    /// The coordinates whose flat form this is; `None` where the shape has another size.
+    /// Builds coordinates from their flat form, or returns `None` if the shape has another size.
     fn from_flat(flat: Vec<Self::Leaf>) -> Option<Self>;
-    /// All coordinates, points one after the other.
+    /// Returns all coordinates, one point after the other.
     fn flat(&self) -> &[Self::Leaf];
-    /// All coordinates, to be written.
+    /// Returns all coordinates for writing.
     fn flat_mut(&mut self) -> &mut [Self::Leaf];
-    /// The same numbers with another leaf.
+    /// Converts every coordinate to another scalar type.
     fn map<K: Precision>(&self, leaf: impl Fn(Self::Leaf) -> K) -> Self::With<K>;
-    /// Slots for so many coordinates, in the order of [`Coords::flat`]; an array has as many as it has.
+    /// Creates slots for `count` coordinates, in the order of [`Coords::flat`]. An array has a fixed number of them.
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> <Self::Leaf as Precision>::Slot<R>) -> Self::Slots<R>;
-    /// Slots as a flat slice.
+    /// Returns slots as a flat slice.
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[<Self::Leaf as Precision>::Slot<R>];
-    /// Slots as a flat slice, to be written.
+    /// Returns slots as a flat slice for writing.
     fn slots_mut<R: Real>(slots: &mut Self::Slots<R>) -> &mut [<Self::Leaf as Precision>::Slot<R>];
-    /// Slots filled from the positions or the momenta of one state per lane.
+    /// Fills slots with the positions or the momenta of one state per lane.
     #[inline(always)]
     fn pack<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
         Self::slots_from(half(states[0]).flat().len(), |k| Self::Leaf::pack(&|lane| half(states[lane]).flat()[k]))
     }
-    /// The slots of the positions or the momenta of one state per lane as a list.
+    /// Returns the slots of the positions or the momenta of one state per lane as a list.
     fn listed<R: Real>(
         states: &[&Phase<Self>],
         half: fn(&Phase<Self>) -> &Self,
@@ -87,7 +89,7 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
         }
         slots
     }
-    /// One number per slot, in the same shape.
+    /// Returns one number per slot, in the same shape.
     #[inline(always)]
     fn numbers<R: Real>(
         slots: &Self::Slots<R>,

@@ -19,11 +19,11 @@ const ANCHOR: f64 = 6_755_399_441_055_744.0;
 /// 2^51, the number of spacings that a coordinate may be away from zero.
 const RANGE: f64 = 2_251_799_813_685_248.0;
 
-/// A number on a grid. Made by [`Phase::reversible`](crate::Phase::reversible).
+/// A number on a grid, for bitwise reversible runs. [`Phase::reversible`](crate::Phase::reversible) creates it.
 ///
-/// It is a double that is a multiple of the grid's spacing, a power of two. An update rounds its increment to the grid
-/// by adding and subtracting 1.5 · 2^52 spacings, so that the sum is exact (the idea of a lattice map, Earn and
-/// Tremaine 1992). A coordinate that leaves the range, 2^51 spacings to either side, becomes NaN and stops the run.
+/// The value is a double that is a multiple of the grid spacing, a power of two. An update rounds its increment to the
+/// grid by adding and subtracting 1.5 · 2^52 spacings, so the sum is exact. This is a lattice map (Earn and Tremaine
+/// 1992). A coordinate that leaves the range of 2^51 spacings on either side becomes NaN and stops the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fixed<F> {
     value: F,
@@ -31,20 +31,22 @@ pub struct Fixed<F> {
 }
 
 impl Fixed<f64> {
-    /// The point of the grid next to `value`; beyond the grid's range, and where `spacing` is no power of two, `value`
-    /// itself, which a run then refuses.
+    /// Rounds `value` to the nearest grid point.
+    ///
+    /// If `value` is out of the range of the grid, or `spacing` is not a power of two, it is kept unrounded and a run
+    /// rejects it.
     pub fn new(value: f64, spacing: f64) -> Self {
         let on_grid = (value + ANCHOR * spacing) - ANCHOR * spacing;
         let possible = is_power_of_two(spacing) && value.abs() < RANGE * spacing;
         Self { value: if possible { on_grid } else { value }, spacing }
     }
 
-    /// The number.
+    /// Returns the number.
     pub fn value(self) -> f64 {
         self.value
     }
 
-    /// The spacing of the grid.
+    /// Returns the spacing of the grid.
     pub fn spacing(self) -> f64 {
         self.spacing
     }

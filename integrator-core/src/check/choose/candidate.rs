@@ -17,8 +17,9 @@ use crate::{
 /// Begins a run of a system, whatever its composition.
 type Begin<'s, C> = Box<dyn Fn(&Start<C>, f64) -> Result<Run<C>, Error> + 's>;
 
-/// A system under a composition of the catalogue, with neither's type. All candidates of a system share one loop over
-/// stages, so that as much is compiled for them as for one composition.
+/// A system with a composition of the catalogue, without type parameters for either.
+///
+/// All candidates of a system share one loop over stages, so they compile as fast as a single composition.
 ///
 /// ```
 /// use integrator_core::{check::candidates, prelude::*};
@@ -58,15 +59,15 @@ pub struct Candidate<'s, C: Coords> {
 }
 
 impl<C: Coords> Candidate<'_, C> {
-    /// What is known of the composition.
+    /// Returns the properties of the composition.
     pub fn facts(&self) -> Facts {
         self.facts
     }
 
-    /// A run of the system, to the last bit that of [`Hamiltonian::run_with`] with this composition.
+    /// Starts a run of the system, bitwise identical to [`Hamiltonian::run_with`] with this composition.
     ///
     /// # Errors
-    /// As [`Hamiltonian::run`]; a time that is not finite.
+    /// The errors of [`Hamiltonian::run`]; the time is not finite.
     pub fn run(&self, start: impl Into<Start<C>>, h: f64) -> Result<Run<C>, Error> {
         (self.begin)(&start.into(), h)
     }
@@ -108,13 +109,14 @@ impl<'s, C: Coords> Candidate<'s, C> {
     }
 }
 
-/// Returns a system under each composition of the catalogue that it admits, with states in `f64`.
+/// Returns a system with each composition of the catalogue that can integrate it, for states in `f64`.
 pub fn candidates<H: Hamiltonian>(system: &H) -> Vec<Candidate<'_, H::Coords>> {
     candidates_with::<H, f64>(system)
 }
 
-/// Returns a system under each composition of the catalogue that it admits, with states of another
-/// precision, as in `candidates_with::<_, f32>(&system)`.
+/// Returns a system with each composition of the catalogue that can integrate it, for states of another precision.
+///
+/// An example is `candidates_with::<_, f32>(&system)`.
 pub fn candidates_with<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
     let mut candidates = Candidates::<H, K> { system, with_gradients: None, found: Vec::new() };
     H::visit_compositions(&mut candidates);

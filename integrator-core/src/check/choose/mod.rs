@@ -33,21 +33,24 @@ use problem::Problem;
 use search::{Found, SPREAD, search};
 use splitting::Measured;
 
-/// The accuracy that is asked for over the span.
+/// The target accuracy over the span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Goal {
-    /// The largest deviation of the energy from its start, in units of the largest kinetic energy on the way, or of what
-    /// [`EnergyDrift`](crate::check::EnergyDrift) takes for it.
+    /// The largest deviation of the energy from its initial value, in units of the largest kinetic energy of the run.
+    ///
+    /// [`EnergyDrift`](crate::check::EnergyDrift) defines the kinetic energy if the parts of `H` are not `T(p)` and
+    /// `V(q)`.
     Energy(f64),
-    /// The distance from the true motion, as the root of its mean square over four equally spaced times, the last one
-    /// at the end; positions and momenta each in units of how far they go from the start. The true motion is a Taylor
-    /// series where `#[hamiltonian(taylor)]` wrote its recurrences, and else a run of order 10, or of order 6 by
-    /// `GaussLegendre6` where H stays in one piece, refined until it settles.
+    /// The root mean square distance from the reference solution at four equally spaced times, the last one at the end.
+    ///
+    /// Positions and momenta are each in units of how far they go from the start. The reference solution is a Taylor
+    /// series if `#[hamiltonian(taylor)]` generated recurrences. Otherwise it is a run of order 10, refined until it
+    /// converges. If `H` is not split, it is a run by `GaussLegendre6`, of order 6.
     Trajectory(f64),
 }
 
 impl Goal {
-    /// The tolerance, whatever for.
+    /// Returns the tolerance of either goal.
     pub fn tolerance(self) -> f64 {
         match self {
             Self::Energy(tolerance) | Self::Trajectory(tolerance) => tolerance,
@@ -55,22 +58,21 @@ impl Goal {
     }
 }
 
-/// Ranks the compositions of the catalogue, and Taylor's method where the system has it, by the work with which each of them reaches `goal` from `start`
-/// over `span`, cheapest first.
+/// Ranks the compositions of the catalogue by the work to reach `goal` from `start` over `span`, cheapest first.
 ///
-/// Work is the number of force evaluations, where a gradient of the squared force counts as one more, and a processor
-/// is charged once. Compositions that need more than sixteen times the work of the best are left out.
+/// - Work is the number of force evaluations. A gradient of the squared force counts as one more evaluation, and a
+///   processor is counted once.
+/// - Compositions that need more than sixteen times the work of the best one are left out.
+/// - If `split = none` leaves `H` unsplit, the implicit methods are ranked instead, by the evaluations of the vector
+///   field that their runs count.
+/// - If `#[hamiltonian(taylor)]` generated recurrences, Taylor's method is included, with the loosest tolerance that
+///   reaches the goal. Its evaluations are a different kind of work: it is placed before the first composition that
+///   takes longer.
+/// - If conditions on the time select pieces of the Hamiltonian, all steps in the ranking end at the edges of these
+///   pieces.
 ///
-/// Where `split = none` leaves H in one piece there is nothing to compose, and the implicit methods are ranked in place of
-/// compositions, by the evaluations of the field that their runs count.
-///
-/// Where `#[hamiltonian(taylor)]` wrote recurrences, Taylor's method is among them with the loosest tolerance that reaches the
-/// goal. Its evaluations are other work, so that it stands before the first composition that takes longer.
-///
-/// Where the clock decides on pieces of the Hamiltonian, all steps in the ranking end where these do.
-///
-/// The span should be long enough to show what matters, some periods of the slowest motion, but no longer: all of it is
-/// run some hundred times. A start with compensated leaves finds the best composition for compensated runs.
+/// The span should cover some periods of the slowest motion, but not more: it is integrated about a hundred times. A
+/// start with compensated coordinates finds the best composition for compensated runs.
 ///
 /// ```
 /// use integrator_core::{check::{Goal, choose}, prelude::*};

@@ -28,8 +28,9 @@ use crate::{
 /// The number of steps of the first run that a pace is taken from, about.
 const PILOT: f64 = 512.0;
 
-/// A system in the steps of [`Logarithmic`], as one more splitting of [`choose_among`](super::choose_among): by compositions of
-/// symmetric steps of the orders 4, 6, 8 and 10.
+/// A system with the step-size control of [`Logarithmic`], as a splitting for [`choose_among`](super::choose_among).
+///
+/// The candidates are compositions of symmetric steps, of orders 4, 6, 8 and 10.
 ///
 /// ```
 /// use integrator_core::{check::{Goal, LogarithmicSteps, choose_among}, prelude::*};
@@ -52,7 +53,7 @@ const PILOT: f64 = 512.0;
 #[derive(Clone, Copy, Debug)]
 pub struct LogarithmicSteps<'s, H>(pub &'s H);
 
-/// A system in the steps of [`Paced`], whose pace it states: as [`LogarithmicSteps`].
+/// A system with the step-size control of [`Paced`], as a splitting; compare [`LogarithmicSteps`].
 #[derive(Clone, Copy, Debug)]
 pub struct PacedSteps<'s, H>(pub &'s H);
 

@@ -3,31 +3,31 @@
 use crate::{composition::Class, error::Number};
 use std::fmt;
 
-/// A composition with the longest step that met the tolerance, or Taylor's method with the loosest tolerance that did.
+/// A composition with the longest step that reaches the goal, or Taylor's method with the loosest tolerance that does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Choice {
-    /// The splitting that it composes.
+    /// The splitting.
     pub splitting: Split,
-    /// Its name; `Taylor` of that method.
+    /// The name of the composition, or `Taylor`.
     pub composition: &'static str,
-    /// Its order.
+    /// The order of the composition.
     pub order: u32,
-    /// The class of Hamiltonians that it admits.
+    /// The class of Hamiltonians that the composition can integrate.
     pub class: Class,
-    /// The step to use, in the time of the steps themselves; of [`Taylor`](crate::taylor::Taylor), the mean of those that it took
-    /// by itself.
+    /// The step to use, in fictitious time if the method has one. For [`Taylor`](crate::taylor::Taylor), the mean of
+    /// the steps that it chose.
     pub step: f64,
-    /// The number of these steps in the span.
+    /// The number of steps in the span.
     pub steps: u64,
-    /// The tolerance to use, where the method takes steps of its own.
+    /// The tolerance to use, if the method chooses its own steps.
     pub tolerance: Option<f64>,
-    /// The error that was measured with this step.
+    /// The measured error with this step.
     pub error: f64,
-    /// The work over the span: force evaluations, where a gradient counts as one more and a processor once; orders of series,
-    /// of [`Taylor`](crate::taylor::Taylor).
+    /// The work over the span: force evaluations, where a gradient counts as one more and a processor once. For
+    /// [`Taylor`](crate::taylor::Taylor), orders of series.
     pub evaluations: u64,
-    /// The time that these steps took on this machine, the shortest of three runs.
+    /// The processor time of these steps on this machine, the shortest of three runs.
     pub seconds: f64,
 }
 
@@ -41,13 +41,14 @@ impl Choice {
     }
 }
 
-/// The name of a splitting. Displays as `Planets (kepler + interaction)`, or as `Pendulum (in one piece)` without parts.
+/// The name of a splitting. Displays as `Planets (kepler + interaction)`, or as `Pendulum (in one piece)` without
+/// parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Split {
-    /// The name of the system's type, without its path.
+    /// The type name of the system, without its path.
     pub system: &'static str,
-    /// The names of its parts; none where H stays in one piece.
+    /// The names of the parts; empty if `H` is not split.
     pub parts: &'static [&'static str],
 }
 
@@ -58,22 +59,22 @@ impl fmt::Display for Split {
     }
 }
 
-/// A splitting of which nothing is in the ranking.
+/// A splitting without a result in the ranking.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Unranked {
     /// The splitting.
     pub splitting: Split,
-    /// The composition with its smallest error.
+    /// The composition with the smallest error for this splitting.
     pub composition: &'static str,
-    /// That error.
+    /// The smallest error.
     pub error: f64,
-    /// Why none of its compositions was tried, if so: a [time of its own](super::LogarithmicSteps) that does not pass from this
-    /// start.
+    /// The reason if no composition was tried: the [fictitious time](super::LogarithmicSteps) does not advance from
+    /// this start.
     pub not_tried: Option<&'static str>,
 }
 
-/// Compositions that reach a tolerance, cheapest first; there is at least one. Displays as a table.
+/// Compositions that reach a goal, cheapest first; there is at least one. Displays as a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ranking {
     pub(super) choices: Vec<Choice>,
@@ -83,18 +84,19 @@ pub struct Ranking {
 }
 
 impl Ranking {
-    /// The cheapest.
+    /// Returns the cheapest choice.
     pub fn best(&self) -> &Choice {
         &self.choices[0]
     }
 
-    /// All of them.
+    /// Returns all choices, cheapest first.
     pub fn choices(&self) -> &[Choice] {
         &self.choices
     }
 
-    /// The splittings of which no composition reaches the tolerance in sixteen times the time of the best. An error that
-    /// stays large tells of a splitting of another Hamiltonian.
+    /// Returns the splittings that do not reach the goal in sixteen times the time of the best choice.
+    ///
+    /// An error that remains large indicates that the splitting has a different Hamiltonian.
     pub fn unranked(&self) -> &[Unranked] {
         &self.unranked
     }

@@ -39,7 +39,7 @@ use crate::{
 /// of it, these are as many as a run has at most.
 const HALVINGS: i32 = 15;
 
-/// One way to split a Hamiltonian: any system, for states of these coordinates.
+/// A splitting of a Hamiltonian: any system whose coordinates have this type.
 pub trait Splitting<C: Coords> {
     /// What a choice measures of it.
     #[doc(hidden)]
@@ -55,7 +55,7 @@ where
     }
 }
 
-/// A system without its type.
+/// A system without its type parameter.
 pub struct Erased<'s, C>(pub(super) &'s dyn Measured<C>);
 
 /// The kinetic energy of a state at a time, or what is taken for it, and the energy.

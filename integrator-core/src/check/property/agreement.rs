@@ -47,17 +47,15 @@ pub(crate) const SAFETY: f64 = 8.0;
 /// A state and its time.
 pub(crate) type Visited = (Flat, f64);
 
-/// Numbers of comparisons of the generated code with the user's functions.
+/// The numbers of comparisons between the generated code and the user's functions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Agreement {
     /// The number of energies that agree.
     pub energies: usize,
-    /// The number of derivatives that agree: forces and velocities, and their tangents, in one direction at one state
-    /// each.
+    /// The number of derivatives that agree: forces, velocities and their tangents, in one direction at one state each.
     pub derivatives: usize,
-    /// The number of comparisons that could not be made: at a kink or a jump, or where rounding leaves nothing to be
-    /// compared.
+    /// The number of comparisons that were left out: at a kink or a jump, or where rounding dominates.
     pub left_out: usize,
 }
 

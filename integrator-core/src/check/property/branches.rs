@@ -18,22 +18,22 @@ use crate::{
 };
 use core::fmt;
 
-/// A comparison of an energy whose side changed along an orbit.
+/// A comparison in an energy whose result changes along an orbit.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Crossing {
-    /// The function whose comparison it is.
+    /// The function that contains the comparison.
     pub part: &'static str,
-    /// Which of its comparisons, from 1 on, in the order in which they are evaluated.
+    /// The index of the comparison within the function, from 1, in order of evaluation.
     pub number: usize,
-    /// What compares: an operator of a condition or a function, such as `<` or `abs`.
+    /// The operator or function that compares, such as `<` or `abs`.
     pub by: &'static str,
-    /// In how many steps it was the first of its function whose side changed.
+    /// The number of steps in which this was the first comparison of its function to change.
     pub times: u64,
-    /// The number and the time of the end of the first of these steps.
+    /// The index of the first of these steps, and the time at its end.
     pub first: (u64, f64),
-    /// The two operands before that step and after it; of a function with one argument, the argument and the place of the
-    /// kink or the whole number.
+    /// The two operands before and after that step. For a function of one argument: the argument, and the position of
+    /// the kink or the integer.
     pub operands: [[f64; 2]; 2],
 }
 
@@ -49,16 +49,16 @@ impl fmt::Display for Crossing {
     }
 }
 
-/// The branches of H that an orbit crosses. Displays them.
+/// The branches of `H` that an orbit crosses. `Display` lists them.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Branches {
-    /// How many comparisons the energies make at the start.
+    /// The number of comparisons in the energies at the start.
     pub comparisons: usize,
-    /// Those whose side changed, in the order in which they first did. Where several of a function change in a step, it is the
-    /// first of them: those behind it may be others then.
+    /// The comparisons whose result changed, in the order of the first change. If several comparisons of a function
+    /// change in one step, only the first is recorded, since it may decide which others are evaluated.
     pub crossed: Vec<Crossing>,
-    /// How many steps the orbit has.
+    /// The number of steps of the orbit.
     pub steps: u64,
 }
 
@@ -77,12 +77,14 @@ impl fmt::Display for Branches {
     }
 }
 
-/// The branches of H that the orbit from `start` crosses in `steps` steps of `h`: which comparison, and when.
+/// Finds the branches of `H` that the orbit from `start` crosses in `steps` steps of `h`.
 ///
-/// Deviation vectors are multiplied by the derivative of each step, on the side of every branch that the state is on.
-/// Where a force jumps, as that of `abs` does, the motion has a derivative that no step has: the neighbours of an orbit
-/// cross at another time. A kink of the force, as that of `max(q, 0)²`, does no harm. The check does not tell these two
-/// apart. It evaluates the energies after each step, which costs about as much as a step of few stages does.
+/// Deviation vectors are multiplied by the derivative of each step, on the current side of every branch. If the force
+/// is discontinuous, as for `abs`, neighbouring orbits cross at different times, and the derivative of a step does not
+/// contain this effect. A kink of the force, as for `max(q, 0)²`, does no harm. The check does not distinguish a jump
+/// from a kink.
+///
+/// The energies are evaluated after each step, which costs about as much as a step with few stages.
 ///
 /// ```
 /// use integrator_core::{check::branches, prelude::*};
@@ -104,7 +106,8 @@ impl fmt::Display for Branches {
 /// ```
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a run that leaves the finite numbers.
+/// - The start or the step is invalid for a run.
+/// - The run diverges.
 pub fn branches<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

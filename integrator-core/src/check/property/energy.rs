@@ -34,41 +34,44 @@ const SAMPLES: u64 = 4096;
 /// threshold: no motion that resembles the true one crosses it.
 const LOST: f64 = 0.5;
 
-/// The deviation of the energy `H` in a run, in units of the largest kinetic energy of the run. The value of `H` itself
-/// is no unit: a constant in `V` changes it at will, and it may be zero. Where the parts of H are no `T(p)` and `V(q)`,
-/// the kinetic energy is `½ p·∂H/∂p`, which is the same where H is quadratic in `p`.
+/// The deviation of the energy `H` during a run, in units of the largest kinetic energy of the run.
+///
+/// The value of `H` itself is not a suitable unit: it may be zero, and a constant in `V` changes it. If the parts of
+/// `H` are not `T(p)` and `V(q)`, the kinetic energy is `½ p·∂H/∂p`, which is the same for `H` quadratic in `p`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EnergyDrift {
     /// The largest deviation from the start.
     pub deviation: f64,
-    /// The root of the mean squared deviation from the start.
+    /// The root mean square deviation from the start.
     pub mean_deviation: f64,
-    /// Whether it oscillates, walks at random or drifts, as far as the run is long enough to tell.
+    /// Whether the energy oscillates, walks at random or drifts, if the run is long enough to distinguish these.
     pub course: Course,
     /// The mean kinetic energy.
     pub mean_kinetic: f64,
-    /// The slope of the straight line through the energy, per unit time.
+    /// The slope of a straight line fitted to the energy, per unit time.
     pub slope: f64,
-    /// The standard error of the slope. It allows for a random walk, whose values resemble their neighbours.
+    /// The standard error of the slope, which takes into account that the values of a random walk are correlated.
     pub uncertainty: f64,
     /// The step of the run.
     pub step: f64,
     /// The number of steps of the run.
     pub steps: u64,
-    /// The part of the deviation that rounding alone may cause.
+    /// The part of the deviation that rounding explains.
     pub rounding: f64,
 }
 
 impl EnergyDrift {
-    /// The change of the energy over the run along the straight line.
+    /// Returns the change of the energy over the run along the fitted line.
     pub fn drift(&self) -> f64 {
         self.slope * self.step * self.steps as f64
     }
 
-    /// Whether the energy is lost: it strays by more than half of the largest kinetic energy, or by more than the mean
-    /// one in the mean, which no longer is an error of the step but another motion. (A comet that is fast for a moment
-    /// is another one long before the first.) A smaller step helps, if the composition is right.
+    /// Whether the energy error is so large that the run follows another orbit.
+    ///
+    /// This is the case if the largest deviation exceeds half of the largest kinetic energy, or if the mean deviation
+    /// exceeds the mean kinetic energy. The second limit detects a wrong orbit of a comet, whose kinetic energy is
+    /// large for short times only. A smaller step helps if the composition is correct.
     pub fn is_lost(&self) -> bool {
         let strays = !within(self.deviation, LOST) || !within(self.mean_deviation, self.mean_kinetic);
         strays && !within(self.deviation, self.rounding)
@@ -89,9 +92,11 @@ impl EnergyDrift {
         self.is_bounded() || (self.course == Course::RandomWalk && !self.is_lost())
     }
 
-    /// Whether the energy stays: it is not lost, and either rounding explains how far it goes or at most half of that
-    /// is a trend. The line through `m` periods of a sine accounts for `6/(πm)` of its amplitude, less than half from
-    /// the fourth period on; the line through a steady loss or gain accounts for nearly all of it.
+    /// Whether the energy error is bounded.
+    ///
+    /// The energy is not [lost](Self::is_lost), and either rounding explains the deviation or at most half of it is a
+    /// trend. A line fitted to `m` periods of a sine accounts for `6/(πm)` of its amplitude, which is less than half
+    /// from the fourth period on. A line fitted to a steady loss or gain accounts for nearly all of it.
     pub fn is_bounded(&self) -> bool {
         let trendless = within(self.deviation, self.rounding) || within(self.drift(), self.deviation / 2.0);
         trendless && !self.is_lost()
@@ -101,8 +106,10 @@ impl EnergyDrift {
 /// Measures the energy over `steps` steps from `start`.
 ///
 /// # Errors
-/// A Hamiltonian that reads the time; fewer than 64 steps; a start or a step that no run would begin with; a run that
-/// leaves the finite numbers.
+/// - The Hamiltonian depends on time.
+/// - There are fewer than 64 steps.
+/// - The start or the step is invalid for a run.
+/// - The run diverges.
 pub fn energy_drift<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

@@ -26,19 +26,20 @@ use crate::{
 use nalgebra::DMatrix;
 use std::{cell::RefCell, collections::BTreeMap, fmt};
 
-/// What an exact flow does.
+/// A property of exact flows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FlowLaw {
-    /// Its tangent map preserves the symplectic form.
+    /// The tangent map of the flow preserves the symplectic form.
     Symplecticity,
-    /// The flow for the negative duration undoes it.
+    /// The flow for the negative duration inverts the flow.
     Inverse,
-    /// The flow for a duration, then for another one, is that for the sum of both.
+    /// The flow for a duration, followed by the flow for another one, is the flow for the sum of both.
     Addition,
-    /// It conserves the energy of its part.
+    /// The flow conserves the energy of its part.
     Energy,
-    /// Its derivative by the duration is the vector field of the energy of its part, at the beginning and along its course.
+    /// The derivative of the flow by its duration is the Hamiltonian vector field of its part, at the beginning and
+    /// along the flow.
     Generator,
 }
 
@@ -54,20 +55,21 @@ impl fmt::Display for FlowLaw {
     }
 }
 
-/// The errors of the flows of parts, each in units of what rounding explains, and that of the generator in units of what
-/// rounding and its differences explain: at most 1 where the flows are right. NaN where a flow is not finite.
+/// The errors of the flows of parts, in units of rounding errors: at most 1 if the flows are correct.
+///
+/// The unit of the generator contains the error of finite differences as well. NaN if a flow is not finite.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FlowErrors {
-    /// Of [`FlowLaw::Symplecticity`].
+    /// The error of [`FlowLaw::Symplecticity`].
     pub symplecticity: f64,
-    /// Of [`FlowLaw::Inverse`].
+    /// The error of [`FlowLaw::Inverse`].
     pub inverse: f64,
-    /// Of [`FlowLaw::Addition`].
+    /// The error of [`FlowLaw::Addition`].
     pub addition: f64,
-    /// Of [`FlowLaw::Energy`], for parts whose energy is known apart from that of others.
+    /// The error of [`FlowLaw::Energy`], for parts whose energy is known separately.
     pub energy: f64,
-    /// Of [`FlowLaw::Generator`].
+    /// The error of [`FlowLaw::Generator`].
     pub generator: f64,
 }
 

@@ -24,26 +24,28 @@ use crate::{
 /// error has not one known digit.
 const KNOWN: f64 = 0.1;
 
-/// How far a run is from the exact motion.
+/// The distance of a run from the exact orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GlobalError {
-    /// The distance in phase space, positions and momenta each in units of how far the exact motion goes.
+    /// The distance in phase space; positions and momenta are each in units of how far the exact orbit goes.
     pub distance: f64,
-    /// The distance that two references have from each other, and the rounding of a state: what is less than a few of
-    /// these is not known.
+    /// The distance between two reference solutions, plus the rounding of a state. A distance below a few of these is
+    /// not significant.
     pub uncertainty: f64,
-    /// The time over which it was measured, from the start. Negative for a negative step.
+    /// The time from the start over which the error was measured. Negative for a negative step.
     pub span: f64,
 }
 
-/// How far `method` is from the exact motion in `steps` steps of `h` from `start`, rounded up to a multiple of four:
-/// the root of the mean squared distance in phase space after each fourth of them, where the error at a single time may
-/// happen to vanish.
+/// Measures the distance of `method` from the exact orbit over `steps` steps of `h` from `start`.
 ///
-/// The exact motion is a Taylor series, with a compensated state and a tolerance far below the rounding, where
-/// `#[hamiltonian(taylor)]` wrote its recurrences and the flows of the system confirm it: it is known to the rounding
-/// for many periods. Of other systems it is a composition of flows of eighth order, which is good for some ten periods.
+/// The result is the root mean square distance in phase space at four equally spaced times, since the error at a single
+/// time may vanish by chance. `steps` is rounded up to a multiple of four.
+///
+/// If `#[hamiltonian(taylor)]` generated recurrences and the flows of the system confirm them, the exact orbit is a
+/// Taylor series. It has a compensated state and a tolerance far below the rounding, and is accurate to the rounding
+/// for many periods. Otherwise the exact orbit is a composition of flows of order 8, which is accurate for about ten
+/// periods.
 ///
 /// ```
 /// use integrator_core::{check::global_error, prelude::*};
@@ -69,8 +71,10 @@ pub struct GlobalError {
 /// ```
 ///
 /// # Errors
-/// No steps; a start or a step that no run would begin with; a run that leaves the finite numbers; an exact motion that
-/// is not known to a tenth of the way it goes.
+/// - `steps` is zero.
+/// - The start or the step is invalid for a run.
+/// - The run diverges.
+/// - The exact orbit is not known to a tenth of the distance that it covers.
 pub fn global_error<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

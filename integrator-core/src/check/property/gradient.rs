@@ -32,22 +32,23 @@ use crate::{
     },
 };
 
-/// The largest error of a component of the gradients of `T` and `V`, as the flows have them at `point` and `time`, in
-/// units of its condition.
+/// Returns the largest error of the generated gradients of `T` and `V` at `point` and `time`, in units of rounding
+/// errors.
 ///
-/// The condition of a component `g` is `|g| + Σ |∂g/∂xⱼ|·x` with the largest coordinate `x`: what rounding the
-/// coordinates may do to `g` is ε times that. What rounds within the formulas of `g`, by a running error analysis, counts
-/// as well. So a tiny component beside a huge one is judged by its own size, and one
-/// that is the small difference of large terms is not blamed for it.
+/// The error of a component `g` is divided by its condition: `|g| + Σ |∂g/∂xⱼ|·x` with the largest coordinate `x`.
+/// Rounding of the coordinates changes `g` by ε times that. A running error analysis adds the rounding within the
+/// formulas of `g`. A tiny component is hence compared with its own size, and cancellation of large terms is not
+/// counted as an error.
 ///
-/// As in the other checks, `point` is a [`Phase`] or a [`Start`], by value or by reference; of a `Start`, `time` counts from its own.
+/// `point` is a [`Phase`] or a [`Start`], by value or by reference. `time` counts from the time of a `Start`.
 ///
-/// Where the parts of H are no `T(p)` and `V(q)`, it is the largest error of the derivative of a flow by its duration, as
-/// the gradient of the energy makes it, in units of that derivative: what differences cannot explain of it.
+/// If the parts of `H` are not `T(p)` and `V(q)`, the derivative of each flow by its duration is compared with the
+/// gradient of the energy. The result is the largest difference that finite differences do not explain, in units of
+/// that derivative.
 ///
 /// # Errors
-/// A point that no run would begin with, a `time` that is not finite, or a point where an energy has no derivative or a
-/// flow no finite one.
+/// - The point is invalid for a run, or `time` is not finite.
+/// - An energy has no derivative at the point, or a flow has no finite one.
 pub fn gradient_error<H: Hamiltonian, K: Precision>(
     system: &H,
     point: impl IntoStart<Shaped<H, K>, Leaf = K>,

@@ -29,24 +29,24 @@ const TOLERANCE: f64 = 1.0 / (1_u64 << 26) as f64;
 /// The number of samples of a longer run.
 const SAMPLES: u64 = 1024;
 
-/// What was measured of a function that the system says is conserved.
+/// The measurements of one function that the system declares as conserved.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct InvariantDrift {
     /// The name of the function.
     pub name: &'static str,
-    /// The largest Poisson bracket with H at the start and along the path, in units of its terms.
+    /// The largest Poisson bracket with `H` at the start and along the orbit, in units of its terms.
     pub bracket: f64,
-    /// The largest deviation from the start in a run, in units of the largest `Σ |x ∂I/∂x|`.
+    /// The largest deviation from the start during a run, in units of the largest `Σ |x ∂I/∂x|`.
     pub deviation: f64,
-    /// The part of the deviation that rounding alone may cause.
+    /// The part of the deviation that rounding explains.
     pub rounding: f64,
     /// The number of steps of the run.
     pub steps: u64,
 }
 
 impl InvariantDrift {
-    /// Whether the bracket is no more than rounding explains.
+    /// Whether rounding explains the Poisson bracket with `H`.
     pub fn is_conserved(&self) -> bool {
         self.bracket <= TOLERANCE
     }

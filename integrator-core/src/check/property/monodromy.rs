@@ -31,30 +31,33 @@ pub struct Multiplier {
 }
 
 impl Multiplier {
-    /// The absolute value.
+    /// Returns the absolute value.
     pub fn norm(&self) -> f64 {
         self.re.hypot(self.im)
     }
 }
 
-/// What one period of an orbit makes of deviations. Displays the multipliers, the largest first, and the verdict.
+/// The monodromy matrix of a periodic orbit. `Display` prints the multipliers, the largest first, and the stability.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Monodromy {
-    /// The rows of the derivative of the end of the period by its start: rows and columns are all of `q`, then all of `p`.
+    /// The rows of the derivative of the final state by the initial state: rows and columns are all of `q`, then all of
+    /// `p`.
     pub matrix: Vec<Vec<f64>>,
-    /// Its eigenvalues, the Floquet multipliers, the largest in absolute value first. With a multiplier its inverse is
-    /// one as well; on an orbit that is no equilibrium, one pair is 1 if H does not read the time.
+    /// The eigenvalues of the matrix, the Floquet multipliers, sorted by decreasing absolute value.
+    ///
+    /// The inverse of each multiplier is a multiplier as well. If `H` does not depend on time and the orbit is not an
+    /// equilibrium, one pair of multipliers is 1.
     pub multipliers: Vec<Multiplier>,
-    /// How well multipliers are known where two of them are one: the root of the rounding of the matrix.
+    /// The accuracy of a double multiplier: the square root of the rounding error of the matrix.
     pub uncertainty: f64,
-    /// The largest difference of a coordinate between the start and the end of the period. Where it is not small the orbit is
-    /// not periodic, and multipliers say nothing.
+    /// The largest difference of a coordinate between the start and the end of the period. If it is not small, the
+    /// orbit is not periodic and the multipliers have no meaning.
     pub gap: f64,
 }
 
 impl Monodromy {
-    /// Whether deviations of first order stay bounded: no multiplier is outside of the unit circle, to the
+    /// Whether the orbit is linearly stable: no multiplier is outside of the unit circle, up to the
     /// [uncertainty](Self::uncertainty).
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|multiplier| multiplier.norm() <= 1.0 + self.uncertainty)
@@ -71,7 +74,7 @@ impl fmt::Display for Monodromy {
     }
 }
 
-/// The monodromy matrix of the orbit from `start` whose period is `steps` steps of `h`, and its stability.
+/// Computes the monodromy matrix and the stability of the orbit from `start` with a period of `steps` steps of `h`.
 ///
 /// ```
 /// use integrator_core::{check::monodromy, prelude::*};
@@ -94,8 +97,9 @@ impl fmt::Display for Monodromy {
 /// ```
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a run that leaves the finite numbers, or a vector of it;
-/// [`CheckError::TooFewSteps`]; [`CheckError::Growth`].
+/// - The start or the step is invalid for a run.
+/// - The run or one of its deviation vectors diverges.
+/// - [`CheckError::TooFewSteps`]; [`CheckError::Growth`].
 pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     system: &H,
     method: X,

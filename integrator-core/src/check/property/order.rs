@@ -75,7 +75,7 @@ const SCATTER: f64 = 0.05;
 /// steps, follow it to the rounding before that.
 const SHORT: i32 = 8;
 
-/// A measured order.
+/// The observed order of a composition: the fitted slope, its error and the step sizes of the fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Order {
@@ -85,13 +85,13 @@ pub struct Order {
     pub uncertainty: f64,
     /// The number of step sizes in the fit.
     pub points: usize,
-    /// The finest of them.
+    /// The finest step in the fit.
     pub finest: f64,
-    /// The coarsest of them.
+    /// The coarsest step in the fit.
     pub coarsest: f64,
-    /// The time over which errors were measured, from the start. Negative for a negative step.
+    /// The time from the start over which errors were measured. Negative for a negative step.
     pub span: f64,
-    /// The longest time that was tried, of which the span is a part: so far, four steps already follow the motion.
+    /// The longest time that was tried: four steps still follow the orbit over it. The span is a part of this time.
     pub followed: f64,
 }
 
@@ -107,22 +107,28 @@ impl Order {
     }
 }
 
-/// Measures the order of `composition` on this very problem.
+/// Measures the order of `composition` for this system and start.
 ///
-/// Errors are distances in phase space to the exact motion, at four times along a common span, in units of how far the
-/// motion went; all states are compensated. The exact motion is a Taylor series where `#[hamiltonian(taylor)]` wrote
-/// its recurrences, and else a composition of the flows that is refined until it settles. The span is the longest one,
-/// in a coarse search over multiples of `h`, that four steps already follow to a tenth, so that `h` itself may be far
-/// too fine or far too coarse. It is divided into ever more steps, at most 1024, until the error drowns in the
-/// rounding; the slope is a least-squares fit to the finest errors that do not, four to six of them. Where they do not
-/// lie on a line, because part of the motion is faster than the rest, or fall short of the claimed order, the span is
-/// shortened, to a step of `h` at the least: a short one shows the order of the composition, and
-/// [`certify`](crate::check::certify()) finds where it is lost along the orbit. Where the clock decides on pieces of
-/// the Hamiltonian, the span reaches over edges, and all steps end there.
+/// - Errors are distances in phase space from the exact orbit, at four times along a common span.
+/// - The unit of distance is how far the orbit goes; all states are compensated.
+/// - The exact orbit is a Taylor series if `#[hamiltonian(taylor)]` generated recurrences. Otherwise it is a
+///   composition of the flows, refined until it converges.
+/// - The span is the longest one that four steps follow to a tenth, found by a coarse search over multiples of `h`.
+///   Hence `h` itself may be far too fine or far too coarse.
+/// - The span is divided into more and more steps, at most 1024, until rounding dominates the error.
+/// - The slope is a least-squares fit to the finest four to six errors above the rounding.
+///
+/// If the errors do not lie on a line or fall short of the claimed order, the span is shortened, down to one step of
+/// `h`. This happens if one part of the motion is faster than the rest. A short span shows the order of the
+/// composition; [`certify`](crate::check::certify()) finds where along the orbit the order is lost.
+///
+/// If conditions on the time select pieces of the Hamiltonian, the span contains edges and all steps end there.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a method that takes steps of its own; a start from which the errors
-/// of fewer than four step sizes stand out of the rounding, or from which no step follows the motion.
+/// - The start or the step is invalid for a run.
+/// - The method chooses its own steps.
+/// - Fewer than four step sizes have errors above the rounding.
+/// - No step follows the orbit from this start.
 pub fn observed_order<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

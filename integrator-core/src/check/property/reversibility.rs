@@ -21,14 +21,15 @@ use crate::{
     trajectory::method::Method,
 };
 
-/// The distance from `start` at which a run ends that takes `steps` steps by `h` and as many by `-h` back: the largest
-/// difference of a position in units of the largest position, or of a momentum in units of the largest momentum.
+/// Measures the distance from `start` after `steps` steps by `h` and as many by `-h`.
 ///
-/// A symmetric composition comes back up to rounding, however coarse the step. Another one misses the start by about
-/// its own error, and the coarser the step, the more clearly so.
+/// The distance is the largest difference of a position in units of the largest position, or of a momentum in units of
+/// the largest momentum. A symmetric composition returns to the start up to rounding, for every step size. Other
+/// compositions miss the start by about their own error, which grows with the step.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a run that leaves the finite numbers.
+/// - The start or the step is invalid for a run.
+/// - The run diverges.
 pub fn reversibility<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

@@ -32,31 +32,32 @@ const POWER_TOLERANCE: f64 = 0.5;
 /// How many times of a run are looked at.
 const LOOKS: u64 = 2 * PARTS;
 
-/// A power of the step with which a deviation shrinks.
+/// The power of the step with which an energy deviation decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShadowPower {
-    /// What it is for a right stepper.
+    /// The power for a correct stepper.
     pub exact: i32,
-    /// What was measured; infinite where no step leaves a deviation that stands out of the rounding.
+    /// The measured power; infinite if the deviation is below the rounding for every step size.
     pub measured: f64,
-    /// The standard error of that.
+    /// The standard error of the measured power.
     pub uncertainty: f64,
 }
 
-/// The powers of the step with which the deviations of `H` and of its modifications shrink.
+/// The powers of the step with which the deviations of `H` and of the modified Hamiltonians decrease.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Shadow {
     /// The name of the composition.
     pub composition: &'static str,
-    /// The powers of `H`, and of `H` with one power of the step after the other: of Verlet, 2, 4 and 6.
+    /// The powers for `H`, then for the modified Hamiltonians with one more term each. The exact powers of Verlet are
+    /// 2, 4 and 6.
     pub powers: Vec<ShadowPower>,
-    /// The time over which they were measured.
+    /// The time over which the powers were measured.
     pub span: f64,
 }
 
 impl Shadow {
-    /// Whether each modification stays better than what it modifies, by as many powers as it should.
+    /// Whether each modified Hamiltonian is conserved better than the previous one, by the expected powers of the step.
     pub fn is_conserved(&self) -> bool {
         self.powers.iter().all(|power| power.measured >= f64::from(power.exact) - POWER_TOLERANCE)
     }
@@ -82,18 +83,21 @@ impl fmt::Display for Shadow {
     }
 }
 
-/// Measures the powers of the step with which the deviations of `H` and of the modified Hamiltonians shrink: the slopes
-/// of the logarithm of the mean squared deviation from the start over the logarithm of the step.
+/// Measures how the energy deviations of `H` and of the modified Hamiltonians decrease with the step.
 ///
-/// Runs are compensated and go over the span of [`observed_order`], of which `h` is a first guess only; as there, a
-/// slope is fitted to the finest steps whose deviation stands out of the rounding, four to six of them. Much of what is
-/// wrong leaves a step symplectic and its energy bounded, such as a force that is a thousandth too strong; it does not
-/// leave this. The modifications are those of [`ModifiedHamiltonian`]: three numbers for Verlet, two for a composition of
-/// fourth order, and one beyond.
+/// The powers are slopes of the logarithm of the mean squared deviation from the start over the logarithm of the step.
+/// Runs are compensated and extend over the span of [`observed_order`], which takes `h` as a first guess only. As
+/// there, a slope is fitted to the finest four to six steps with deviations above the rounding.
+///
+/// Many mistakes leave a step symplectic and its energy bounded, such as a force that is too strong by a thousandth.
+/// They are found here. The modified Hamiltonians are those of [`ModifiedHamiltonian`]: three powers for Verlet, two
+/// for a composition of order 4, and one for higher orders.
 ///
 /// # Errors
-/// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`; a start or a step that no run would begin with; a start from which too few
-/// deviations stand out of the rounding; energies without fifth derivatives, as those of functions with stated ones.
+/// - The Hamiltonian depends on time, or its parts are not `T(p)` and `V(q)`.
+/// - The start or the step is invalid for a run.
+/// - Too few deviations are above the rounding.
+/// - An energy has no fifth derivatives, as for functions with user-supplied derivatives.
 ///
 /// ```
 /// use integrator_core::{check::shadow, prelude::*};

@@ -37,12 +37,12 @@ const INTERVAL: u64 = 32;
 /// beyond it.
 const NEAR: f64 = 0.5;
 
-/// The fastest oscillation of a run in units of its step, and how much of it the composition bears.
+/// The fastest oscillation of a run in units of its step, and the stability limit of the composition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stability {
-    /// The phase advance: the largest `h·ω` of all samples, in radians. Zero where
-    /// nothing oscillates, NaN where no sample has finite second derivatives.
+    /// The phase advance: the largest `h·ω` of all samples, in radians. Zero if nothing oscillates; NaN if no sample
+    /// has finite second derivatives.
     pub turn: f64,
     /// The time of that sample.
     pub time: f64,
@@ -51,13 +51,13 @@ pub struct Stability {
 }
 
 impl Stability {
-    /// The phase advance as a fraction of the limit.
+    /// Returns the phase advance as a fraction of the limit.
     pub fn share(&self) -> f64 {
         self.turn / self.limit
     }
 
-    /// Whether the phase advance is half of the limit or more. The motion is then poorly resolved at best; a smaller
-    /// step is called for.
+    /// Whether the phase advance is half of the limit or more. The oscillation is then poorly resolved; use a smaller
+    /// step.
     pub fn is_near(&self) -> bool {
         !self.share().is_nan() && !within(self.share(), NEAR.next_down())
     }
@@ -78,17 +78,18 @@ impl fmt::Display for Stability {
     }
 }
 
-/// The stability of a run from `start` with step `h` by `composition`: the largest
-/// `h·ω` at 256 points of its first 8192 steps, or of as many as end in finite states.
+/// Estimates the linear stability of a run from `start` with step `h`: the largest `h·ω` at 256 points of its first
+/// 8192 steps.
 ///
-/// The frequencies at a point are those of the linear motion about it, the roots of the eigenvalues of `T″ V″`;
-/// eigenvalues of directions in which the motion grows exponentially have no frequency. Up to 24 coordinates all of
-/// them are found, beyond that the largest within a hundredth or so. The work is that of 24 force evaluations in duals
-/// per point at most.
+/// If the run diverges before, the points are taken from the steps with finite states.
+///
+/// The frequencies at a point are those of the linearised motion: the square roots of the eigenvalues of `T″ V″`.
+/// Directions of exponential growth have no frequency. Up to 24 coordinates all frequencies are computed; beyond that
+/// only the largest, to about one per cent. The cost is at most 24 force evaluations in dual numbers per point.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a Hamiltonian whose parts are no `T(p)` and `V(q)`, since the limit is
-/// that of an oscillator that is split so.
+/// - The start or the step is invalid for a run.
+/// - The parts of the Hamiltonian are not `T(p)` and `V(q)`: the limit is that of an oscillator with this splitting.
 ///
 /// ```
 /// use integrator_core::{check::stability, prelude::*};

@@ -18,17 +18,18 @@ use crate::{
 };
 use nalgebra::DMatrix;
 
-/// The symplectic defect of one closed step of size `h` from `start`: the largest entry of `Mᵀ J M - J` for the exact
-/// tangent map `M`.
+/// Returns the symplectic defect of one closed step of size `h` from `start`: the largest entry of `Mᵀ J M - J` for the
+/// exact tangent map `M`.
 ///
-/// The entries are taken in units that balance `M`: each pair `(qᵢ, pᵢ)` is measured as `(qᵢ/s, s·pᵢ)` with a power
-/// of two `s` for which neither force nor velocity dominates. Such a change of units is symplectic itself, so that the
-/// verdict is the same, but kilograms no longer drown metres. The result has no unit, is not relative to anything, and
-/// is NaN or infinite for a step that leaves the finite numbers. With `n` positions it takes `2n` steps in duals and a
-/// product of matrices of that size.
+/// Entries are measured in units that balance `M`: each pair `(qᵢ, pᵢ)` becomes `(qᵢ/s, s·pᵢ)`. The factor `s` is a
+/// power of two for which neither force nor velocity dominates. This change of units is symplectic, so it does not
+/// change the conclusion, but large units no longer hide small ones.
+///
+/// The result is an absolute error without a unit. It is NaN or infinite if the step overflows. For `n` positions the
+/// cost is `2n` steps in dual numbers and a product of matrices of that size.
 ///
 /// # Errors
-/// A start or a step that no run would begin with.
+/// The start or the step is invalid for a run.
 pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
@@ -38,10 +39,10 @@ pub fn symplectic_defect<H: Hamiltonian, X: Method<H>, K: Precision>(
     symplectic_defect_after::<H, X, K>(system, method, start, h, 1)
 }
 
-/// [`symplectic_defect`] of `steps` steps in a row. Rounding makes it grow with the number of steps.
+/// Returns the [`symplectic_defect`] of `steps` consecutive steps. Rounding makes it grow with the number of steps.
 ///
 /// # Errors
-/// As [`symplectic_defect`].
+/// The errors of [`symplectic_defect`].
 pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
@@ -52,12 +53,15 @@ pub fn symplectic_defect_after<H: Hamiltonian, X: Method<H>, K: Precision>(
     Ok(defect::<H, X, K>(system, method, &start.into_start(), h, steps)?.size)
 }
 
-/// The Poisson bracket `{qᵢ, pᵢ}` of where one closed step of size `h` from `start` leads, by where it begins:
-/// `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ` from the exact tangent map. One for a symplectic step, up to rounding; in
-/// one degree of freedom, the factor by which a step changes areas. Coordinates are counted over their flattened form.
+/// Returns the Poisson bracket `{qᵢ, pᵢ}` of the state after one closed step of size `h`, with respect to `start`.
+///
+/// The bracket is `Σₖ ∂qᵢ'/∂qₖ ∂pᵢ'/∂pₖ - ∂qᵢ'/∂pₖ ∂pᵢ'/∂qₖ`, computed from the exact tangent map. It is 1 for a
+/// symplectic step, up to rounding. In one degree of freedom it is the factor by which a step changes areas. `i` counts
+/// the coordinates in their flattened form.
 ///
 /// # Errors
-/// A start or a step that no run would begin with; a coordinate that there is not.
+/// - The start or the step is invalid for a run.
+/// - The index is out of range.
 pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,
@@ -71,23 +75,25 @@ pub fn poisson_bracket<H: Hamiltonian, X: Method<H>, K: Precision>(
     map.bracket(index).ok_or(CheckError::NoCoordinate { index, coordinates })
 }
 
-/// The tangent map of some closed steps: the derivative of where they lead by where they begin. Rows and columns are all of
-/// `q`, then all of `p`, over their flattened form.
+/// The tangent map of closed steps: the derivative of the final state by the initial state.
+///
+/// Rows and columns are all of `q`, then all of `p`, in their flattened form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TangentMap(DMatrix<f64>);
 
 impl TangentMap {
-    /// The rows of the matrix.
+    /// Returns the rows of the matrix.
     pub fn matrix(&self) -> Vec<Vec<f64>> {
         self.0.row_iter().map(|row| row.iter().copied().collect()).collect()
     }
 
-    /// The determinant: the factor by which the steps change volumes. One for a symplectic map, up to rounding.
+    /// Returns the determinant: the factor by which the steps change volumes. It is 1 for a symplectic map, up to
+    /// rounding.
     pub fn determinant(&self) -> f64 {
         self.0.determinant()
     }
 
-    /// The Poisson bracket `{qᵢ, pᵢ}` as in [`poisson_bracket`]; none of a coordinate that there is not.
+    /// Returns the Poisson bracket `{qᵢ, pᵢ}` as in [`poisson_bracket`], or `None` if the index is out of range.
     pub fn bracket(&self, index: usize) -> Option<f64> {
         let n = self.0.nrows() / 2;
         let (q, p) = (index < n).then(|| (self.0.row(index), self.0.row(n + index)))?;
@@ -95,8 +101,10 @@ impl TangentMap {
     }
 }
 
-/// The tangent maps of 1, 2, ... `steps` closed steps of size `h` from `start`, exact but for rounding: what the very steps
-/// of a run make of deviations. With `n` positions they take `2n` times the steps in duals, and `4n²` numbers for each step.
+/// Computes the tangent maps of 1, 2, ... `steps` closed steps of size `h` from `start`, exact up to rounding.
+///
+/// They are the derivatives of the steps of a run. For `n` positions the cost is `2n` times the steps in dual numbers,
+/// and `4n²` numbers for each step.
 ///
 /// ```
 /// use integrator_core::{check::tangent_maps, prelude::*};
@@ -119,8 +127,7 @@ impl TangentMap {
 /// ```
 ///
 /// # Errors
-/// A start or a step that no run would begin with. Steps that leave the finite numbers are no error: their maps are not
-/// finite.
+/// The start or the step is invalid for a run. If steps overflow, their maps are not finite; this is not an error.
 pub fn tangent_maps<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

@@ -109,8 +109,7 @@ macro_rules! adaptive {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name {
-            /// The error that a step may make, in the unit of a coordinate where it is small, relative to it where it
-            /// is above one.
+            /// The error tolerance of a step: absolute for coordinates below one, relative for larger ones.
             pub tolerance: f64,
         }
 
@@ -154,11 +153,13 @@ macro_rules! adaptive {
 const MOST: usize = 1_000_000;
 
 adaptive! {
-    /// The pair of orders 5 and 4 of Dormand and Prince (1980), DOPRI5.
+    /// The embedded pair of orders 5 and 4 of Dormand and Prince (1980), DOPRI5.
     DormandPrince5: order 5, ExplicitRungeKutta::dopri5();
     /// The method of order 8 of Dormand and Prince with the error estimate of Hairer, Nørsett and Wanner (1993), DOP853.
     DormandPrince8: order 8, ExplicitRungeKutta::dop853();
-    /// Backward differences of order 1 to 5 and steps chosen by the tolerance, for stiff systems (Gear 1971). They damp
-    /// what oscillates fast. Each step of the run begins with order 1, so that it should be a long one.
+    /// Backward differentiation formulas of orders 1 to 5 with step-size control by the tolerance, for stiff systems
+    /// (Gear 1971).
+    ///
+    /// They damp fast oscillations. Each step of the run restarts at order 1, so it should be long.
     Bdf: order 1, BackwardDifferentiationFormula::adaptive();
 }

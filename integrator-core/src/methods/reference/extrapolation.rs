@@ -11,7 +11,7 @@ use crate::{
 /// that is even (Gragg 1965), so that each column gains two orders.
 const DIVISIONS: [u32; 4] = [2, 4, 6, 8];
 
-/// Extrapolation after Gragg (1965) and Bulirsch and Stoer (1966), with four columns and a fixed step.
+/// The extrapolation method of Gragg (1965) and Bulirsch and Stoer (1966), with four columns and a fixed step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GraggBulirschStoer;
 

@@ -7,9 +7,10 @@ use crate::{
     trajectory::method::{Described, Facts},
 };
 
-/// Leapfrog: `q += h ∂T/∂p` with the momenta in the middle of the step, then `p -= h ∂V/∂q` with the
-/// positions at its end. A half kick starts the momenta, and another one brings them to the time of the positions
-/// wherever the state is shown.
+/// The staggered leapfrog: `q += h ∂T/∂p` with momenta at the middle of the step, then `p -= h ∂V/∂q` with positions at
+/// its end.
+///
+/// The run starts with a half kick. Before each output, another half kick synchronises the momenta with the positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StaggeredLeapfrog;
 

@@ -1,36 +1,38 @@
-//! Methods that are no compositions, to compare with: what a course in numerical integration goes through.
+//! Textbook methods that are not compositions, for comparison.
 //!
-//! In: the vector field `q' = ∂T/∂p`, `p' = -∂V/∂q` that `#[hamiltonian]` derives. Out: the same [`Run`](crate::Run) as
-//! that of a composition, and the same checks. Always true: the field is taken from the generated flows, as what a flow
-//! of unit duration adds, so that the methods share all of a system and nothing of the compositions.
+//! In: the vector field `q' = ∂T/∂p`, `p' = -∂V/∂q` that `#[hamiltonian]` derives. Out: a [`Run`](crate::Run) as for a
+//! composition, with the same checks. Invariant: the field is the increment of the generated flows for unit duration.
+//! Methods hence share all code of a system, and none of the compositions.
 //!
 //! | method | order | symplectic | what it shows |
 //! |---|---|---|---|
-//! | [`ForwardEuler`] | 1 | no | energies grow, as if friction were negative |
-//! | [`BackwardEuler`] | 1 | no | energies decay, as if there were friction |
-//! | [`StaggeredLeapfrog`] | 2 | yes | momenta at half steps: Verlet in another dress |
-//! | [`ExplicitMidpoint`] | 2 | no | of the order of the leapfrog, and yet energies drift |
-//! | [`ImplicitMidpoint`] | 2 | yes | symplectic without a splitting, for the price of an equation per step |
-//! | [`GaussLegendre4`], [`GaussLegendre6`] | 4, 6 | yes | the same of higher order, for two and three times the unknowns |
-//! | [`RungeKutta4`] | 4 | no | the classical one |
-//! | [`AdamsBashforth4`] | 4 | no | past forces in place of stages: one force a step |
-//! | [`AdamsBashforthMoulton4`] | 4 | no | a predictor and a corrector over past forces, at two forces a step (PECE) |
-//! | [`AdamsBashforthMoulton4Pec`] | 4 | no | the same, remembering the predicted force: one a step (PEC) |
-//! | [`Stoermer4`] | 4 | no | past forces in `q'' = a(q)`: with one of them it would be the leapfrog |
-//! | [`StoermerCowell4`] | 4 | no | a predictor and a corrector of the same kind (PECE) |
+//! | [`ForwardEuler`] | 1 | no | energy grows, as with negative friction |
+//! | [`BackwardEuler`] | 1 | no | energy decays, as with friction |
+//! | [`StaggeredLeapfrog`] | 2 | yes | momenta at half steps; equivalent to Verlet |
+//! | [`ExplicitMidpoint`] | 2 | no | same order as the leapfrog, but the energy drifts |
+//! | [`ImplicitMidpoint`] | 2 | yes | symplectic without a splitting, at the cost of an implicit equation per step |
+//! | [`GaussLegendre4`], [`GaussLegendre6`] | 4, 6 | yes | higher order, with two and three times the unknowns |
+//! | [`RungeKutta4`] | 4 | no | the classical method |
+//! | [`AdamsBashforth4`] | 4 | no | past forces instead of stages: one evaluation per step |
+//! | [`AdamsBashforthMoulton4`] | 4 | no | predictor and corrector over past forces: two evaluations per step (PECE) |
+//! | [`AdamsBashforthMoulton4Pec`] | 4 | no | the same with the predicted force: one evaluation per step (PEC) |
+//! | [`Stoermer4`] | 4 | no | past accelerations in `q'' = a(q)`; with one of them it is the leapfrog |
+//! | [`StoermerCowell4`] | 4 | no | predictor and corrector for `q'' = a(q)` (PECE) |
 //! | [`GraggBulirschStoer`] | 8 | no | extrapolation of modified midpoint steps |
-//! | [`DormandPrince5`], [`DormandPrince8`] | 5, 8 | no | steps chosen by a tolerance |
+//! | [`DormandPrince5`], [`DormandPrince8`] | 5, 8 | no | step-size control by a tolerance |
 //! | [`Bdf`] | 1 to 5 | no | backward differences for stiff systems (Gear) |
 //!
-//! The last three come from the crate `differential-equations`, which has all of them on plain vectors; they cover each
-//! step `h` of the run by steps of their own, and begin anew with the next.
+//! `DormandPrince5`, `DormandPrince8` and `Bdf` call the crate `differential-equations`, which implements them for
+//! plain vectors. They subdivide each step `h` of the run into steps of their own, and restart at the next step.
 //!
-//! [`Stoermer4`] and [`StoermerCowell4`] ask for `H = T(p) + V(q)` with `T` quadratic in `p`, all others for no more than a Hamiltonian.
+//! [`Stoermer4`] and [`StoermerCowell4`] require `H = T(p) + V(q)` with `T` quadratic in `p`. All other methods accept
+//! every Hamiltonian.
 //!
-//! [`AnyReference`] is any of these others but the implicit ones, as a value of one type.
+//! [`AnyReference`] is a value of one type for the methods that accept every Hamiltonian. The Euler, midpoint and Gauss
+//! methods with an implicit equation are not among them.
 //!
-//! They are made to be compared with and not to be fast: each evaluation of the field loads a motion, and there is code
-//! for the baseline of the target alone. Their work is counted in evaluations.
+//! The methods are made for comparison, not for speed: each evaluation of the field loads a state, and code exists for
+//! the baseline instruction set only. Their work is counted in evaluations.
 //!
 //! ```
 //! use integrator_core::{check::symplectic_defect, prelude::*, reference::RungeKutta4};

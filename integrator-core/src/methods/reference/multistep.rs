@@ -13,20 +13,25 @@ use crate::{
 /// How many steps back the method looks.
 const PAST: usize = 3;
 
-/// The formula of Adams and Bashforth over four points (Bashforth and Adams 1883), for one evaluation of the field a step.
-/// The first three steps are those of the classical Runge–Kutta method. It remembers, so that a run that goes on from a
-/// state of another begins anew.
+/// The Adams–Bashforth formula over four points (Bashforth and Adams 1883), with one evaluation of the field per step.
+///
+/// The first three steps use the classical Runge–Kutta method. The method stores past derivatives, so a run that
+/// continues from the state of another one starts again.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AdamsBashforth4;
 
-/// The predictor of Adams and Bashforth over four points, and the corrector of Adams and Moulton that reads what was
-/// predicted, once (Moulton 1926): predict, evaluate, correct, evaluate (PECE). It starts and remembers like
+/// The Adams–Bashforth predictor and the Adams–Moulton corrector over four points (Moulton 1926), with one correction
+/// (PECE).
+///
+/// Each step predicts, evaluates, corrects and evaluates. The start and the stored derivatives are those of
 /// [`AdamsBashforth4`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AdamsBashforthMoulton4;
 
-/// The same without the last evaluation (PEC): later steps read the field where it was predicted, for one evaluation a
-/// step, less accurate and less stable.
+/// [`AdamsBashforthMoulton4`] without the last evaluation (PEC): one evaluation per step, less accurate and less
+/// stable.
+///
+/// Later steps use the field at the predicted state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AdamsBashforthMoulton4Pec;
 

@@ -70,13 +70,13 @@ macro_rules! runge_kutta {
     )*};
 }
 runge_kutta! {
-    /// Euler's method (1768): `y + h f(y)`. A harmonic oscillator gains the factor `1 + (h·ω)²` of its energy in each
-    /// step, whatever the step.
+    /// Euler's method (1768): `y + h f(y)`. The energy of a harmonic oscillator grows by the factor `1 + (h·ω)²` in
+    /// each step, for every step size.
     ForwardEuler: order 1, stable 0.0, Tableau { a: &[&[]], b: &[1.0], c: &[0.0] };
-    /// `y + h f(y + h/2 f(y))` (Runge 1895). A harmonic oscillator gains the factor `1 + (h·ω)⁴/4` of its energy in each
-    /// step.
+    /// The explicit midpoint method, `y + h f(y + h/2 f(y))` (Runge 1895). The energy of a harmonic oscillator grows by
+    /// the factor `1 + (h·ω)⁴/4` in each step.
     ExplicitMidpoint: order 2, stable 0.0, Tableau { a: &[&[], &[0.5]], b: &[0.0, 1.0], c: &[0.0, 0.5] };
-    /// The classical method of fourth order (Kutta 1901). It is stable on a harmonic oscillator up to `h·ω = √8`, where
-    /// it loses energy: the factor is `1 - (h·ω)⁶/72 + (h·ω)⁸/576` in each step.
+    /// The classical method of order 4 (Kutta 1901). It is stable for a harmonic oscillator up to `h·ω = √8`. There it
+    /// loses energy: the factor is `1 - (h·ω)⁶/72 + (h·ω)⁸/576` in each step.
     RungeKutta4: order 4, stable 2.0 * std::f64::consts::SQRT_2, CLASSICAL;
 }

@@ -24,14 +24,18 @@ use std::sync::Arc;
 /// How many forces a step reads.
 const FORCES: usize = 4;
 
-/// Störmer's formula over four positions (Störmer 1907), `q[n+1] - 2 q[n] + q[n-1] = h²/12 (14 a[n] - 5 a[n-1] + 4 a[n-2] - a[n-3])`,
-/// for one force a step. The first three steps are those of the classical Runge–Kutta method. It remembers, so that a
-/// run that goes on from a state of another begins anew.
+/// Störmer's formula over four positions (Störmer 1907), with one force evaluation per step.
+///
+/// The formula is `q[n+1] - 2 q[n] + q[n-1] = h²/12 (14 a[n] - 5 a[n-1] + 4 a[n-2] - a[n-3])`. The first three steps
+/// use the classical Runge–Kutta method. The method stores past accelerations, so a run that continues from the state
+/// of another one starts again.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stoermer4;
 
-/// The same as a predictor, and the corrector of Cowell (Cowell and Crommelin 1910), `h²/12 (a[n+1] + 10 a[n] + a[n-1])`, which
-/// reads what was predicted, once: predict, evaluate, correct, evaluate (PECE).
+/// Störmer's formula as a predictor, and Cowell's corrector (Cowell and Crommelin 1910), with one correction (PECE).
+///
+/// The corrector is `h²/12 (a[n+1] + 10 a[n] + a[n-1])`, where `a[n+1]` is the acceleration at the predicted position.
+/// Each step predicts, evaluates, corrects and evaluates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StoermerCowell4;
 

@@ -1,22 +1,27 @@
-//! The Taylor method: the multiderivative method of any order, with recurrences that `#[hamiltonian(taylor)]` writes.
+//! Taylor's method: integration by power series of any order, with recurrences that `#[hamiltonian(taylor)]` generates.
 //!
-//! In: a system whose recurrences are generated. Out: runs at the precision of the scalar, whose steps are chosen by a
-//! tolerance and whose states between them cost an evaluation of a polynomial. Always true: the polynomials do not
-//! depend on where a run is looked at, so that its states do not either.
+//! In: a system with generated recurrences. Out: runs at the precision of the scalar. A tolerance controls the steps,
+//! and a state between two steps costs the evaluation of a polynomial. Invariant: the polynomials do not depend on the
+//! output times, so neither do the states.
 //!
-//! Nothing of it is written unless the annotation asks for it, and what is written costs no time to build until a run
-//! is by this method: its first one takes the compiler 2 s for a pendulum and 5 s for pairs of bodies, and 150 to 400
-//! kB of program, because each order of a pendulum and each instruction set has code of its own; the first ensemble
-//! takes 6 to 9 s and 0.4 to 0.7 MB, since there is code for lanes of each instruction set. Checks of errors
-//! take their exact motion from it, which adds 0.3 s and 65 kB to a program that calls them.
+//! The method costs no compile time until it is used:
 //!
-//! A polynomial follows the branch that its beginning is in. So a step ends where the motion crosses an edge: where a
-//! condition of an `if`, `max`, `clamp` or `abs` changes, on coordinates or on the time, where `floor` jumps, or where the
-//! root of a sum of squares is zero. The next step begins on the other side. Where such a root begins at zero, the first step goes along
-//! the derivative for a rounding of a step.
+//! - The recurrences are generated only if the annotation requests them.
+//! - The first run costs 2 s of compile time for a pendulum, 5 s for pairs of bodies, and 150 to 400 kB of program.
+//!   Each order of a pendulum and each instruction set has code of its own.
+//! - The first ensemble costs 6 to 9 s and 0.4 to 0.7 MB, since lanes of each instruction set have code of their own.
+//! - Error checks use the method as the exact orbit, which adds 0.3 s and 65 kB to a program that calls them.
 //!
-//! It is not symplectic: it is the reference, the method for errors near the rounding, and what symplectic runs are
-//! held against. Its energy error does not oscillate but accumulates, however slowly.
+//! A polynomial describes one branch of the Hamiltonian. A step therefore ends where the orbit crosses an edge, and the
+//! next step begins on the other side. Edges are:
+//!
+//! - a change of a condition of an `if`, `max`, `clamp` or `abs`, on coordinates or on the time;
+//! - a jump of `floor`;
+//! - a zero of the square root of a sum of squares. If such a root is zero at the start, the first step goes along the
+//!   derivative for a tiny fraction of a step, of the size of the rounding.
+//!
+//! The method is not symplectic. Use it as a reference, for errors near the rounding. Its energy error does not
+//! oscillate but accumulates, although slowly.
 //!
 //! ```
 //! use integrator_core::{prelude::*, taylor::Taylor};
