@@ -1,11 +1,11 @@
-//! The procedural macros of `integrator-core`: each calls `integrator-symbolic`, where the work is done.
+//! The procedural macros of `integrator-core`. `integrator-symbolic` implements them.
 //!
-//! Use them through `integrator_core`, which re-exports both and is what the generated code calls.
+//! Use them through `integrator_core`, which re-exports both and provides the items that the generated code calls.
 #![forbid(unsafe_code)]
 
 use proc_macro::TokenStream;
 
-/// Writes the stepper of a Hamiltonian given as plain functions: `H = T(p) + V(q)`, or other parts with exact flows.
+/// Generates the stepper of a Hamiltonian given as plain functions: `H = T(p) + V(q)`, or other parts with exact flows.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -34,57 +34,81 @@ use proc_macro::TokenStream;
 /// # }
 /// ```
 ///
-/// The impl stays as it was written. Behind it, the trait `Hamiltonian` is implemented for the type: the exact flows of
-/// `T` and of `V`, from gradients that are derived symbolically, and both energies. The derived equations of motion
-/// stand in the documentation of that implementation.
+/// The impl stays unchanged. The macro adds an implementation of the trait `Hamiltonian` for the type. It contains the
+/// exact flows of `T` and of `V`, from symbolically derived gradients, and both energies. The documentation of that
+/// implementation shows the derived equations of motion.
 ///
 /// # Arguments
 ///
-/// | argument | meaning |
-/// |---|---|
-/// | `compose = Yoshida4` | the composition that `run` uses; a path to any that may integrate this Hamiltonian |
-/// | `compose = V(1/2) T(1) V(1/2)` | a sequence in place, as in `composition!`, proved for this Hamiltonian |
-/// | `coordinates = jacobi(self.masses)` | with `split = kepler + interaction`: bodies `[[f64; D]; N]` that attract each other move in Jacobi coordinates, made with their masses, from the inside out; the heaviest body leads if it outweighs all before it together; `potential` has to be a sum over pairs with terms `-G m[i] m[j] / r` of the distance `r` of two bodies. States stay in the coordinates of the functions |
-/// | `split = kepler + interaction` | the parts of `H`, each a function of this name with a flow that is known exactly, in the order of the letters A, B, C; see [Parts](#parts) |
-/// | `split = kepler + (jump + interaction)` | the same, where the parts in parentheses are one part, which a composition takes as a symmetric pair |
-/// | `split = none` | `H` stays in one piece, `hamiltonian(&self, q, p)`, whatever it mixes: for methods that take the whole of its field, `compose = GaussLegendre4`; without `compose` it is `ImplicitMidpoint` |
-/// | `split = symmetric(omega = 20.0)` | the same `H` of each of two copies of the state, coupled as tightly as you say, for compositions |
-/// | `functions = fast` | `sin`, `cos`, `tan`, `exp`, `ln`, `tanh`, `asin`, `acos`, `atan`, `atan2` and `cbrt` within 4 ulp instead of 1 or 2, which takes a fifth to a half of their time off; other functions stay as they are; `functions = precise` names the default |
-/// | `taylor` | recurrences for the Taylor coefficients of the motion are written as well, for runs with `taylor::Taylor` at errors near the rounding; of the whole of `H`, whatever it splits into |
-/// | `sensitive(mass, length)` | derivatives of the end of a run by these fields of the system, each a number, for `sensitivities`; what is made of them in the functions has to be arithmetic, methods of `f64`, `let`, `if` or helper methods of the impl. Not in Jacobi coordinates, of two copies, or of parts that are solved with these fields |
-/// | `gpu` | the flows are written as C++ for devices as well, for the crate `integrator-gpu`; an error says why where they cannot be |
-/// | `gpu(functions = native)` | the same with the elementary functions of the device: faster, all of them there, and with other bits than on a processor |
-/// | `crate = path` | where `integrator_core` is, if it is not `::integrator_core` |
+/// - `compose = Yoshida4` sets the composition that `run` uses: a path to any composition that can integrate this
+///   Hamiltonian. The default is `Verlet`.
+/// - `compose = V(1/2) T(1) V(1/2)` declares a composition in place, as in `composition!`. Its order is proved for this
+///   Hamiltonian.
+/// - `split = kepler + interaction` names the parts of `H`. Each is a function of this name with an exact flow. The
+///   order is that of the letters A, B, C; see [Parts](#parts).
+/// - `split = kepler + (jump + interaction)` makes one part of the parts in parentheses. A composition integrates it as
+///   a symmetric pair.
+/// - `coordinates = jacobi(self.masses)`, with `split = kepler + interaction`, integrates attracting bodies in Jacobi
+///   coordinates. The positions are `[[f64; D]; N]`.
+///   - The coordinates are built from these masses, from the inside out. The heaviest body comes first if it outweighs
+///     all bodies before it together.
+///   - `potential` must be a sum over pairs, with terms `-G m[i] m[j] / r` of the distance `r` of two bodies.
+///   - States stay in the coordinates of the functions.
+/// - `split = none` leaves `H` unsplit, as `hamiltonian(&self, q, p)` with arbitrary terms. It is for methods that use
+///   the whole vector field, such as `compose = GaussLegendre4`. The default is `ImplicitMidpoint`.
+/// - `split = symmetric(omega = 20.0)` evolves two copies of the state, each with the same `H`, by compositions.
+///   `omega` is the strength of the coupling between the copies.
+/// - `functions = fast` allows errors up to 4 ulp instead of 1 or 2 in `sin`, `cos`, `tan`, `exp`, `ln`, `tanh`,
+///   `asin`, `acos`, `atan`, `atan2` and `cbrt`. They are faster by a fifth to a half; other functions do not change.
+///   `functions = precise` is the default.
+/// - `taylor` generates recurrences for the Taylor coefficients of the motion as well, for runs with `taylor::Taylor`
+///   at errors near the rounding. They are those of the whole `H`, for every splitting.
+/// - `sensitive(mass, length)` names fields for `sensitivities`: derivatives of the final state with respect to
+///   parameters.
+///   - Each field is a number.
+///   - Expressions of these fields may use arithmetic, methods of `f64`, `let`, `if` and helper methods of the impl.
+///   - It is not available in Jacobi coordinates, for two copies of the state, or for solved parts that contain these
+///     fields.
+/// - `gpu` generates the flows as C++ for devices as well, for the crate `integrator-gpu`. If a flow is not supported
+///   there, the compile error names the reason.
+/// - `gpu(functions = native)` uses the elementary functions of the device. It is faster and supports all functions,
+///   but runs are not bitwise identical to those on a processor.
+/// - `crate = path` is the path of `integrator_core`, if it is not `::integrator_core`.
 ///
-/// Without `compose` it is `Verlet`. Any other composition can be passed to `run_with`, and so can the implicit methods
-/// `ImplicitMidpoint`, `GaussLegendre4` and `GaussLegendre6`, whatever `H` splits into.
+/// Every other composition can be passed to `run_with`. The implicit methods `ImplicitMidpoint`, `GaussLegendre4` and
+/// `GaussLegendre6` can be passed for every splitting.
 ///
 /// # Coordinates
 ///
-/// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. The type of
-/// the coordinates is the same in both:
+/// `kinetic` takes `&self` and the momenta, `potential` takes `&self` and the positions; both return `f64`. Both use
+/// the same type of coordinates:
 ///
-/// | type | the start is made of |
+/// | type | start |
 /// |---|---|
 /// | `[f64; N]` | arrays of numbers |
 /// | `[[f64; D]; N]` | arrays of `N` points in `D` dimensions |
 /// | `[[[f64; L]; M]; N]` | arrays of `N` planes of sites: `M` rows of `L` sites |
-/// | `&[f64]`, `&[[f64; D]]`, `&[[[f64; L]; M]]` | `Vec`s, of a length that is known at run time |
+/// | `&[f64]`, `&[[f64; D]]`, `&[[[f64; L]; M]]` | `Vec`s of a length known at run time |
 ///
-/// Arrays are taken by value or by reference, or apart by a pattern: `[x, y]: [f64; 2]`. `N` and `D` may be constants,
-/// or parameters of a generic type.
+/// Arrays are passed by value or by reference, or destructured by a pattern: `[x, y]: [f64; 2]`. `N` and `D` may be
+/// constants, or parameters of a generic type.
 ///
-/// Any `T(p)` is integrated. Where it is `½ pᵀ M⁻¹ p` with a constant `M`, which is decided symbolically, the type also
-/// implements `QuadraticKinetic`, and the compositions that need it are allowed.
+/// `T(p)` is arbitrary. If it is `½ pᵀ M⁻¹ p` with a constant `M`, the type also implements `QuadraticKinetic`, which
+/// allows the compositions that need it. The macro decides this symbolically.
 ///
 /// # Parts
 ///
-/// All of `H` may stand in one function, `hamiltonian(&self, q, p)`, whose terms are sorted into `T(p)` and `V(q)`. With
-/// `split = a + b` the functions `a` and `b` are the parts instead; each takes `q`, `p`, or both. The exact flow of a
-/// part is found by its formula: a function of `p` alone or of `q` alone, a quadratic form in both, Kepler orbits, or a
-/// shear, which reads no coordinate together with its conjugate. `split = quadratic + rest` sorts the terms of
-/// `hamiltonian` into a quadratic form and what is left. Any other part needs a flow of your own, by
-/// `#[flow(a)]` on a method:
+/// One function `hamiltonian(&self, q, p)` may contain all of `H`; its terms are sorted into `T(p)` and `V(q)`. With
+/// `split = a + b`, the functions `a` and `b` are the parts instead. Each takes `q`, `p`, or both. The macro finds the
+/// exact flow of a part from its formula:
+///
+/// - a function of `p` alone or of `q` alone;
+/// - a quadratic form in both;
+/// - Kepler orbits;
+/// - a shear, which contains no coordinate together with its conjugate.
+///
+/// `split = quadratic + rest` sorts the terms of `hamiltonian` into a quadratic form and the remaining terms. Any other
+/// part needs a hand-written flow, a method with `#[flow(a)]`:
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -120,9 +144,12 @@ use proc_macro::TokenStream;
 ///
 /// # Invariants
 ///
-/// `#[invariant]` on a function of `q` and `p` says that the motion conserves it: `run.invariant("angular_momentum")` and
-/// `sample.invariant(..)` tell its value, files of samples have a column of it, and `certify` refuses a system whose `H`
-/// does not conserve it: its Poisson bracket with `H` has to vanish along the orbit. The language is that of `H`.
+/// `#[invariant]` declares that the motion conserves a function of `q` and `p`. The function may contain the same
+/// expressions as `H`.
+///
+/// - `run.invariant("angular_momentum")` and `sample.invariant(..)` return its value.
+/// - Files of samples have a column for it.
+/// - `certify` fails if its Poisson bracket with `H` does not vanish along the orbit.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -157,24 +184,23 @@ use proc_macro::TokenStream;
 ///
 /// # What the functions may contain
 ///
-/// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values;
-/// - the methods of `f64`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p`, `log`,
-///   `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`, `cosh`, `tanh`, `asinh`,
-///   `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `fract`, `rem_euclid`
-///   and `%`, `mul_add`, `to_radians`, `to_degrees`, also as
-///   `f64::sin(x)`;
-/// - helper methods of the same impl, without recursion;
-/// - sums in `let mut` variables, by `+=` and `-=` in `for` loops, nested or not: over ranges of integers, over
-///   coordinates, over lists of parameters such as `for &(i, j) in &self.bonds`, with `continue` where an iteration
-///   adds nothing. They stay loops in the generated code, whatever their length;
-/// - iterator chains that end in `sum` or in a `fold` that is a sum, of `iter`, `map`, `filter`, `enumerate`, `zip`,
-///   `rev`, `skip`, `take`, `step_by`, `windows` and `chunks_exact`;
-/// - `if` with comparisons of coordinates, joined by `&&`, `||` and `!`. Each side is differentiated on its own, and
-///   the side that is not taken is not computed. Whether the energy is smooth where they meet is up to you;
-/// - assertions, which mean nothing to the derivative.
+/// - `+ - * /`, numbers, constants, `let` with shadowing, blocks, tuples and arrays of values.
+/// - The methods of `f64`, also as `f64::sin(x)`: `sqrt`, `cbrt`, `powi`, `powf`, `recip`, `exp`, `exp2`, `exp_m1`,
+///   `ln`, `ln_1p`, `log`, `log2`, `log10`, `sin`, `cos`, `sin_cos`, `tan`, `asin`, `acos`, `atan`, `atan2`, `sinh`,
+///   `cosh`, `tanh`, `asinh`, `acosh`, `atanh`, `hypot`, `abs`, `signum`, `min`, `max`, `floor`, `ceil`, `round`,
+///   `round_ties_even`, `trunc`, `fract`, `rem_euclid` and `%`, `mul_add`, `to_radians`, `to_degrees`.
+/// - Helper methods of the same impl, without recursion.
+/// - Sums in `let mut` variables, by `+=` and `-=` in `for` loops, which may be nested. Loops run over ranges of
+///   integers, over coordinates, or over lists of parameters such as `for &(i, j) in &self.bonds`. `continue` skips an
+///   iteration. They stay loops in the generated code, for every length.
+/// - Iterator chains that end in `sum`, or in a `fold` that is a sum. They may use `iter`, `map`, `filter`,
+///   `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `windows` and `chunks_exact`.
+/// - `if` with comparisons of coordinates, joined by `&&`, `||` and `!`. Each branch is differentiated separately, and
+///   only the branch that is taken is computed. You decide whether the energy is smooth where branches meet.
+/// - Assertions, which do not change the derivative.
 ///
-/// An expression that reads no coordinate may be any Rust: fields and methods of `self`, calls, `match`. It is
-/// evaluated once per run, as it stands.
+/// An expression without coordinates may be any Rust code: fields and methods of `self`, calls, `match`. It is
+/// evaluated once per run, unchanged.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -223,8 +249,8 @@ use proc_macro::TokenStream;
 ///
 /// # Time
 ///
-/// A last argument `t: f64` in either function makes the Hamiltonian depend on time. Inside a step the clock of `V`
-/// advances with the drifts, and the clock of `T` with the kicks, so that the order is kept.
+/// A last argument `t: f64` in either function makes the Hamiltonian depend on time. Within a step, the clock of `V`
+/// advances with the drifts and the clock of `T` with the kicks, which keeps the order.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -254,8 +280,8 @@ use proc_macro::TokenStream;
 ///
 /// # Errors
 ///
-/// All mistakes are reported at once, each at the token at fault. A Hamiltonian that is not `T(p) + V(q)` is refused at
-/// the product that mixes both:
+/// All mistakes are reported together, each at its token. If a Hamiltonian is not `T(p) + V(q)`, the error is at the
+/// product that mixes both:
 ///
 /// ```compile_fail
 /// use integrator_core::prelude::*;
@@ -301,8 +327,8 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// assert_eq!(Jump::STAGES, Spelled::STAGES);
 /// ```
 ///
-/// Each declaration becomes a unit struct that implements `Scheme`, with the facts about it, and `Composition` for
-/// every Hamiltonian that it may integrate. What was proved is appended to its documentation.
+/// Each declaration becomes a unit struct. It implements `Scheme`, with the properties of the composition, and
+/// `Composition` for every Hamiltonian that it can integrate. The proved properties are appended to its documentation.
 ///
 /// # Grammar
 ///
@@ -326,14 +352,14 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
 ///   processed(sequence; sequence)    a processor, applied once and undone for output, and its kernel
 /// ```
 ///
-/// Coefficients are written with numbers, `+ - * /`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`, and are
-/// evaluated to 31 digits. One drift, one kick or one weight may be `_`: what the others leave of the step.
+/// Coefficients consist of numbers, `+ - * /`, parentheses, `sqrt(x)`, `cbrt(x)` and `root(n, x)`, and are evaluated to
+/// 31 digits. One drift, kick or weight may be `_`: the remainder of the step.
 ///
 /// # Errors
 ///
-/// A sequence whose drifts or kicks do not sum to 1 is refused, and so is a claim that does not hold; the message has
-/// the order that was proved, the first condition that is violated, and by how much. A declared order that holds only
-/// for a `T` quadratic in `p` declares a composition for such systems alone.
+/// It is an error if drifts or kicks do not sum to 1, or if a claim is false. The message contains the proved order,
+/// the first violated condition, and the size of the violation. If a declared order is valid only for `T` quadratic in
+/// `p`, the composition is for such systems only.
 ///
 /// ```compile_fail
 /// integrator_core::composition! {

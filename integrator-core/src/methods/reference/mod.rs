@@ -1,7 +1,7 @@
 //! Textbook methods that are not compositions, for comparison.
 //!
 //! In: the vector field `q' = ∂T/∂p`, `p' = -∂V/∂q` that `#[hamiltonian]` derives. Out: a [`Run`](crate::Run) as for a
-//! composition, with the same checks. Invariant: the field is the increment of the generated flows for unit duration.
+//! composition, with the same checks. Always true: the field is the increment of the generated flows for unit duration.
 //! Methods hence share all code of a system, and none of the compositions.
 //!
 //! | method | order | symplectic | what it shows |

@@ -1,8 +1,8 @@
 //! Taylor's method: integration by power series of any order, with recurrences that `#[hamiltonian(taylor)]` generates.
 //!
 //! In: a system with generated recurrences. Out: runs at the precision of the scalar. A tolerance controls the steps,
-//! and a state between two steps costs the evaluation of a polynomial. Invariant: the polynomials do not depend on the
-//! output times, so neither do the states.
+//! and a state between two steps costs the evaluation of a polynomial. Always true: the polynomials do not depend on
+//! the output times, so neither do the states.
 //!
 //! The method costs no compile time until it is used:
 //!
