@@ -13,8 +13,8 @@ pub(crate) enum Form {
     Signed(f64),
 }
 
-/// What an axis is called and how it goes. Without [`Axis::between`], it reaches from the least to the greatest
-/// coordinate with some room on both sides.
+/// The name and the scale of an axis. Without [`Axis::between`], it extends from the smallest to the largest
+/// coordinate, with some margin.
 #[derive(Clone, Debug, Default)]
 pub struct Axis {
     pub(crate) name: String,
@@ -23,32 +23,33 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis along which equal lengths are equal differences.
+    /// Creates a linear axis.
     pub fn linear(name: impl Into<String>) -> Self {
         Self { name: name.into(), ..Self::default() }
     }
 
-    /// An axis along which equal lengths are equal factors. What is not positive is not drawn.
+    /// Creates a logarithmic axis. Coordinates that are not positive are not drawn.
     pub fn logarithmic(name: impl Into<String>) -> Self {
         Self { name: name.into(), form: Form::Logarithmic, ..Self::default() }
     }
 
-    /// A logarithmic axis for numbers of both signs: equal lengths are equal factors on either side of a band around zero,
-    /// which is one decade high each way and in which numbers up to `smallest` are drawn linearly. So what grows, what
-    /// decays and what stays small are seen beside each other. If `smallest` is not positive, the axis is linear.
+    /// Creates a logarithmic axis for numbers of both signs, with a linear band around zero.
+    ///
+    /// The band is one decade high on either side and contains numbers up to `smallest`. Growing, decaying and small
+    /// quantities are hence visible in one chart. If `smallest` is not positive, the axis is linear.
     pub fn signed_logarithmic(name: impl Into<String>, smallest: f64) -> Self {
         let form = if smallest > 0.0 && smallest.is_finite() { Form::Signed(smallest) } else { Form::Linear };
         Self { name: name.into(), form, ..Self::default() }
     }
 
-    /// Ends the axis here and there. What lies beyond is cut off.
+    /// Sets the ends of the axis. Points beyond them are cut off.
     #[must_use]
     pub fn between(mut self, least: f64, most: f64) -> Self {
         self.ends = Some([least, most]);
         self
     }
 
-    /// The scale that these coordinates need.
+    /// Returns the scale for these coordinates.
     #[must_use]
     pub fn fit(&self, coordinates: impl IntoIterator<Item = f64>) -> Scale {
         let scale = Scale { form: self.form, least: 0.0, most: 1.0 };
@@ -72,7 +73,7 @@ impl Axis {
     }
 }
 
-/// An axis whose ends are known.
+/// An axis with known ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
     form: Form,
@@ -92,14 +93,14 @@ impl Scale {
         }
     }
 
-    /// Where a coordinate lies: zero is the beginning, one is the end.
+    /// Returns the position of a coordinate as a fraction of the axis, from zero to one.
     #[must_use]
     pub fn part(&self, coordinate: f64) -> Option<f64> {
         let part = (self.height(coordinate) - self.least) / (self.most - self.least);
         part.is_finite().then_some(part)
     }
 
-    /// What is written along the axis, with its place, at most so many labels.
+    /// Returns at most `at_most` labels along the axis, with their positions.
     #[must_use]
     pub fn labels(&self, at_most: usize) -> Vec<(f64, String)> {
         let range = self.least..=self.most;

@@ -6,52 +6,52 @@ use crate::{
 };
 use std::error::Error;
 
-/// A place in pixels, from the upper left corner.
+/// A position in pixels, from the upper left corner.
 pub type Place = (f64, f64);
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// The colour.
     pub colour: Colour,
-    /// Its width in pixels.
+    /// The width in pixels.
     pub width: f64,
-    /// Lengths of dashes and gaps, by turns; none for a whole line.
+    /// Alternating lengths of dashes and gaps; empty for a solid line.
     pub dashes: &'static [f32],
 }
 
 impl Stroke {
-    /// A whole line.
+    /// Creates a solid line.
     #[must_use]
     pub const fn new(colour: Colour, width: f64) -> Self {
         Self { colour, width, dashes: &[] }
     }
 
-    /// With these dashes and gaps.
+    /// Sets the lengths of dashes and gaps.
     #[must_use]
     pub const fn dashed(self, dashes: &'static [f32]) -> Self {
         Self { dashes, ..self }
     }
 }
 
-/// The sign at a point.
+/// The marker of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
     /// A filled circle.
     Disc,
     /// A filled square.
     Square,
-    /// A square on its corner.
+    /// A square standing on a corner.
     Diamond,
-    /// A triangle on its side.
+    /// A triangle with a horizontal base.
     Triangle,
-    /// A triangle on its corner.
+    /// A triangle standing on a corner.
     Wedge,
-    /// A circle with white inside.
+    /// A circle with a white interior.
     Ring,
 }
 
-/// All signs, those that are told apart best first.
+/// All markers, the most distinguishable first.
 pub const MARKERS: [Marker; 6] =
     [Marker::Disc, Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Wedge, Marker::Ring];
 
@@ -85,8 +85,7 @@ pub(crate) enum Shape {
     },
 }
 
-/// A white sheet on which a picture is put together. Later shapes cover earlier ones; what has no place, since a coordinate
-/// is not finite, is left out.
+/// A white drawing area. Later shapes cover earlier ones; shapes with a non-finite coordinate are left out.
 #[derive(Clone, Debug)]
 pub struct Canvas {
     pub(crate) size: (u32, u32),
@@ -95,15 +94,15 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// A sheet of so many pixels across and down.
+    /// Creates a drawing area of this width and height in pixels.
     ///
     /// # Errors
-    /// Fonts that cannot be read.
+    /// The fonts cannot be read.
     pub fn new(size: (u32, u32)) -> Result<Self, Box<dyn Error>> {
         Ok(Self { size, shapes: Vec::new(), typefaces: Typefaces::new()? })
     }
 
-    /// A line through points.
+    /// Draws a line through points.
     pub fn line(&mut self, points: impl IntoIterator<Item = Place>, stroke: Stroke) {
         let points: Vec<Place> = points.into_iter().filter(is_finite).collect();
         if points.len() > 1 {
@@ -111,7 +110,7 @@ impl Canvas {
         }
     }
 
-    /// The inside of a closed curve.
+    /// Fills the interior of a closed curve.
     pub fn filled(&mut self, corners: impl IntoIterator<Item = Place>, colour: Colour, opacity: f64) {
         let corners: Vec<Place> = corners.into_iter().filter(is_finite).collect();
         if corners.len() > 2 {
@@ -119,12 +118,12 @@ impl Canvas {
         }
     }
 
-    /// A filled rectangle between its upper left and its lower right corner.
+    /// Fills a rectangle, given by its upper left and its lower right corner.
     pub fn rectangle(&mut self, [from, to]: [Place; 2], colour: Colour, opacity: f64) {
         self.filled([from, (to.0, from.1), to, (from.0, to.1)], colour, opacity);
     }
 
-    /// A sign.
+    /// Draws a marker.
     pub fn marker(&mut self, marker: Marker, centre: Place, radius: f64, colour: Colour) {
         if !is_finite(&centre) {
             return;
@@ -150,28 +149,28 @@ impl Canvas {
         }
     }
 
-    /// A bitmap of so many columns, three bytes for each of its pixels, whose upper left corner is at a place and which takes a
-    /// size.
+    /// Draws a bitmap with `columns` pixels per row and three bytes per pixel. `at` is its upper left corner, `size`
+    /// its size in the picture.
     pub fn bitmap(&mut self, at: Place, size: (f64, f64), columns: usize, bytes: Vec<u8>) {
         if columns > 0 && bytes.len() >= 3 * columns {
             self.shapes.push(Shape::Bitmap { at, size, columns, bytes });
         }
     }
 
-    /// A text whose baseline goes through a place.
+    /// Draws text whose baseline goes through a position.
     pub fn text(&mut self, text: &str, at: Place, font: Font) {
         if !text.is_empty() && is_finite(&at) {
             self.shapes.push(Shape::Text { text: text.to_owned(), at, font });
         }
     }
 
-    /// How many pixels a line of text is wide.
+    /// Returns the width of a line of text in pixels.
     #[must_use]
     pub fn width(&self, text: &str, font: Font) -> f64 {
         self.typefaces.width(text, &font)
     }
 
-    /// Lines of at most so many pixels that a text is broken into.
+    /// Breaks text into lines of at most `at_most` pixels.
     #[must_use]
     pub fn broken(&self, text: &str, font: Font, at_most: f64) -> Vec<String> {
         let mut lines: Vec<String> = Vec::new();
@@ -187,7 +186,8 @@ impl Canvas {
         lines
     }
 
-    /// A text in lines of at most so many pixels, from its upper left corner on. Returns where what is below begins.
+    /// Draws text in lines of at most `at_most` pixels, from its upper left corner. Returns the height at which the
+    /// next item begins.
     pub fn paragraph(&mut self, text: &str, (x, mut y): Place, at_most: f64, font: Font) -> f64 {
         for line in self.broken(text, font, at_most) {
             self.text(&line, (x, y + font.size), font);
@@ -196,13 +196,13 @@ impl Canvas {
         y
     }
 
-    /// The picture as SVG.
+    /// Returns the picture as SVG.
     #[must_use]
     pub fn svg(&self) -> String {
         crate::svg::text(self)
     }
 
-    /// The picture as PNG, of so many times the size.
+    /// Returns the picture as PNG, enlarged by an integer factor.
     #[must_use]
     pub fn png(&self, times: u32) -> Vec<u8> {
         let times = times.max(1);

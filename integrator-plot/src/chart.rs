@@ -12,7 +12,7 @@ use crate::{
 };
 use std::{ops::RangeInclusive, path::Path};
 
-/// A chart, put together call by call: what it is called, what it shows, its axes, then its series.
+/// A chart: title, claim, axes and series, set by method calls.
 #[derive(Clone, Debug)]
 pub struct Chart {
     title: String,
@@ -27,7 +27,8 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// A chart without axes and series. Both axes are linear and have no name until [`Chart::along`] and [`Chart::up`].
+    /// Creates a chart without series. Both axes are linear and unnamed until [`Chart::along`] and [`Chart::up`] set
+    /// them.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -42,64 +43,64 @@ impl Chart {
         }
     }
 
-    /// Another title; none for an empty text.
+    /// Sets the title; an empty text removes it.
     #[must_use]
     pub fn title(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
         self
     }
 
-    /// What there is to see, under the title.
+    /// Sets the claim under the title: the result that the chart shows.
     #[must_use]
     pub fn claim(mut self, claim: impl Into<String>) -> Self {
         self.claim = claim.into();
         self
     }
 
-    /// The number that was measured for it, in bold under the claim.
+    /// Sets the measured result, in bold under the claim.
     #[must_use]
     pub fn measured(mut self, measured: impl Into<String>) -> Self {
         self.measured = measured.into();
         self
     }
 
-    /// The horizontal axis.
+    /// Sets the horizontal axis.
     #[must_use]
     pub fn along(mut self, axis: Axis) -> Self {
         self.axes[0] = axis;
         self
     }
 
-    /// The vertical axis.
+    /// Sets the vertical axis.
     #[must_use]
     pub fn up(mut self, axis: Axis) -> Self {
         self.axes[1] = axis;
         self
     }
 
-    /// Equal differences are equally long along both axes: circles are round.
+    /// Makes equal differences equally long along both axes: circles are round.
     #[must_use]
     pub fn with_equal_units(mut self) -> Self {
         self.equal_units = true;
         self
     }
 
-    /// Names stand where their series end, clear of each other, instead of in a legend.
+    /// Writes the names at the ends of their series, without overlap, instead of in a legend.
     #[must_use]
     pub fn with_names_at_ends(mut self) -> Self {
         self.names_at_ends = true;
         self
     }
 
-    /// Width and height in pixels, 1000 by 640 without this. In [`Panels`](crate::Panels) all charts have the size of the
-    /// panel.
+    /// Sets the width and height in pixels. The default is 1000 by 640. In [`Panels`](crate::Panels), all charts have
+    /// the size of the panel.
     #[must_use]
     pub fn sized(mut self, width: u32, height: u32) -> Self {
         self.size = (width, height);
         self
     }
 
-    /// A series drawn in any way. A name that is empty has no place in the legend.
+    /// Adds a series with any mark. A series with an empty name is not in the legend.
     #[must_use]
     pub fn series(mut self, mark: Mark, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let place = self.series.len();
@@ -107,28 +108,31 @@ impl Chart {
         self
     }
 
-    /// A line.
+    /// Adds a line.
     #[must_use]
     pub fn line(self, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.series(Mark::Line, name, points)
     }
 
-    /// A dot for each point: some hundreds of them, drawn as circles.
+    /// Adds a circle for each point, for some hundreds of points.
     #[must_use]
     pub fn dots(self, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.series(Mark::Dots, name, points)
     }
 
-    /// A pixel for each point: any number of them. All clouds of a chart are one bitmap, also in the SVG, which has
-    /// therefore the same size for a thousand points and for a million.
+    /// Adds a pixel for each point, for any number of points.
+    ///
+    /// All clouds of a chart are one bitmap, so an SVG has the same size for a thousand points and for a million.
     #[must_use]
     pub fn cloud(self, name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.series(Mark::Cloud, name, points)
     }
 
-    /// Numbers over a plane as colours, with a bar that says which colour is which number: rows from the lowest one up, each
-    /// from left to right, all as long as the first. Cells that hold no finite number stay white, and on a logarithmic axis
-    /// those that are not positive. Series are drawn above it.
+    /// Adds numbers over a plane as colours, with a colour bar: rows from the lowest one up, each from left to right,
+    /// all of the same length.
+    ///
+    /// Cells without a finite number stay white; on a logarithmic axis, cells that are not positive as well. Series are
+    /// drawn above the field.
     #[must_use]
     pub fn field<R: AsRef<[f64]>>(
         mut self,
@@ -149,25 +153,25 @@ impl Chart {
         self
     }
 
-    /// Another colour for the last series than that of its place, and a whole line, whichever place that is.
+    /// Sets the colour of the last series, and makes its line solid.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
         self.last(|series| (series.colour, series.dashed) = (colour, false))
     }
 
-    /// Dashes for the last series, if it is a line.
+    /// Draws the last series with dashes, if it is a line.
     #[must_use]
     pub fn dashed(self) -> Self {
         self.last(|series| series.dashed = true)
     }
 
-    /// Another sign for the points of the last series.
+    /// Sets the marker of the last series.
     #[must_use]
     pub fn marked(self, marker: Marker) -> Self {
         self.last(|series| series.marker = marker)
     }
 
-    /// The width of the last series in pixels, 2 without this.
+    /// Sets the width of the last series in pixels. The default is 2.
     #[must_use]
     pub fn wide(self, width: f64) -> Self {
         self.last(|series| series.width = width)
@@ -180,11 +184,12 @@ impl Chart {
         self
     }
 
-    /// Writes the chart as the ending of the name says, `.png` or `.svg`, and the folder if there is none. A PNG has
-    /// twice as many pixels each way as the picture, so that it is sharp in print.
+    /// Writes the chart to `file`, and creates its folder. The extension selects the format: `.png` or `.svg`.
+    ///
+    /// A PNG has twice the resolution of the picture, for sharp print.
     ///
     /// # Errors
-    /// Another ending, or a file that cannot be written.
+    /// The extension is another one, or the file cannot be written.
     pub fn save(&self, file: impl AsRef<Path>) -> Result<(), SaveError> {
         save(file.as_ref(), self)
     }

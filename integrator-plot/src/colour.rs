@@ -1,19 +1,19 @@
 //! Colours of ink, grid and curves, and those of maps.
 
-/// Red, green and blue.
+/// A colour by red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
-/// Text and axes.
+/// The colour of text and axes.
 pub const INK: Colour = Colour(40, 40, 40);
-/// Lines of the grid.
+/// The colour of grid lines.
 pub const PALE: Colour = Colour(226, 226, 226);
-/// What stands back: walks, references.
+/// The colour of secondary items: walks, references.
 pub const GREY: Colour = Colour(150, 150, 150);
-/// The sheet.
+/// The background.
 pub const WHITE: Colour = Colour(255, 255, 255);
 
-/// Colours that people with any vision tell apart (Okabe and Ito), without the yellow that white swallows.
+/// Colours that are distinguishable with any colour vision (Okabe and Ito), without yellow, which is too pale on white.
 pub const COLOURS: [Colour; 8] = [
     Colour(30, 30, 30),
     Colour(86, 180, 233),
@@ -26,7 +26,7 @@ pub const COLOURS: [Colour; 8] = [
 ];
 
 impl Colour {
-    /// Between this colour, at 0, and another one, at 1.
+    /// Interpolates between this colour, at 0, and another one, at 1.
     #[must_use]
     pub fn towards(self, other: Self, share: f64) -> Self {
         let part = |from: u8, to: u8| (f64::from(from) + share * (f64::from(to) - f64::from(from))).round() as u8;

@@ -10,21 +10,21 @@ use crate::{
     text::{Font, bold, font},
 };
 
-/// What is left free around the axes and their labels.
+/// The margins around the axes and their labels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margins {
-    /// Above the axes.
+    /// The margin above the axes.
     pub top: f64,
-    /// On the right.
+    /// The margin on the right.
     pub right: f64,
-    /// The size of labels, by which the room on the left and below is measured.
+    /// The size of labels, which determines the margins on the left and below.
     pub text: f64,
 }
 
-/// A rectangle of the sheet: left, top, right, bottom.
+/// A rectangle of the canvas: left, top, right, bottom.
 pub type Room = [f64; 4];
 
-/// A rectangle with a scale along each side. Its coordinates are those of the scales, logarithmic or not.
+/// A rectangle with a scale along each side. Coordinates are those of the scales, linear or logarithmic.
 pub struct Frame<'c> {
     canvas: &'c mut Canvas,
     room: Room,
@@ -35,7 +35,7 @@ pub struct Frame<'c> {
 }
 
 impl<'c> Frame<'c> {
-    /// Finds the place for axes and labels within a part of the sheet; draws nothing.
+    /// Finds the position of axes and labels within a part of the canvas; draws nothing.
     pub fn new(canvas: &'c mut Canvas, room: Room, margins: Margins, scales: [Scale; 2]) -> Self {
         let (size, style) = (margins.text, font(margins.text));
         let (top, bottom) = (room[1] + margins.top, room[3] - 4.0 * size);
@@ -58,7 +58,7 @@ impl<'c> Frame<'c> {
         Self { canvas, room, margins, scales, border, labels: [along, up] }
     }
 
-    /// The same place with a scale stretched, so that equal differences are equally long along both axes.
+    /// Returns the same frame with one scale extended, so that equal differences have equal lengths along both axes.
     #[must_use]
     pub fn with_equal_units(self) -> Self {
         let [left, top, right, bottom] = self.border;
@@ -72,7 +72,7 @@ impl<'c> Frame<'c> {
         Self::new(self.canvas, self.room, self.margins, scales)
     }
 
-    /// Lines of the grid through the labels.
+    /// Draws grid lines at the labels.
     pub fn grid(&mut self) {
         let [left, top, right, bottom] = self.border;
         for i in 0..self.labels[0].len() {
@@ -85,7 +85,7 @@ impl<'c> Frame<'c> {
         }
     }
 
-    /// The axes with labels and names.
+    /// Draws the axes with labels and names.
     pub fn axes(&mut self, [along, up]: [&str; 2]) {
         let [left, top, right, bottom] = self.border;
         let (size, style, ink) = (self.margins.text, font(self.margins.text), Stroke::new(INK, 1.0));
@@ -105,14 +105,14 @@ impl<'c> Frame<'c> {
         self.canvas.text(up, middle, style.centred().upwards());
     }
 
-    /// A curve, cut at the border.
+    /// Draws a curve, clipped at the frame.
     pub fn line(&mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) {
         for piece in pieces(points.into_iter().map(|point| self.place(point)), self.border) {
             self.canvas.line(piece, stroke);
         }
     }
 
-    /// Signs, those beyond the border left out.
+    /// Draws markers; those outside of the frame are left out.
     pub fn markers(
         &mut self,
         points: impl IntoIterator<Item = (f64, f64)>,
@@ -127,7 +127,7 @@ impl<'c> Frame<'c> {
         }
     }
 
-    /// The inside of a closed curve. What leaves the border is pressed against it.
+    /// Fills the interior of a closed curve. Points outside of the frame are moved to its border.
     pub fn fill(&mut self, points: impl IntoIterator<Item = (f64, f64)>, colour: Colour, opacity: f64) {
         let [left, top, right, bottom] = self.border;
         let pressed = |(x, y): Place| (x.clamp(left, right), y.clamp(top, bottom));
@@ -135,15 +135,15 @@ impl<'c> Frame<'c> {
         self.canvas.filled(outline, colour, opacity);
     }
 
-    /// Text beside a point, so many pixels away from it.
+    /// Draws text at an offset in pixels from a point.
     pub fn text(&mut self, point: (f64, f64), (right, down): Place, text: &str, font: Font) {
         if let Some((x, y)) = self.visible(point) {
             self.canvas.text(text, (x + right, y + down), font);
         }
     }
 
-    /// Names on the right of the frame, each as near as can be to the height of a point and clear of the others; a thin line
-    /// leads there.
+    /// Draws names to the right of the frame, each as close as possible to the height of its point and without overlap.
+    /// A thin line connects name and point.
     pub fn names(&mut self, names: &[((f64, f64), &str, Colour)]) {
         let (size, right) = (self.margins.text, self.border[2]);
         let mut visible: Vec<_> =
@@ -160,7 +160,7 @@ impl<'c> Frame<'c> {
         }
     }
 
-    /// Clouds of points as one bitmap. It covers what was drawn before, hence it comes first.
+    /// Draws clouds of points as one bitmap. The bitmap covers everything drawn before, so draw it first.
     pub fn clouds(&mut self, clouds: &[(&[(f64, f64)], Colour)]) {
         let [left, top, right, bottom] = self.border;
         let size = ((right - left).max(1.0) as u32, (bottom - top).max(1.0) as u32);

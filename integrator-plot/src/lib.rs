@@ -1,8 +1,8 @@
-//! Pictures of runs, as SVG and as PNG. For the eye alone: nothing in `integrator-core` knows of it.
+//! Plots of runs, as SVG and PNG.
 //!
-//! Of samples of a run, in one line each: [`energy`] and [`energies`], [`phase`], [`orbit`], [`section`], and [`map`] of anything
-//! that was computed for the points of a plane. Each is a [`Chart`], to which titles, axes and further series can be
-//! added, and which is saved as SVG or PNG.
+//! Each of these functions plots samples of a run in one line: [`energy`] and [`energies`], [`phase`], [`orbit`],
+//! [`section`]. [`map`] plots a quantity computed for the points of a plane. Each returns a [`Chart`], to which you can
+//! add titles, axes and further series, and which you can save as SVG or PNG.
 //!
 //! ```
 //! use integrator_core::prelude::*;
@@ -33,7 +33,7 @@
 //! # }
 //! ```
 //!
-//! Anything else is put together call by call:
+//! Other charts are built by method calls:
 //!
 //! ```no_run
 //! use integrator_plot::{Axis, Chart, Panels, write};
@@ -54,18 +54,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | module | holds |
+//! | module | content |
 //! |---|---|
 //! | `runs` | pictures of runs, one line each |
-//! | `picture` | what is written as files: anything that is a [`Picture`] |
+//! | `picture` | [`Picture`], and the files written from it |
 //! | `chart`, `panels` | curves and points over two axes, and several of these charts in rows |
-//! | `series`, `field` | what is drawn in a chart: lines, dots, clouds, filled outlines; colours over a plane |
-//! | `frame` | two axes on a part of the sheet, and what is drawn between them; for pictures that are no charts |
-//! | `axis`, `ticks` | linear, logarithmic and signed logarithmic axes, the numbers along them |
-//! | `labels` | names that do not cover each other |
-//! | `path` | curves cut at the border and without points that nobody would see |
-//! | `cloud` | points by the million as one bitmap, so that an SVG stays small |
-//! | `canvas` | shapes in parts of pixels, from which `svg` makes text, `raster` pixels, and `png` a file of these |
+//! | `series`, `field` | lines, dots, clouds, filled outlines; colours over a plane |
+//! | `frame` | two axes in a part of the canvas, for pictures that are not charts |
+//! | `axis`, `ticks` | linear, logarithmic and signed logarithmic axes, and their labels |
+//! | `labels` | placement of names without overlap |
+//! | `path` | curves clipped at the frame, without invisible points |
+//! | `cloud` | millions of points as one bitmap, which keeps an SVG small |
+//! | `canvas` | shapes in fractions of pixels; `svg` writes them as text, `raster` as pixels, `png` as a file |
 //! | `text`, `colour` | fonts and colours |
 
 mod axis;

@@ -8,7 +8,7 @@ use crate::{
 };
 use std::path::Path;
 
-/// Charts of one size, side by side under one head, each with its own title and claim.
+/// Charts of equal size in rows under a common title, each with its own title and claim.
 #[derive(Clone, Debug)]
 pub struct Panels {
     title: String,
@@ -20,7 +20,7 @@ pub struct Panels {
 }
 
 impl Panels {
-    /// No charts yet, in rows of three.
+    /// Creates an empty picture with rows of three charts.
     pub fn new(title: impl Into<String>, claim: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -32,39 +32,40 @@ impl Panels {
         }
     }
 
-    /// The number that was measured for it, in bold under the claim.
+    /// Sets the measured result, in bold under the claim.
     #[must_use]
     pub fn measured(mut self, measured: impl Into<String>) -> Self {
         self.measured = measured.into();
         self
     }
 
-    /// How many charts are in a row.
+    /// Sets the number of charts in a row.
     #[must_use]
     pub fn columns(mut self, columns: usize) -> Self {
         self.columns = columns.max(1);
         self
     }
 
-    /// Width and height of a chart in pixels, 380 by 360 without this.
+    /// Sets the width and height of a chart in pixels. The default is 380 by 360.
     #[must_use]
     pub fn panel(mut self, width: u32, height: u32) -> Self {
         self.panel = (width, height);
         self
     }
 
-    /// One more chart.
+    /// Adds a chart.
     #[must_use]
     pub fn chart(mut self, chart: Chart) -> Self {
         self.charts.push(chart);
         self
     }
 
-    /// Writes the panels as the ending of the name says, `.png` or `.svg`, and the folder if there is none. A PNG has
-    /// twice as many pixels each way as the picture, so that it is sharp in print.
+    /// Writes the panels to `file`, and creates its folder. The extension selects the format: `.png` or `.svg`.
+    ///
+    /// A PNG has twice the resolution of the picture, for sharp print.
     ///
     /// # Errors
-    /// Another ending, or a file that cannot be written.
+    /// The extension is another one, or the file cannot be written.
     pub fn save(&self, file: impl AsRef<Path>) -> Result<(), SaveError> {
         save(file.as_ref(), self)
     }

@@ -10,18 +10,18 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Nothing, or why there is no picture.
+/// The result of writing a picture.
 pub type Outcome = Result<(), Box<dyn Error>>;
 
-/// What is drawn onto a sheet.
+/// A drawing on a [`Canvas`].
 pub trait Picture {
-    /// Width and height in pixels.
+    /// Returns the width and height in pixels.
     fn size(&self) -> (u32, u32);
-    /// Draws onto a sheet of this size.
+    /// Draws onto a canvas of this size.
     fn draw(&self, canvas: &mut Canvas);
 }
 
-/// Why a picture was not saved.
+/// The reason why a picture was not saved.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum SaveError {
@@ -29,7 +29,7 @@ pub enum SaveError {
     Ending(PathBuf),
     /// The fonts cannot be read.
     Fonts(Box<dyn Error>),
-    /// The file, or its folder, cannot be written.
+    /// The file or its folder cannot be written.
     Write(PathBuf, io::Error),
 }
 
@@ -76,16 +76,17 @@ fn save_magnified(file: &Path, picture: &impl Picture, times: u32) -> Result<(),
     fs::write(file, encode(&canvas, times)).map_err(|error| SaveError::Write(file.to_owned(), error))
 }
 
-/// Writes `<file>.svg` and `<file>.png`, and the folder if there is none. The PNG has as many pixels as the picture.
+/// Writes `<file>.svg` and `<file>.png`, and creates the folder. The PNG has as many pixels as the picture.
 ///
 /// # Errors
-/// If a file cannot be written.
+/// A file cannot be written.
 pub fn write(file: &Path, picture: &impl Picture) -> Outcome {
     save_magnified(&file.with_extension("svg"), picture, 1)?;
     Ok(save_magnified(&file.with_extension("png"), picture, 1)?)
 }
 
-/// The title, and under it a claim: what is better, or what there is to see. Returns where what is below begins.
+/// Draws the title and below it a claim: the result that the picture shows. Returns the height at which the next item
+/// begins.
 pub fn head(canvas: &mut Canvas, title: &str, claim: &str) -> f64 {
     let room = f64::from(canvas.size.0) - 48.0;
     let below = canvas.paragraph(title, (24.0, 14.0), room, bold(24.0));

@@ -4,16 +4,17 @@ use crate::{axis::Axis, chart::Chart, colour::COLOURS, series::Mark};
 use integrator_core::{Coords, Phase, Sample};
 use std::ops::RangeInclusive;
 
-/// The relative change of the energy against the time, from the first sample on; the change itself where the energy is zero
-/// there.
+/// Plots the relative change of the energy since the first sample against time. If that energy is zero, it plots the
+/// absolute change.
 pub fn energy<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     let (points, relative) = changes(samples);
     over_time().up(Axis::linear(name_of_change(relative))).line("", points)
 }
 
-/// The relative changes of the energies of several runs, each with its name, on a signed logarithmic axis: so those that grow,
-/// those that decay and those that stay small are seen beside each other. The linear band around zero reaches to the
-/// smallest number that any run is within at all times, and no farther down than rounding.
+/// Plots the relative energy changes of several named runs on a signed logarithmic axis.
+///
+/// Growing, decaying and small changes are hence visible in one chart. The linear band around zero extends to about a
+/// tenth of the largest change of the most accurate run, but not below rounding.
 pub fn energies<'s, C: Coords, S: IntoIterator<Item = &'s Sample<C>>>(
     runs: impl IntoIterator<Item = (impl Into<String>, S)>,
 ) -> Chart {
@@ -29,13 +30,15 @@ pub fn energies<'s, C: Coords, S: IntoIterator<Item = &'s Sample<C>>>(
     runs.into_iter().fold(chart, |chart, (name, (points, _))| chart.line(name, points))
 }
 
-/// The first momentum against the first position: a closed curve for a swing, a spiral where energy is gained or lost.
+/// Plots the first momentum against the first position: a closed curve for an oscillation, a spiral if energy is gained
+/// or lost.
 pub fn phase<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     phase_of(samples, 0)
 }
 
-/// As [`phase`], of the degree of freedom with a number, counted from 0 through all bodies and their components. Nothing is
-/// drawn of one that there is not.
+/// Plots as [`phase`] for the degree of freedom `degree`, counted from 0 over all bodies and their components.
+///
+/// The chart is empty if there is no such degree of freedom.
 pub fn phase_of<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>, degree: usize) -> Chart {
     let mut freedom = 0;
     let mut points = Vec::new();
@@ -47,8 +50,11 @@ pub fn phase_of<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>,
     Chart::new("").along(Axis::linear(q)).up(Axis::linear(p)).line("", points).sized(760, 640)
 }
 
-/// Where a motion goes, in equal units, on a sheet of its own shape: of bodies in a plane or in space, `x` and `y` of each; of
-/// plain coordinates, the second against the first; of a single one, the coordinate against the time.
+/// Plots the orbit with equal units on both axes, in a picture of matching shape.
+///
+/// - Bodies in a plane or in space: `x` and `y` of each body.
+/// - Plain coordinates: the second against the first.
+/// - A single coordinate: the coordinate against time.
 pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     let mut paths: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut alone = false;
@@ -97,8 +103,9 @@ fn shape<'p>(points: impl Iterator<Item = &'p (f64, f64)>) -> [f64; 2] {
     [part(across, up), part(up, across)]
 }
 
-/// Where an orbit passes a surface: of the crossings, the second momentum against the second position, which are what is
-/// left where the surface is a value of the first position. Of one degree of freedom, it is this one.
+/// Plots a surface of section from crossings: the second momentum against the second position.
+///
+/// These remain if the surface fixes the first position. With one degree of freedom, it plots that one.
 pub fn section<'s, C: Coords>(crossings: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     let crossings: Vec<_> = crossings.into_iter().collect();
     let freedom = crossings.first().map_or(0, |crossing| crossing.state.q.flat().len());
@@ -108,7 +115,7 @@ pub fn section<'s, C: Coords>(crossings: impl IntoIterator<Item = &'s Sample<C>>
     section_of(points).along(Axis::linear(q)).up(Axis::linear(p))
 }
 
-/// As [`section`], of points that are chosen by the caller: one or several orbits, any two coordinates.
+/// Plots as [`section`] for points chosen by the caller: one or several orbits, any two coordinates.
 pub fn section_of(points: impl IntoIterator<Item = (f64, f64)>) -> Chart {
     let points: Vec<_> = points.into_iter().collect();
     // So many circles are an SVG of some hundred kilobytes; more points are a bitmap.
@@ -116,8 +123,8 @@ pub fn section_of(points: impl IntoIterator<Item = (f64, f64)>) -> Chart {
     Chart::new("").series(mark, "", points).wide(0.25).sized(760, 720)
 }
 
-/// A number for each point of a plane, as colours: rows from the lowest one up, each from left to right. `name` is what the
-/// numbers are.
+/// Plots a number for each point of a plane as colours: rows from the lowest one up, each from left to right. `name` is
+/// the name of the quantity.
 pub fn map<R: AsRef<[f64]>>(
     along: RangeInclusive<f64>,
     up: RangeInclusive<f64>,

@@ -11,13 +11,13 @@ use crate::{
 pub enum Mark {
     /// A line from point to point.
     Line,
-    /// A line with a sign at every point.
+    /// A line with a marker at every point.
     Dotted,
-    /// A sign for each.
+    /// A marker at every point.
     Dots,
-    /// A pixel for each, of any number of points, as a bitmap.
+    /// One pixel per point, as a bitmap, for any number of points.
     Cloud,
-    /// The inside of a closed curve.
+    /// The filled interior of a closed curve.
     Filled,
 }
 
@@ -33,7 +33,7 @@ pub(crate) struct Series {
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// Lengths of dashes and of the gaps between them.
+/// Lengths of dashes and of the gaps between them, in pixels.
 pub const DASHES: &[f32] = &[7.0, 4.0];
 
 impl Series {

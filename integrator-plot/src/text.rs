@@ -13,7 +13,7 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// A font, its size, its colour, and how text lies at its place.
+/// A font with its size, its colour and the alignment of the text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Font {
     pub(crate) size: f64,
@@ -23,38 +23,38 @@ pub struct Font {
     pub(crate) upright: bool,
 }
 
-/// The font in a size, in ink.
+/// Returns the regular font of a size, in [`INK`](crate::colour::INK).
 #[must_use]
 pub const fn font(size: f64) -> Font {
     Font { size, bold: false, colour: INK, anchor: Anchor::Begin, upright: false }
 }
 
-/// The bold font in a size, in ink.
+/// Returns the bold font of a size, in [`INK`](crate::colour::INK).
 #[must_use]
 pub const fn bold(size: f64) -> Font {
     Font { bold: true, ..font(size) }
 }
 
 impl Font {
-    /// In another colour.
+    /// Sets the colour.
     #[must_use]
     pub const fn coloured(self, colour: Colour) -> Self {
         Self { colour, ..self }
     }
 
-    /// The middle of the text is at its place.
+    /// Centres the text at its position.
     #[must_use]
     pub const fn centred(self) -> Self {
         Self { anchor: Anchor::Middle, ..self }
     }
 
-    /// The end of the text is at its place.
+    /// Ends the text at its position.
     #[must_use]
     pub const fn ending(self) -> Self {
         Self { anchor: Anchor::End, ..self }
     }
 
-    /// The text goes upwards.
+    /// Rotates the text so that it runs upwards.
     #[must_use]
     pub const fn upwards(self) -> Self {
         Self { upright: true, ..self }
