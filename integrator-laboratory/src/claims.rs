@@ -9,21 +9,21 @@ use crate::{
     tangents::Deviation,
 };
 
-/// What became of a claim.
+/// A claim and its measured result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// A word for programs: letters, digits and underscores.
+    /// An identifier for programs: letters, digits and underscores.
     pub name: String,
-    /// What is claimed, and of which number.
+    /// The claim in words, including the measured quantity.
     pub says: String,
-    /// Between these the claim holds.
+    /// The interval in which the claim holds.
     pub within: [f64; 2],
-    /// The number; NaN where it could not be measured.
+    /// The measured number; NaN if it could not be measured.
     pub measured: f64,
 }
 
 impl Verdict {
-    /// A claim that holds if the number lies between two others, which may be infinite.
+    /// Creates a claim that holds if the number lies in the interval, whose ends may be infinite.
     pub fn new(name: impl Into<String>, says: impl Into<String>, within: [f64; 2], measured: Option<f64>) -> Self {
         Self { name: name.into(), says: says.into(), within, measured: measured.unwrap_or(f64::NAN) }
     }
@@ -34,13 +34,13 @@ impl Verdict {
         self.within[0] <= self.measured && self.measured <= self.within[1]
     }
 
-    /// `ok`, or what it is instead.
+    /// Returns `ok` or `FAILED`.
     #[must_use]
     pub fn word(&self) -> &'static str {
         if self.holds() { "ok" } else { "FAILED" }
     }
 
-    /// What the number should be, for people.
+    /// Returns the expected number, for readers.
     #[must_use]
     pub fn expected(&self) -> String {
         match self.within {

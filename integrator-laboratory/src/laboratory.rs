@@ -17,11 +17,12 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// Measures a system from a start and writes its page, `<folder>/<name of its type>.html`, with all pictures beside it.
-/// `period` is about how long the slowest motion takes to come around. [`Laboratory`] has more to choose.
+/// Measures a system from a start and writes the page `<folder>/<name of its type>.html` with its pictures.
+///
+/// `period` is the approximate period of the slowest motion. [`Laboratory`] has more options.
 ///
 /// # Errors
-/// A start that no run would begin with; files that cannot be written.
+/// The start is invalid for a run, or a file cannot be written.
 pub fn report<H: Hamiltonian>(
     system: &H,
     start: Phase<H::Coords>,
@@ -31,7 +32,7 @@ pub fn report<H: Hamiltonian>(
     Laboratory::new(system, start, period).report(folder)
 }
 
-/// A system, how it is looked at, and what else is on its page.
+/// A system, the options of its measurements, and additional content of its page.
 pub struct Laboratory<'s, H: Hamiltonian> {
     pub(crate) problem: Problem<'s, H>,
     pub(crate) name: String,
@@ -47,7 +48,8 @@ const STEPS: f64 = 80.0;
 const BLOB: f64 = 0.02;
 
 impl<'s, H: Hamiltonian> Laboratory<'s, H> {
-    /// A system, where it starts, and about how long the slowest motion takes to come around. It has the name of its type.
+    /// Creates a laboratory for a system, its start and the approximate period of its slowest motion. The name is that
+    /// of the type.
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
         let size = numbers(&start).iter().map(|x| x * x).sum::<f64>().sqrt();
         let problem = Problem { system, period, step: period / STEPS, blob: BLOB * size, view: [0, 0], start };
@@ -65,54 +67,55 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         }
     }
 
-    /// Another name, which is that of the files as well.
+    /// Sets the name of the page and of its files.
     #[must_use]
     pub fn called(self, name: impl Into<String>) -> Self {
         Self { name: name.into(), ..self }
     }
 
-    /// What the page says under its name: `H` and the start, for people.
+    /// Sets the description under the name: `H` and the start, for readers.
     #[must_use]
     pub fn formula(self, formula: impl Into<String>) -> Self {
         Self { formula: formula.into(), ..self }
     }
 
-    /// The step of energies and of the set of starts, an eightieth of a period without this.
+    /// Sets the step for energies and for the set of starts. The default is 1/80 of a period.
     #[must_use]
     pub fn step(mut self, step: f64) -> Self {
         self.problem.step = step;
         self
     }
 
-    /// The radius of the set of starts in the plane of the first position and its momentum, a fiftieth of the size of the
-    /// start without this.
+    /// Sets the radius of the set of starts in the plane of the first position and its momentum. The default is 1/50 of
+    /// the size of the start.
     #[must_use]
     pub fn blob(mut self, radius: f64) -> Self {
         self.problem.blob = radius;
         self
     }
 
-    /// What portraits show along and up, counted from 0 through all positions and then all momenta.
+    /// Sets the horizontal and the vertical coordinate of portraits, counted from 0 over all positions and then all
+    /// momenta.
     #[must_use]
     pub fn view(mut self, view: [usize; 2]) -> Self {
         self.problem.view = view;
         self
     }
 
-    /// How much is measured.
+    /// Sets the amount of measurements.
     #[must_use]
     pub fn plan(self, plan: Plan) -> Self {
         Self { plan, ..self }
     }
 
-    /// One more claim on the page, about this system alone.
+    /// Adds a claim about this system to the page.
     #[must_use]
     pub fn claim(mut self, claim: Verdict) -> Self {
         self.claims.push(claim);
         self
     }
 
-    /// One more picture on the page, after the others. The name is that of its files.
+    /// Adds a picture at the end of the page. The name is that of its files.
     #[must_use]
     pub fn picture(mut self, name: impl Into<String>, picture: impl Into<Drawing>) -> Self {
         self.pictures.push((name.into(), picture.into()));
@@ -123,10 +126,12 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         measure(self.name.clone(), &self.problem, &self.plan)
     }
 
-    /// Measures, and writes the page and its pictures into a folder.
+    /// Measures the system and writes the page and its pictures into a folder.
     ///
     /// # Errors
-    /// A start or a step that no run would begin with; a view of a coordinate that there is not; files that cannot be written.
+    /// - The start or the step is invalid for a run.
+    /// - The view names a coordinate that does not exist.
+    /// - A file cannot be written.
     pub fn report(mut self, folder: impl AsRef<Path>) -> Result<Report, Box<dyn Error>> {
         let study = self.study()?;
         let mut pictures = pictures::all(&study);
@@ -141,10 +146,10 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     }
 }
 
-/// Writes a page of claims and pictures that were made elsewhere.
+/// Writes a page of given claims and pictures.
 ///
 /// # Errors
-/// Files that cannot be written.
+/// A file cannot be written.
 pub fn write(
     folder: impl AsRef<Path>,
     name: &str,
@@ -176,7 +181,7 @@ fn files(
     Ok(Report { page: html, claims })
 }
 
-/// A picture of either kind.
+/// A picture: one chart or several.
 #[derive(Clone, Debug)]
 pub enum Drawing {
     /// One chart.
@@ -207,13 +212,13 @@ impl Drawing {
     }
 }
 
-/// The page that was written, and what became of the claims.
+/// The written page and the results of its claims.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Report {
-    /// Where the page is.
+    /// The path of the page.
     pub page: PathBuf,
-    /// All claims of the page.
+    /// The claims of the page with their results.
     pub claims: Vec<Verdict>,
 }
 

@@ -1,4 +1,4 @@
-//! What a course in numerical integration claims, measured and drawn for any Hamiltonian, on one page.
+//! Measures and plots the results of a course on numerical integration, for any Hamiltonian, on one page.
 //!
 //! ```no_run
 //! use integrator_core::prelude::*;
@@ -26,20 +26,26 @@
 //! # }
 //! ```
 //!
-//! The page has each method with its formula and what it conserves, portraits in steps in which gains and losses are seen,
-//! energies, what symplectic steps conserve in their place, errors against the step and the work, areas, orbits there and back, limits of stability, and a table of claims:
-//! what is expected, what was measured. A claim that does not hold for a system is a finding: forward Euler gains energy
-//! where the potential is convex along the motion, and need not elsewhere.
+//! The page contains for each method:
 //!
-//! | module | holds |
+//! - its formula and the quantities that it conserves;
+//! - phase portraits, with steps large enough to show gains and losses of energy;
+//! - energies, and the modified energies that symplectic steps conserve;
+//! - errors against the step and against the work;
+//! - areas, orbits forward and back, stability limits.
+//!
+//! A table lists the claims, each with the expected and the measured number. A claim that fails for a system is a
+//! result: forward Euler gains energy if the potential is convex along the orbit, but not necessarily otherwise.
+//!
+//! | module | content |
 //! |---|---|
-//! | `laboratory` | what is asked for, and the files that it becomes |
-//! | `problem`, `plan` | a system with where it starts; how much is measured |
-//! | `study`, `measured` | all that is measured, of a system and of a method |
-//! | `methods`, `rows` | the methods; what is said of each |
+//! | `laboratory` | the options, and the files that are written |
+//! | `problem`, `plan` | a system with its start; the amount of measurements |
+//! | `study`, `measured` | all measurements, of a system and of a method |
+//! | `methods`, `rows` | the methods and their descriptions |
 //! | `blob`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
 //! | `claims` | claims, each with the number that decides it |
-//! | `pictures`, `page` | what is drawn and written; `formula` makes MathML, `numbers` plain numbers |
+//! | `pictures`, `page` | pictures and pages; `formula` writes MathML, `numbers` formats numbers |
 
 mod admitted;
 mod blob;

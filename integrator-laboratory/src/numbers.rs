@@ -1,6 +1,6 @@
 //! Numbers as people write them.
 
-/// A number to three digits: plain where that is short, else with a power of ten.
+/// Formats a number to three digits, in plain notation if that is short, otherwise with a power of ten.
 #[must_use]
 pub fn plain(number: f64) -> String {
     if number.is_nan() {
@@ -32,7 +32,7 @@ pub fn plain(number: f64) -> String {
     text.replace('-', "−")
 }
 
-/// As [`plain`], with the sign of what is positive.
+/// Formats as [`plain`], with a sign for positive numbers.
 #[must_use]
 pub fn signed(number: f64) -> String {
     if number > 0.0 && number.is_finite() { format!("+{}", plain(number)) } else { plain(number) }

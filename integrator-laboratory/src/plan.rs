@@ -1,21 +1,22 @@
 //! How much is measured.
 
-/// How much is measured: all of it on a page, less in tests.
+/// The amount of measurements: large for a page, small for tests.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
-    /// Periods of the portraits and of the energies.
+    /// The number of periods of the portraits and of the energies.
     pub periods: f64,
-    /// Points on the outline of the blob; even.
+    /// The number of points on the outline of the set of starts; even.
     pub outline: usize,
-    /// Step sizes of the errors, each half of the one before; the first is an eighth of a period.
+    /// The number of step sizes of the errors. The first is an eighth of a period, and each is half of the previous
+    /// one.
     pub rungs: u32,
-    /// Step sizes between long and short ones for which the largest change of the energy is measured.
+    /// The number of step sizes for which the largest energy change is measured.
     pub limits: u32,
 }
 
 impl Plan {
-    /// All of it.
+    /// All measurements.
     pub const WHOLE: Self = Self { periods: 20.0, outline: 256, rungs: 12, limits: 60 };
-    /// Enough for claims to hold and for pictures to show what they show.
+    /// The measurements that are enough for claims to hold and for pictures to show their result.
     pub const SMALL: Self = Self { periods: 6.0, outline: 64, rungs: 5, limits: 4 };
 }

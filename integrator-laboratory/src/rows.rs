@@ -16,7 +16,8 @@ pub(crate) struct Row {
     pub(crate) limit: bool,
 }
 
-/// The colour of a method on all pages, for pictures of one's own; none where the page has no such method.
+/// Returns the colour of a method on all pages, for pictures of your own, or `None` for a method that is not on the
+/// pages.
 #[must_use]
 pub fn colour(method: &str) -> Option<Colour> {
     ROWS.iter().find(|row| row.name == method).map(|row| row.colour)
