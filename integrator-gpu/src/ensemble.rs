@@ -21,14 +21,14 @@ use integrator_core::{
 };
 use std::collections::BTreeMap;
 
-/// Where an ensemble is.
+/// The device of an ensemble.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Device {
-    /// The device of this number, as `nvidia-smi` counts them.
+    /// The device with this index, as in `nvidia-smi`.
     Cuda(usize),
-    /// The first device, or the processor where none can be had: [`Ensemble::fallback`] says why.
+    /// The first device, or the processor if no device is available; [`Ensemble::fallback`] returns the reason.
     Best,
-    /// The text for devices as a program of this machine, made by its C++ compiler: slow, and there to test the text.
+    /// The device code as a program of this machine, built by its C++ compiler: slow, for tests of the code.
     Text,
 }
 
@@ -40,12 +40,13 @@ pub(crate) struct Ended<C> {
     pub(crate) state: Phase<C>,
 }
 
-/// Trajectories of one kind of system under way together on a device.
+/// Many trajectories of one type of system, integrated together on a device.
 ///
-/// A member has the bits of its run alone on a processor with fused multiply-add, as far as its functions stay with the
-/// kernels: the arguments that these leave to the maths library are left to that of CUDA.
+/// Each member is bitwise identical to a run of its own on a processor with fused multiply-add. Exceptions are
+/// arguments that the kernels of functions leave to the maths library: the device uses that of CUDA.
 ///
-/// Methods take `&mut self` and may fail where those of the ensemble on the processor do not, since they ask the device.
+/// Methods take `&mut self` and may fail where those of an ensemble on the processor do not, since they access the
+/// device.
 pub struct Ensemble<C: Coords> {
     /// Nothing where the members stay on the processor.
     pub(crate) place: Option<Place>,
@@ -67,10 +68,10 @@ pub struct Ensemble<C: Coords> {
 }
 
 impl<C: Coords> Ensemble<C> {
-    /// An ensemble of `(system, start)` pairs on the first device.
+    /// Creates an ensemble of `(system, start)` pairs on the first device.
     ///
     /// # Errors
-    /// As [`Ensemble::on`].
+    /// Those of [`Ensemble::on`].
     pub fn new<H, X>(composition: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
         H: DeviceText,
@@ -81,11 +82,12 @@ impl<C: Coords> Ensemble<C> {
         Self::on(Device::Cuda(0), composition, members, h)
     }
 
-    /// An ensemble of `(system, start)` pairs on a device.
+    /// Creates an ensemble of `(system, start)` pairs on a device.
     ///
     /// # Errors
-    /// [`Error::Core`] for the reasons of an ensemble on the processor; all others but [`Error::Lost`] where the device cannot
-    /// take the members, and for [`Device::Best`] none of these.
+    /// - [`Error::Core`], for the reasons of an ensemble on the processor.
+    /// - All others except [`Error::Lost`], if the device cannot integrate the members. [`Device::Best`] returns none
+    ///   of these.
     pub fn on<H, X>(
         device: Device,
         composition: X,
@@ -103,11 +105,12 @@ impl<C: Coords> Ensemble<C> {
         Self::of::<H, X>(device, OnProcessor::new(composition, members, h)?, constants?)
     }
 
-    /// The ensemble that a checkpoint was made of, of this kind or on a processor, with the method and the systems that it was
-    /// begun with: see [`OnProcessor::resume`].
+    /// Resumes an ensemble from a checkpoint of this type or of one on a processor.
+    ///
+    /// The method and the systems must be those at its start: see [`OnProcessor::resume`].
     ///
     /// # Errors
-    /// [`Error::Checkpoint`] for the reasons of an ensemble on the processor, and as [`Ensemble::on`].
+    /// [`Error::Checkpoint`], for the reasons of an ensemble on the processor, and those of [`Ensemble::on`].
     pub fn resume<H, X>(
         device: Device,
         composition: X,
@@ -155,7 +158,7 @@ impl<C: Coords> Ensemble<C> {
         Ok(ensemble.at_time(t0))
     }
 
-    /// Starts the clock at `t0` instead of 0. A `t0` that is not finite is reported by the first `advance`.
+    /// Starts the clock at `t0` instead of 0. If `t0` is not finite, the first `advance` returns an error.
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.processor = self.processor.at_time(t0);
@@ -164,24 +167,26 @@ impl<C: Coords> Ensemble<C> {
         self
     }
 
-    /// Uses at most so many threads for what is computed on the processor; no result depends on it.
+    /// Limits the number of threads for computations on the processor. Results do not depend on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.processor = self.processor.with_threads(threads);
         self
     }
 
-    /// Why the members are on the processor, if [`Device::Best`] put them there.
+    /// Returns the reason why the members are on the processor, if [`Device::Best`] selected it.
     pub fn fallback(&self) -> Option<&Error> {
         self.fallback.as_ref()
     }
 
-    /// Takes `steps` steps with every member that is under way.
+    /// Takes `steps` steps with every active member.
     ///
     /// # Errors
-    /// [`Error::Lost`] names the members that left the finite numbers in these steps, each with its last finite state; the
-    /// others have taken them. [`Error::Core`] for what leaves the ensemble as it was: a time that is not finite, steps that
-    /// cannot be counted, a start without an energy. [`Error::Call`] and [`Error::Program`] where the device fails.
+    /// - [`Error::Lost`]: members diverged. The error lists them with their last finite states; all other members have
+    ///   taken the steps.
+    /// - [`Error::Core`]: the time is not finite, the steps cannot be counted, or a start has no energy. The ensemble
+    ///   is unchanged.
+    /// - [`Error::Call`] and [`Error::Program`]: the device fails.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let done = self.steps();
         let Some(place) = &mut self.place else { return Ok(self.processor.advance(steps)?) };
@@ -214,11 +219,13 @@ impl<C: Coords> Ensemble<C> {
         Ok(Lost { members })
     }
 
-    /// As [`Ensemble::advance`], but after every `interval` steps each member under way is brought to the processor and shown to
-    /// `stays`, and those for which it returns `false` stay where they are.
+    /// Takes steps like [`Ensemble::advance`], and stops members individually.
+    ///
+    /// After every `interval` steps, each active member is copied to the processor and passed to `stays`. If it returns
+    /// `false`, the member has finished and keeps this state.
     ///
     /// # Errors
-    /// As [`Ensemble::advance`]; [`Error::Core`] for an interval of 0.
+    /// Those of [`Ensemble::advance`]; [`Error::Core`] if the interval is 0.
     pub fn advance_while(
         &mut self,
         steps: u64,
@@ -266,11 +273,13 @@ impl<C: Coords> Ensemble<C> {
         self.place.as_mut().map_or(Ok(()), |place| place.hold(&held))
     }
 
-    /// Goes with every member under way to a time, to the rounding: by whole steps on the device, and from there each on a copy
-    /// on the processor, as [`OnProcessor::advance_to`] does.
+    /// Advances every active member to a time, up to rounding.
+    ///
+    /// The device takes whole steps. From there, a copy of each member advances on the processor, as in
+    /// [`OnProcessor::advance_to`].
     ///
     /// # Errors
-    /// [`Error::Core`] for a time that is not finite or has passed, and as [`Ensemble::advance`].
+    /// Those of [`Ensemble::advance`]; [`Error::Core`] if the time is not finite or has passed.
     pub fn advance_to(&mut self, time: f64) -> Result<(), Error> {
         if self.place.is_none() {
             return Ok(self.processor.advance_to(time)?);
@@ -293,11 +302,10 @@ impl<C: Coords> Ensemble<C> {
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
-    /// Changes the states of the members that are under way, one after the other, on the processor: see
-    /// [`OnProcessor::map_states`].
+    /// Changes the states of the active members on the processor, one after the other: see [`OnProcessor::map_states`].
     ///
     /// # Errors
-    /// [`Error::Core`] for the reasons of an ensemble on the processor, and [`Error::Call`] and [`Error::Program`].
+    /// [`Error::Core`], for the reasons of an ensemble on the processor, [`Error::Call`] and [`Error::Program`].
     pub fn map_states(&mut self, map: impl FnMut(usize, &mut Phase<C>)) -> Result<(), Error> {
         self.bring()?;
         self.processor.map_states(map)?;
@@ -310,26 +318,28 @@ impl<C: Coords> Ensemble<C> {
         Ok(())
     }
 
-    /// Everything that this ensemble is, as bytes from which [`Ensemble::resume`] goes on, or [`OnProcessor::resume`] without a
-    /// device: they are those of an ensemble on the processor.
+    /// Returns a checkpoint of the ensemble, for [`Ensemble::resume`], or for [`OnProcessor::resume`] without a device.
+    ///
+    /// It has the format of an ensemble on the processor.
     ///
     /// # Errors
-    /// [`Error::Call`] and [`Error::Program`]
+    /// [`Error::Call`] and [`Error::Program`].
     pub fn checkpoint(&mut self) -> Result<Vec<u8>, Error> {
         Ok(self.on_processor()?.checkpoint())
     }
 
-    /// The members on the processor, where they are now, for all that is no step: [`OnProcessor::run_of`] a member,
-    /// [`OnProcessor::invariant`], [`OnProcessor::present`].
+    /// Copies the members to the processor and returns them, for all operations except steps.
+    ///
+    /// Examples are [`OnProcessor::run_of`], [`OnProcessor::invariant`] and [`OnProcessor::present`].
     ///
     /// # Errors
-    /// [`Error::Call`] and [`Error::Program`]
+    /// [`Error::Call`] and [`Error::Program`].
     pub fn on_processor(&mut self) -> Result<&OnProcessor<C>, Error> {
         self.bring()?;
         Ok(&self.processor)
     }
 
-    /// The members as they were when the processor last had them: at the start, or where [`Ensemble::on_processor`] brought them.
+    /// Returns the members as last copied to the processor: at the start, or by [`Ensemble::on_processor`].
     pub fn last_on_processor(&self) -> &OnProcessor<C> {
         &self.processor
     }
@@ -355,7 +365,7 @@ impl<C: Coords> Ensemble<C> {
         state
     }
 
-    /// How many steps the members that are under way have taken.
+    /// Returns the number of steps that the active members have taken.
     pub fn steps(&self) -> u64 {
         if self.place.is_some() { self.opened + self.launch.done } else { self.processor.steps() }
     }

@@ -1,8 +1,8 @@
 //! Ensembles of Hamiltonian systems on a GPU.
 //!
-//! `#[hamiltonian(gpu)]` writes the flows of a system also as C++; this crate compiles them with NVRTC when an ensemble is
-//! made, and launches them through the driver. Both libraries are loaded then and not before, so that everything builds and
-//! is tested without them.
+//! `#[hamiltonian(gpu)]` generates the flows of a system as C++ as well. When an ensemble is created, this crate
+//! compiles them with NVRTC and launches them through the driver. Both libraries are loaded at that time only, so a
+//! program builds, and its tests run, without them.
 
 mod column;
 mod columns;
@@ -18,11 +18,13 @@ mod place;
 pub use ensemble::{Device, Ensemble};
 pub use error::Error;
 
-/// Compiles the kernels of a system, whose text is `#[hamiltonian(gpu)]`'s, in double precision and for any composition: what can be
-/// known of them without a device.
+/// Compiles the kernels of a system in double precision, for any composition; needs no device.
+///
+/// The code of the kernels is the one that `#[hamiltonian(gpu)]` generates.
 ///
 /// # Errors
-/// [`Error::Compiler`] where NVRTC cannot be loaded, [`Error::Kernel`] where they do not compile.
+/// - [`Error::Compiler`]: NVRTC cannot be loaded.
+/// - [`Error::Kernel`]: the kernels do not compile.
 pub fn compile<H: integrator_core::__private::DeviceText>() -> Result<String, Error> {
     Ok(cuda::compiled(&(launch::ANY_COMPOSITION.to_owned() + H::TEXT), "f64")?.to_src())
 }

@@ -10,22 +10,22 @@ use integrator_core::{
 };
 
 impl<C: Coords> Ensemble<C> {
-    /// The number of members.
+    /// Returns the number of members.
     pub fn len(&self) -> usize {
         self.processor.len()
     }
 
-    /// Whether there are no members, which no constructor admits.
+    /// Returns `false`: an ensemble has at least one member.
     pub fn is_empty(&self) -> bool {
         self.processor.is_empty()
     }
 
-    /// How many members are under way: neither lost nor gone.
+    /// Returns the number of active members, which have neither failed nor finished.
     pub fn active(&self) -> usize {
         if self.place.is_some() { self.len() - self.ended.len() } else { self.processor.active() }
     }
 
-    /// The members that are no longer under way, lost or gone, each with its last step.
+    /// Returns the failed and finished members, each with its last step.
     pub fn lost(&self) -> Vec<(usize, u64)> {
         if self.place.is_some() {
             return self.ended.iter().map(|(member, ended)| (*member, ended.steps)).collect();
@@ -35,12 +35,13 @@ impl<C: Coords> Ensemble<C> {
         ended.filter_map(|member| Some((member, self.processor.steps_of(member)?))).collect()
     }
 
-    /// The time of the members that are under way, `t0 + n·h`, and what [`Ensemble::advance_to`] was called with.
+    /// Returns the time of the active members: `t0 + n·h`, or the time to which [`Ensemble::advance_to`] advanced.
     pub fn time(&self) -> f64 {
         if self.place.is_none() || self.is_between { self.processor.time() } else { self.time_after(self.steps()) }
     }
 
-    /// How many steps a member has taken: fewer than the others if it is lost or gone. `None` beyond the last member.
+    /// Returns the number of steps of a member, which is smaller for failed and finished members. `None` if there is no
+    /// such member.
     pub fn steps_of(&self, member: usize) -> Option<u64> {
         if self.place.is_none() || self.is_between {
             return self.processor.steps_of(member);
@@ -49,7 +50,8 @@ impl<C: Coords> Ensemble<C> {
         (member < self.len()).then_some(steps)
     }
 
-    /// The time of a member: that of its last step if it is lost or gone. `None` beyond the last member.
+    /// Returns the time of a member; for failed and finished members, that of the last step. `None` if there is no such
+    /// member.
     pub fn time_of(&self, member: usize) -> Option<f64> {
         if self.place.is_none() || self.is_between {
             return self.processor.time_of(member);
@@ -58,10 +60,10 @@ impl<C: Coords> Ensemble<C> {
         (member < self.len()).then_some(time)
     }
 
-    /// The states of all members; of those who are lost the last finite ones.
+    /// Returns the states of all members; for failed members, the last finite ones.
     ///
     /// # Errors
-    /// [`Error::Call`] and [`Error::Program`] where the device fails.
+    /// [`Error::Call`] and [`Error::Program`], if the device fails.
     pub fn states(&mut self) -> Result<Vec<Phase<C>>, Error> {
         let columns = match &mut self.place {
             Some(place) if !self.is_between => place.show(&self.launch)?,
@@ -74,18 +76,20 @@ impl<C: Coords> Ensemble<C> {
         Ok((0..self.len()).map(state).collect())
     }
 
-    /// The state of a member; for many of them take [`Ensemble::states`], which asks the device once. `None` beyond the last.
+    /// Returns the state of a member, or `None` if there is no such member.
+    ///
+    /// [`Ensemble::states`] is faster for many members, since it accesses the device once.
     ///
     /// # Errors
-    /// As [`Ensemble::states`].
+    /// Those of [`Ensemble::states`].
     pub fn state(&mut self, member: usize) -> Result<Option<Phase<C>>, Error> {
         Ok(self.states()?.into_iter().nth(member))
     }
 
-    /// The energies of all members, computed on the processor from their states.
+    /// Returns the energies of all members, computed on the processor from their states.
     ///
     /// # Errors
-    /// As [`Ensemble::states`].
+    /// Those of [`Ensemble::states`].
     pub fn energies(&mut self) -> Result<Vec<f64>, Error> {
         let states = self.states()?.into_iter().enumerate();
         let energy = |(member, state)| {
