@@ -15,14 +15,16 @@ use integrator_core::{
 };
 use mpi::traits::Communicator;
 
-/// An indicator of so many orbits, of which `start` gives the one of an index, as [`chaos::map`] of the core computes it: on
-/// rank 0 those of all, in the order of their indices, and `None` on all other ranks. Collective, with the same arguments on
-/// every rank.
+/// Computes a chaos indicator of many orbits, as [`chaos::map`] of the core does. Collective.
 ///
-/// Orbits are dealt out by their index, as [`share`] does. Each indicator has the bits that it has on one rank.
+/// `start` returns the start of the orbit with an index. Rank 0 returns the indicators of all orbits, in the order of
+/// their indices; all other ranks return `None`. The arguments must be the same on every rank.
+///
+/// Orbits are distributed by their index, as in [`share`]. Each indicator is bitwise identical to that on one rank.
 ///
 /// # Errors
-/// [`Error::Refused`] naming the first start that no run would begin with; [`Error::Rank`] for too few steps.
+/// - [`Error::Refused`]: a start is invalid for a run; the error names the first one.
+/// - [`Error::Rank`]: there are too few steps.
 #[allow(clippy::too_many_arguments, reason = "those of the core's `map`, the world, and how many orbits there are")]
 pub fn map<H, X, K, S>(
     world: &impl Communicator,

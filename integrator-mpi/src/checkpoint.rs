@@ -23,11 +23,13 @@ use std::{
 const KIND: &str = "members";
 
 impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
-    /// Writes everything that this ensemble is into `folder`, which all ranks have to see: one file for each rank and a
-    /// manifest. Whenever the job is killed, the folder holds the previous checkpoint or this one, whole. Collective.
+    /// Writes a checkpoint of the ensemble into `folder`: one file per rank and a manifest. Collective.
+    ///
+    /// All ranks need access to `folder`. If the job is killed at any time, the folder contains either the previous
+    /// checkpoint or this one, complete.
     ///
     /// # Errors
-    /// [`Error::Rank`] if a file cannot be written; the previous checkpoint is still there then.
+    /// [`Error::Rank`], if a file cannot be written; the previous checkpoint remains.
     pub fn checkpoint_to(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
         self.write_parts(folder.as_ref(), KIND, |path| {
             let mut file = File::create(path)?;
@@ -36,13 +38,14 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         })
     }
 
-    /// The ensemble that a checkpoint was made of, on as many ranks as there are now: members are dealt out by [`share`]. `system`
-    /// gives the system of each member by its index among all, which has to be the one that it was begun with. Collective.
+    /// Resumes an ensemble from a checkpoint, on any number of ranks. Collective.
     ///
-    /// A member has the bits of one that was not interrupted, however many ranks there were and are.
+    /// [`share`] distributes the members over the ranks. `system` returns the system of each member by its index among
+    /// all members; it must be the system at the start of the ensemble. Each member is bitwise identical to one without
+    /// interruption, for all numbers of ranks.
     ///
     /// # Errors
-    /// [`Error::Rank`] if a file cannot be read, is damaged, or was made with another system, method or precision, as by
+    /// [`Error::Rank`], if a file cannot be read, is damaged, or is for another system, method or precision, as in
     /// [`integrator_core::Ensemble::resume`].
     pub fn resume<H, X>(
         world: &'w W,

@@ -11,20 +11,25 @@ use integrator_core::{
     __private::{Composition, DeviceText, LaneScalars},
     Coords, Error as CoreError, InLanes, Phase, ResumableInLanes,
 };
-/// Where the members of a rank are.
+/// The device that integrates the members of a rank.
 pub use integrator_gpu::Device;
 use integrator_gpu::{Ensemble as OnDevice, Error as DeviceError};
 use mpi::traits::Communicator;
 use std::path::Path;
 
 impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
-    /// As [`Ensemble::new`], with the members of this rank on a device of its machine, which each rank may choose for itself: those
-    /// that have none take [`Device::Best`] and compute on their processor. Collective.
+    /// Creates an ensemble like [`Ensemble::new`], with the members of this rank on a device of its machine.
+    /// Collective.
     ///
-    /// After each call that takes steps the members are brought to the processor, which shows them; so let one call take many.
+    /// Each rank may select its own device. Ranks without a device use [`Device::Best`] and integrate on their
+    /// processor.
+    ///
+    /// After each call that takes steps, the members are copied to the processor. One call should hence take many
+    /// steps.
     ///
     /// # Errors
-    /// As [`Ensemble::new`], and [`Error::Rank`] with the words of the crate `integrator-gpu` where a device cannot take its members.
+    /// Those of [`Ensemble::new`]; [`Error::Rank`] with the message of the crate `integrator-gpu`, if a device cannot
+    /// integrate its members.
     pub fn on<H, X>(
         world: &'w W,
         device: Device,
@@ -48,11 +53,13 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         Ok(Self::of_held(world, agree(world, held)?, first, count, 0))
     }
 
-    /// As [`Ensemble::resume`], with the members of this rank on a device of its machine. A checkpoint does not tell where its members
-    /// were. Collective.
+    /// Resumes an ensemble like [`Ensemble::resume`], with the members of this rank on a device of its machine.
+    /// Collective.
+    ///
+    /// A checkpoint does not record where the members were.
     ///
     /// # Errors
-    /// As [`Ensemble::resume`] and [`Ensemble::on`].
+    /// Those of [`Ensemble::resume`] and [`Ensemble::on`].
     pub fn resume_on<H, X>(
         world: &'w W,
         device: Device,

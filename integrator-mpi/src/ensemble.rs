@@ -13,8 +13,9 @@ use mpi::{
 };
 use std::{fmt, ops::Range};
 
-/// The members of this rank, where `members` are dealt out by their index: ranks have neighbouring members, and as many as
-/// each other, or one more.
+/// Returns the indices of the members of this rank, for `members` that are distributed evenly.
+///
+/// Ranks have consecutive members. The numbers of members of two ranks differ by at most one.
 ///
 /// ```
 /// let universe = integrator_mpi::start()?;
@@ -45,13 +46,13 @@ pub(crate) fn counted(world: &impl Communicator, members: usize) -> Result<(usiz
     if count == 0 { Err(Error::NoMembers) } else { Ok((first, count)) }
 }
 
-/// Trajectories of one kind of system under way together on all ranks of a communicator.
+/// Many trajectories of one type of system, integrated together on all ranks of a communicator.
 ///
-/// Members are counted over all ranks, in the order of these. A member has the bits of its run alone, however many ranks
-/// there are.
+/// Members are counted over all ranks, in the order of the ranks. Each member is bitwise identical to a run of its own,
+/// for every number of ranks.
 ///
-/// Where a method is said to be collective, every rank has to call it, with the same arguments but for what it says of its
-/// own members; each gets the same answer. All others look at this rank alone.
+/// Every rank must call the methods that are marked as collective. The arguments must be the same, except those about
+/// the members of a rank, and each rank gets the same result. All other methods concern this rank only.
 pub struct Ensemble<'w, W: Communicator, C: Coords> {
     world: &'w W,
     /// Nothing where this rank has no members.
@@ -64,16 +65,16 @@ pub struct Ensemble<'w, W: Communicator, C: Coords> {
     steps: u64,
 }
 
-/// A member of this rank, as it is shown.
+/// A member of this rank.
 #[derive(Clone)]
 pub struct Member<'e, C: Coords> {
-    /// Its index among the members of all ranks.
+    /// The index among the members of all ranks.
     pub index: usize,
-    /// Its state: the last finite one if it is lost.
+    /// The state; for a failed member, the last finite one.
     pub state: Phase<C>,
-    /// How many steps it has taken: fewer than the ensemble if it is lost or gone.
+    /// The number of steps, which is smaller for failed and finished members.
     pub steps: u64,
-    /// Its time.
+    /// The time.
     pub time: f64,
     /// The ensemble that it is in, where it has this place.
     local: &'e Local<C>,
@@ -81,7 +82,7 @@ pub struct Member<'e, C: Coords> {
 }
 
 impl<C: Coords> Member<'_, C> {
-    /// Its energy in that state, which is computed when it is asked for.
+    /// Computes the energy of the state.
     pub fn energy(&self) -> f64 {
         // Members are counted as states are.
         self.local.energy(self.own).unwrap_or(f64::NAN)
@@ -98,11 +99,14 @@ impl<C: Coords> fmt::Debug for Member<'_, C> {
 }
 
 impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
-    /// An ensemble of the `(system, start)` pairs of all ranks that take steps `h`: each rank gives its own, which follow
-    /// those of the rank before. [`share`] says which they are where they are dealt out evenly. Collective.
+    /// Creates an ensemble of the `(system, start)` pairs of all ranks, with step `h`. Collective.
+    ///
+    /// Each rank passes its own pairs, which follow those of the previous rank. [`share`] returns their indices for an
+    /// even distribution.
     ///
     /// # Errors
-    /// [`Error::NoMembers`] without any member; [`Error::Refused`] naming the first member whose start or step is refused.
+    /// - [`Error::NoMembers`]: there are no members.
+    /// - [`Error::Refused`]: a start or the step is invalid; the error names the first such member.
     pub fn new<H, X>(
         world: &'w W,
         method: X,
@@ -137,39 +141,43 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         self
     }
 
-    /// Uses at most so many threads on this rank, instead of all that it may run on; no result depends on it.
+    /// Limits the number of threads on this rank; the default is all that it may run on. Results do not depend on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.held = self.held.map(|held| held.with_threads(threads));
         self
     }
 
-    /// Makes the calls that take steps end members where their energies leave a bound, as [`Local::watch_energy`] does on one rank.
+    /// Stops members whose energies leave a bound, in every call that takes steps; see [`Local::watch_energy`].
     /// Collective.
     ///
     /// # Errors
-    /// [`Error::Refused`] for a member under way that has no energy; [`Error::Rank`] for a bound that is not above zero, an `H` that
-    /// reads the time, and members on a device, which computes no energies.
+    /// - [`Error::Refused`]: an active member has no energy.
+    /// - [`Error::Rank`]: the bound is not above zero, `H` depends on time, or the members are on a device, which
+    ///   computes no energies.
     pub fn watch_energy(&mut self, relative_bound: f64) -> Result<(), Error> {
         let outcome = self.held.as_mut().map_or(Ok(()), |held| held.watch_energy(relative_bound, self.first));
         agree(self.world, outcome)
     }
 
-    /// Takes `steps` steps with every member that is under way. Collective.
+    /// Takes `steps` steps with every active member. Collective.
     ///
     /// # Errors
-    /// [`Error::Strayed`] where a [watch](Ensemble::watch_energy) ends members. [`Error::Lost`] names the members of all ranks that left the finite numbers in these steps; all others have taken
-    /// them, and the ensemble goes on without the lost ones. [`Error::Rank`] for steps that cannot be counted, and a time that is
-    /// not finite.
+    /// - [`Error::Strayed`]: a [watch](Ensemble::watch_energy) stopped members.
+    /// - [`Error::Lost`]: members diverged; the error lists those of all ranks. All others have taken the steps, and
+    ///   the ensemble can be continued.
+    /// - [`Error::Rank`]: the steps cannot be counted, or the time is not finite.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         self.carried(steps, |held, first| held.advance(steps, first))
     }
 
-    /// As [`Ensemble::advance`], but after every `interval` steps each member under way is shown to `stays` with its index,
-    /// and those for which it returns `false` stay where they are. Collective.
+    /// Takes steps like [`Ensemble::advance`], and stops members individually. Collective.
+    ///
+    /// After every `interval` steps, each active member is passed to `stays` with its index. If it returns `false`, the
+    /// member has finished and keeps this state.
     ///
     /// # Errors
-    /// As [`Ensemble::advance`]; [`Error::Rank`] for an interval of 0.
+    /// Those of [`Ensemble::advance`]; [`Error::Rank`] if the interval is 0.
     pub fn advance_while(
         &mut self,
         steps: u64,
@@ -194,34 +202,34 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         outcome
     }
 
-    /// How many steps the members that are under way have taken.
+    /// Returns the number of steps that the active members have taken.
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// How many members all ranks have.
+    /// Returns the number of members of all ranks.
     pub fn len(&self) -> usize {
         self.count
     }
 
-    /// Whether there are no members; never so.
+    /// Returns `false`: an ensemble has at least one member.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
-    /// The indices of this rank's members.
+    /// Returns the indices of the members of this rank.
     pub fn of_rank(&self) -> Range<usize> {
         self.first..self.first + self.local().map_or(0, Local::len)
     }
 
-    /// How many members of all ranks are under way: neither lost nor gone. Collective.
+    /// Returns the number of active members of all ranks, which have neither failed nor finished. Collective.
     pub fn active(&self) -> usize {
         let (own, mut all) = (self.local().map_or(0, Local::active) as u64, 0_u64);
         self.world.all_reduce_into(&own, &mut all, SystemOperation::sum());
         all as usize
     }
 
-    /// This rank's members as an ensemble of their own, whose members are counted from 0; `None` where it has none.
+    /// Returns the members of this rank as a separate ensemble, counted from 0, or `None` if the rank has no members.
     pub fn local(&self) -> Option<&Local<C>> {
         self.held.as_ref().map(Held::shown)
     }
@@ -231,7 +239,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         self.world
     }
 
-    /// The members of this rank, in their order.
+    /// Iterates over the members of this rank, in their order.
     pub fn members_of_rank(&self) -> impl Iterator<Item = Member<'_, C>> {
         self.local()
             .into_iter()
@@ -247,7 +255,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
             })
     }
 
-    /// Shows every member of this rank, in their order.
+    /// Calls `visit` with every member of this rank, in their order.
     pub fn for_each_local(&self, visit: impl FnMut(Member<'_, C>)) {
         self.members_of_rank().for_each(visit);
     }

@@ -8,81 +8,84 @@ use serde::{Deserialize, Serialize};
 /// How many members the text of an error names.
 const SHOWN: usize = 4;
 
-/// Why an ensemble could not start or go on: the same value on every rank, so that all of them take the same way and none
-/// waits for another.
+/// The reason why an ensemble or a lattice could not start or continue.
+///
+/// The value is the same on every rank, so all ranks take the same branch and none waits for another.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// No rank has a member.
     #[error("an ensemble needs at least one member, on any rank")]
     NoMembers,
-    /// A member cannot begin where it was asked to: the first one of all.
+    /// A member has an invalid start or step; the error names the first one of all ranks.
     #[error("member {member} (on rank {rank}): {what}")]
     Refused {
-        /// Its index among the members of all ranks.
+        /// The index among the members of all ranks.
         member: usize,
-        /// Its rank.
+        /// The rank of the member.
         rank: i32,
-        /// What is wrong with it.
+        /// The reason.
         what: String,
     },
-    /// Members left the finite numbers; they stay at their last finite state, and the others went on.
+    /// Members diverged. They keep their last finite states; the others have taken the steps.
     #[error("{}", lost_text(members))]
     Lost {
-        /// These members, by their index among those of all ranks.
+        /// The failed members, with their indices among those of all ranks.
         members: Vec<LostMember>,
     },
-    /// The energies of members left the bound of [`Ensemble::watch_energy`](crate::Ensemble::watch_energy); they stay one step
-    /// before, and the others went on.
+    /// The energies of members left the bound of [`Ensemble::watch_energy`](crate::Ensemble::watch_energy).
+    ///
+    /// These members keep the state of the step before; the others have taken the steps.
     #[error("{}", strayed_text(members))]
     Strayed {
-        /// These members, and those that left the finite numbers in the same call.
+        /// These members, and those that diverged in the same call.
         members: Vec<StrayedMember>,
     },
-    /// The system is no lattice whose sites are moved alike.
+    /// The system is not a lattice with the same flow for all sites.
     #[error(
         "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and \
          both parts sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
     )]
     NoLattice {
-        /// The name of its type.
+        /// The type name of the system.
         system: &'static str,
     },
-    /// There are too few sites for so many ranks.
+    /// There are too few sites for this number of ranks.
     #[error(
         "{sites} sites are too few for {ranks} ranks: each has to have {least} of them, which it tells its neighbours; take fewer ranks"
     )]
     FewSites {
-        /// How many sites there are.
+        /// The number of sites.
         sites: usize,
-        /// How many ranks.
+        /// The number of ranks.
         ranks: usize,
-        /// How many sites each rank has to have.
+        /// The smallest number of sites per rank.
         least: usize,
     },
-    /// Two ranks that both moved a site do not agree on where it is.
+    /// Two ranks that both integrate a site have different values for it.
     #[error(
         "site {site} was moved otherwise by two ranks: a formula that reads how many sites there are, or the number of a site, is \
          another one in each slab. Give such numbers as fields, which the closure makes for the sites of a slab"
     )]
     SitesDiffer {
-        /// Its number among all sites.
+        /// The index among all sites.
         site: usize,
     },
-    /// A site left the finite numbers; all stay at the step before.
+    /// A site diverged. All sites keep the state of the step before.
     #[error(
         "site {site} left the finite numbers in step {step} (time {time}); all sites stay at the step before. A smaller step helps most \
          often"
     )]
     Diverged {
-        /// Its number among all sites.
+        /// The index among all sites.
         site: usize,
         /// The first step whose state is not finite.
         step: u64,
         /// The time at the end of that step.
         time: f64,
     },
-    /// The end of a slab left the finite numbers, where the sites of others are missing; all stay at the step before.
+    /// The border of a slab diverged, where the sites of other ranks are missing. All sites keep the state of the step
+    /// before.
     #[error(
         "the end of a slab left the finite numbers in step {step} (time {time}), where it meets no neighbour or another site than its own, as in \
          a ring whose coordinates grow from site to site: take the difference to that growth as coordinate"
@@ -93,20 +96,20 @@ pub enum Error {
         /// The time at the end of that step.
         time: f64,
     },
-    /// What was asked of a rank is no number of steps, no time, or no interval, or a file could not be written.
+    /// An argument of a rank is not a valid number of steps, time or interval, or a file could not be written.
     #[error("on rank {rank}: {what}")]
     Rank {
-        /// The first rank that says so.
+        /// The first rank with this error.
         rank: i32,
-        /// What is wrong.
+        /// The reason.
         what: String,
     },
 }
 
-/// A member that left the finite numbers.
+/// A member that diverged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LostMember {
-    /// Its index among the members of all ranks.
+    /// The index among the members of all ranks.
     pub member: usize,
     /// The first step whose state is not finite.
     pub step: u64,
@@ -120,12 +123,12 @@ impl LostMember {
     }
 }
 
-/// A member whose energy left its bound, or which left the finite numbers in the same call.
+/// A member whose energy left its bound, or which diverged in the same call.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StrayedMember {
-    /// Its index among the members of all ranks.
+    /// The index among the members of all ranks.
     pub member: usize,
-    /// What is wrong with it.
+    /// The reason.
     pub what: String,
 }
 

@@ -1,8 +1,8 @@
 //! Ensembles of Hamiltonian systems, and long lattices, over the ranks of MPI.
 //!
-//! Every rank holds its members; `mpirun` or `srun` starts the ranks, and the messages between them are MPI's. A member has
-//! the bits of its run alone, and sums over members are exact before they are rounded, so that nothing that is returned
-//! depends on how many ranks there are.
+//! Every rank has its members. `mpirun` or `srun` starts the ranks, which exchange messages by MPI. Each member is
+//! bitwise identical to a run of its own, and sums over members are exact before they are rounded. Results hence do not
+//! depend on the number of ranks.
 //!
 //! ```no_run
 //! use integrator_core::prelude::*;
@@ -29,7 +29,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A rank that ends without the others, by a panic or because it was killed, ends the job: `mpirun` says so.
+//! If one rank ends before the others, by a panic or because it was killed, the job ends and `mpirun` prints the
+//! reason.
 
 #[cfg(feature = "chaos")]
 pub mod chaos;
@@ -52,25 +53,25 @@ use ensemble::share_of;
 pub use ensemble::{Ensemble, Member, share};
 pub use error::{Error, LostMember, StrayedMember};
 pub use lattice::Lattice;
-/// The bindings to MPI whose communicators are taken here.
+/// The MPI bindings whose communicators this crate accepts.
 pub use mpi;
 pub use output::{Joined, OutputError, join};
 pub use reductions::{Histogram, Moments};
 
 use mpi::{environment::Universe, traits::Communicator};
 
-/// MPI was started before by this process, or could not be.
+/// The error of [`start`]: MPI was started before by this process, or could not be started.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
     "MPI was started before in this process; it can be started once, and what `start` returned has to live as long as it is used"
 )]
 pub struct NotStarted;
 
-/// MPI, from its start to its end: what it lends has the communicator of all ranks.
+/// A running MPI environment, which dereferences to the [`Universe`] with the communicator of all ranks.
 ///
-/// A panic on one rank ends the job, with the error of MPI: the others would wait for that rank without an end. So does the end
-/// of `main` on one rank alone keep the others waiting, as by a `?` after an error that is not of this crate; errors of this
-/// crate are the same on all ranks.
+/// If a rank panics, the job ends with an error of MPI; otherwise the other ranks would wait forever. They do wait
+/// forever if `main` returns on one rank only, for example by `?` after an error of another crate. Errors of this crate
+/// are the same on all ranks.
 pub struct Started(Universe);
 
 impl std::ops::Deref for Started {
@@ -89,10 +90,10 @@ impl Drop for Started {
     }
 }
 
-/// Starts MPI for this process, which ends it when what is returned is dropped.
+/// Starts MPI for this process. MPI ends when the returned value is dropped.
 ///
 /// # Errors
-/// [`NotStarted`] if it was started before.
+/// [`NotStarted`], if it was started before.
 pub fn start() -> Result<Started, NotStarted> {
     // Ensembles have threads, of which only this one calls MPI.
     let (universe, _) = mpi::initialize_with_threading(mpi::Threading::Funneled).ok_or(NotStarted)?;
@@ -102,7 +103,7 @@ pub fn start() -> Result<Started, NotStarted> {
 /// The rank that has what is gathered.
 pub(crate) const ROOT: i32 = 0;
 
-/// Whether this rank has what is gathered: rank 0.
+/// Whether this rank is rank 0, which receives gathered data.
 pub fn is_root(world: &impl Communicator) -> bool {
     world.rank() == ROOT
 }

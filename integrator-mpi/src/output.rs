@@ -19,57 +19,61 @@ use std::{
 /// The ending of the names of files.
 const KIND: &str = "csv";
 
-/// Why files were not joined.
+/// The reason why files were not joined.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutputError {
     /// A file cannot be read or written.
     #[error("{}: {error}", path.display())]
     File {
-        /// Which file.
+        /// The path of the file.
         path: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         error: io::Error,
     },
-    /// A manifest that was not written by [`Ensemble::write_csv`].
+    /// The manifest was not written by [`Ensemble::write_csv`].
     #[error("{}: this is no manifest of an ensemble: {error}", path.display())]
     Manifest {
-        /// Which file.
+        /// The path of the manifest.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The error in the manifest.
         error: serde_json::Error,
     },
-    /// A file has more or fewer members than the manifest says.
+    /// A file has more or fewer members than the manifest lists.
     #[error("{}: {found} members, but the manifest says {expected}: it is of another run, or cut off", path.display())]
     Members {
-        /// Which file.
+        /// The path of the file.
         path: PathBuf,
-        /// How many it has.
+        /// The number of members in the file.
         found: usize,
-        /// How many it should have.
+        /// The number of members in the manifest.
         expected: usize,
     },
 }
 
-/// What was joined.
+/// The result of [`join`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joined {
-    /// Of how many files.
+    /// The number of joined files.
     pub files: usize,
-    /// How many members.
+    /// The number of members.
     pub members: usize,
 }
 
 impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
-    /// Writes one CSV file for each rank into `folder`, which all ranks have to see, and then a manifest that names them.
-    /// Collective.
+    /// Writes one CSV file per rank into `folder`, and then a manifest that names them. Collective.
     ///
-    /// The columns are the index of the `member`, the `steps` it has taken, its time `t`, positions `q0`, `q1` and so on
-    /// (`q0_2` is the third component of the first point), momenta likewise, and its `energy`. Each number is the shortest
-    /// text that reads back equal; of a compensated coordinate both numbers are written, one after the other.
+    /// All ranks need access to `folder`. The columns are:
+    ///
+    /// - the index of the `member`, the number of its `steps`, its time `t`;
+    /// - positions `q0`, `q1` and so on (`q0_2` is the third component of the first point), and momenta likewise;
+    /// - its `energy`.
+    ///
+    /// Each number has the shortest representation that reads back exactly. A compensated coordinate has two numbers,
+    /// one after the other.
     ///
     /// # Errors
-    /// [`Error::Rank`] if a file cannot be written; the manifest of a call before is still there then.
+    /// [`Error::Rank`], if a file cannot be written; the manifest of an earlier call remains.
     pub fn write_csv(&self, folder: impl AsRef<Path>) -> Result<(), Error> {
         self.write_parts(folder.as_ref(), KIND, |path| self.write_members(path))
     }
@@ -107,12 +111,13 @@ fn row<C: Coords>(member: &Member<C>) -> Vec<String> {
     counts.into_iter().chain(numbers.chain([member.energy()]).map(|number| format!("{number:?}"))).collect()
 }
 
-/// Joins the files of a folder that [`Ensemble::write_csv`] has written into one, with one line of names. Needs no ranks; the
-/// command `join FOLDER FILE` of this package does the same.
+/// Joins the files that [`Ensemble::write_csv`] wrote into a folder, with one header line. Needs no ranks.
+///
+/// The command `join FOLDER FILE` of this package does the same.
 ///
 /// # Errors
-/// [`OutputError`]: a folder without a manifest, a file that is not there, or has not as many members as the manifest says. What
-/// was written until then is left.
+/// [`OutputError`], if the folder has no manifest, a file is missing, or a file has another number of members than the
+/// manifest lists. The incomplete output remains.
 pub fn join(folder: impl AsRef<Path>, to: impl AsRef<Path>) -> Result<Joined, OutputError> {
     let (folder, to) = (folder.as_ref(), to.as_ref());
     let at = |path: &Path| {

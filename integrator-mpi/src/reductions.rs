@@ -8,60 +8,60 @@ use mpi::{
 };
 use std::ops::Range;
 
-/// The first moments of a number of each member.
+/// The first moments of a quantity over all members.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// How many members have the number.
+    /// The number of members with this quantity.
     pub count: u64,
-    /// Its mean; NaN where no member has it, as all that follows.
+    /// The mean; NaN if no member has the quantity, as are all following moments.
     pub mean: f64,
-    /// The mean square of its distance from the mean.
+    /// The mean squared deviation from the mean.
     pub variance: f64,
-    /// The mean cube of that distance, in units of the standard deviation.
+    /// The mean cubed deviation from the mean, in units of the standard deviation.
     pub skewness: f64,
-    /// The mean fourth power of that distance in the same units: 3 for a normal distribution.
+    /// The mean fourth power of the deviation in the same units: 3 for a normal distribution.
     pub kurtosis: f64,
 }
 
 impl Moments {
-    /// The root of the variance.
+    /// Returns the square root of the variance.
     pub fn standard_deviation(&self) -> f64 {
         self.variance.sqrt()
     }
 
-    /// The standard error of the mean, of members that know nothing of each other.
+    /// Returns the standard error of the mean, for statistically independent members.
     pub fn standard_error(&self) -> f64 {
         (self.variance / (self.count as f64 - 1.0)).sqrt()
     }
 }
 
-/// How many members have a number in each of some intervals of the same width.
+/// The numbers of members in intervals of equal width.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
-    /// The intervals together.
+    /// The range of all intervals together.
     pub range: Range<f64>,
-    /// How many are in each of them, its lower end included.
+    /// The number of members in each interval, including its lower end.
     pub counts: Vec<u64>,
-    /// How many are below the first interval.
+    /// The number of members below the first interval.
     pub below: u64,
-    /// How many are above the last one, or at its end.
+    /// The number of members above the last interval, or at its end.
     pub above: u64,
-    /// How many are not a number.
+    /// The number of members whose quantity is NaN.
     pub nan: u64,
 }
 
 impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
-    /// The sum of a number of each member that has it. Collective.
+    /// Returns the sum of a quantity over all members that have it. Collective.
     ///
-    /// It is exact before it is rounded to the nearest `f64`: no bit depends on the order of the members, nor on how they
-    /// are dealt out.
+    /// The sum is exact before it is rounded to the nearest `f64`. It is hence bitwise identical for every order and
+    /// distribution of the members.
     pub fn sum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> f64 {
         let mut sum = ExactSum::EMPTY;
         self.for_each_local(|member| number(&member).into_iter().for_each(|x| sum.add(x)));
         sum.over_ranks(self.world()).value()
     }
 
-    /// The first moments of a number of each member that has it, around their mean, each from an exact sum. Collective.
+    /// Returns the first moments of a quantity over all members that have it, each from an exact sum. Collective.
     pub fn moments(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Moments {
         // The distances from the mean ask for the numbers once more.
         let numbers: Vec<f64> = self.members_of_rank().filter_map(|member| number(&member)).collect();
@@ -89,14 +89,16 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
         }
     }
 
-    /// The smallest number of all members that have one, with the index of the first that has it. NaN is no number here.
-    /// Collective.
+    /// Returns the smallest quantity of all members that have it, with the index of the first such member. Collective.
+    ///
+    /// NaN is ignored.
     pub fn minimum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Option<(usize, f64)> {
         self.maximum(|member| number(member).map(|x| -x)).map(|(index, x)| (index, -x))
     }
 
-    /// The largest number of all members that have one, with the index of the first that has it. NaN is no number here.
-    /// Collective.
+    /// Returns the largest quantity of all members that have it, with the index of the first such member. Collective.
+    ///
+    /// NaN is ignored.
     pub fn maximum(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Option<(usize, f64)> {
         let mut own: Option<(usize, f64)> = None;
         self.for_each_local(|member| {
@@ -117,8 +119,9 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
         found.reduce(|first, next| if next.1 > first.1 { next } else { first }).map(|(index, x)| (index as usize, x))
     }
 
-    /// How many members have a number in each of `bins` intervals of `range`. Collective, with the same range and number of
-    /// intervals on every rank.
+    /// Counts the members whose quantity is in each of `bins` intervals of `range`. Collective.
+    ///
+    /// The range and the number of intervals must be the same on every rank.
     pub fn histogram(
         &self,
         range: Range<f64>,

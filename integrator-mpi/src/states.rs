@@ -28,7 +28,7 @@ pub(crate) fn receive_all<T: Equivalence + Default + Clone>(from: &impl Source, 
 }
 
 impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
-    /// The states of all members on rank 0, in their order, and `None` on all other ranks. Collective.
+    /// Returns the states of all members on rank 0, in their order, and `None` on all other ranks. Collective.
     pub fn states_on_root(&self) -> Option<Vec<Phase<C>>> {
         let own = || self.members_of_rank().map(|member| member.state);
         if !is_root(self.world()) {

@@ -21,11 +21,12 @@ use mpi::traits::{Communicator, Root};
 use std::{fs, path::Path};
 
 impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
-    /// Writes the checkpoint of a run of all sites to a file, as [`Run::checkpoint_to`] does: rank 0 brings them together, which has
-    /// to have the memory for them. Collective.
+    /// Writes the checkpoint of a run of all sites to a file, as [`Run::checkpoint_to`] does. Collective.
+    ///
+    /// Rank 0 gathers all sites and needs the memory for them.
     ///
     /// # Errors
-    /// [`Error::Rank`] if the file cannot be written; the previous one is still there then.
+    /// [`Error::Rank`], if the file cannot be written; the previous one remains.
     pub fn checkpoint_to(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         let written = self.on_root(&unfinished(&self.run)).map(|state| {
             let run = (self.run_of)(&self.all(), state.clone()).map_err(failure)?;
@@ -36,14 +37,15 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         agree(self.world, written.transpose().map(drop))
     }
 
-    /// The lattice that a checkpoint was made of, on as many ranks as there are now, or a [`Run`] of as many sites: the composition and
-    /// `slab` have to be those that it was begun with; the starts that this gives are not looked at. Rank 0 reads the file and deals
-    /// the sites out. Collective.
+    /// Resumes a lattice from a checkpoint of a lattice, or of a [`Run`] of as many sites, on any number of ranks.
+    /// Collective.
     ///
-    /// Every site has the bits of a lattice that was not interrupted.
+    /// The composition and `slab` must be those at its start; the starts that `slab` returns are ignored. Rank 0 reads
+    /// the file and distributes the sites. Each site is bitwise identical to that of a lattice without interruption.
     ///
     /// # Errors
-    /// [`Error::Rank`] for the reasons of [`Run::resume_with`] and where the file cannot be read, and as [`Lattice::new`].
+    /// [`Error::Rank`], for the reasons of [`Run::resume_with`] or if the file cannot be read, and those of
+    /// [`Lattice::new`].
     pub fn resume<H, X>(
         world: &'w W,
         composition: X,

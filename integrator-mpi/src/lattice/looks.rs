@@ -18,7 +18,7 @@ use mpi::traits::{Communicator, Root};
 use std::ops::Range;
 
 impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
-    /// How many sites, or rows, all ranks have.
+    /// Returns the number of sites, or rows, of all ranks.
     pub fn len(&self) -> usize {
         self.slab.sites
     }
@@ -28,34 +28,37 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
         self.slab.sites == 0
     }
 
-    /// The numbers of this rank's sites.
+    /// Returns the indices of the sites of this rank.
     pub fn of_rank(&self) -> Range<usize> {
         self.slab.own.clone()
     }
 
-    /// How many steps were taken.
+    /// Returns the number of steps taken.
     pub fn steps(&self) -> u64 {
         self.run.steps()
     }
 
-    /// The time, `t0 + n·h`.
+    /// Returns the time, `t0 + n·h`.
     pub fn time(&self) -> f64 {
         self.run.time()
     }
 
-    /// How many steps a rank takes between two exchanges with its neighbours, and how many of their sites it moves for that, before
-    /// its own and behind them. One rank alone has no neighbours, and exchanges nothing.
+    /// Returns the number of steps between two exchanges with neighbouring ranks, and the halo widths before and after
+    /// the slab.
+    ///
+    /// A rank integrates the sites of the halos as well. A single rank has no neighbours, and the result is `None`.
     pub fn exchanges(&self) -> Option<(u64, [usize; 2])> {
         (self.world.size() > 1).then_some((self.slab.steps, self.slab.halos))
     }
 
-    /// How many of the steps were taken while the messages of exchanges travelled: of the interior of a slab, whose borders came
-    /// behind it.
+    /// Returns the number of steps during which messages were in transit.
+    ///
+    /// In these steps, the interior of a slab was integrated first and its borders afterwards.
     pub fn overlapped(&self) -> u64 {
         self.overlapped
     }
 
-    /// The state of this rank's sites.
+    /// Returns the state of the sites of this rank.
     pub fn state_of_rank(&self) -> Phase<C> {
         let (state, inner) = (self.run.state(), self.slab.inner());
         let leaves = inner.start * C::COMPONENTS..inner.end * C::COMPONENTS;
@@ -67,7 +70,7 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
         }
     }
 
-    /// The state of all sites on rank 0, and `None` on all other ranks. Collective.
+    /// Returns the state of all sites on rank 0, and `None` on all other ranks. Collective.
     pub fn state_on_root(&self) -> Option<Phase<C>> {
         self.on_root(&self.run.state())
     }
@@ -91,10 +94,10 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
         Some(all)
     }
 
-    /// The energy of all sites, which rank 0 computes of the state of all of them. Collective.
+    /// Returns the energy of all sites, which rank 0 computes from their state. Collective.
     ///
     /// # Errors
-    /// [`Error::Rank`], where this state has no energy.
+    /// [`Error::Rank`], if the state has no energy.
     pub fn energy(&self) -> Result<f64, Error> {
         let energy =
             self.state_on_root().map(|state| Ok((self.run_of)(&self.all(), state)?.at_time(self.time()).energy()));
@@ -108,9 +111,11 @@ impl<W: Communicator, C: Coords> Lattice<'_, W, C> {
         (0..self.slab.sites).collect()
     }
 
-    /// The sum of a number of each site that has it, of its number, its positions and its momenta. Collective.
+    /// Returns the sum of a quantity over all sites that have it, from the index, the positions and the momenta of a
+    /// site. Collective.
     ///
-    /// It is exact before it is rounded to the nearest `f64`, so that no bit depends on how many ranks there are.
+    /// The sum is exact before it is rounded to the nearest `f64`. It is hence bitwise identical for every number of
+    /// ranks.
     pub fn sum(&self, number: impl Fn(usize, &[f64], &[f64]) -> Option<f64>) -> f64 {
         let (state, mut sum) = (self.state_of_rank(), ExactSum::EMPTY);
         let numbers = |half: &C| half.flat().iter().map(|leaf| leaf.to_f64()).collect::<Vec<_>>();

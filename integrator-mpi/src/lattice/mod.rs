@@ -27,10 +27,10 @@ use std::{any::type_name, mem::replace};
 /// A run of some sites, by their numbers, from a state.
 type RunOf<'w, C> = Box<dyn Fn(&[usize], Phase<C>) -> Result<Run<C>, CoreError> + 'w>;
 
-/// A long line of sites, or a plane of rows of a known width, spread over all ranks of a communicator.
+/// A long chain of sites, or a plane of rows of fixed width, distributed over all ranks of a communicator.
 ///
-/// A site has the bits of a [`Run`] of all sites on one rank with the same instruction set, however many ranks there are. Methods
-/// are collective where they say so, as those of [`crate::Ensemble`] are.
+/// Each site is bitwise identical to that in a [`Run`] of all sites on one rank with the same instruction set, for
+/// every number of ranks. Collective methods are marked, as for [`crate::Ensemble`].
 pub struct Lattice<'w, W: Communicator, C: Coords> {
     world: &'w W,
     run: Run<C>,
@@ -48,8 +48,10 @@ pub struct Lattice<'w, W: Communicator, C: Coords> {
 }
 
 impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
-    /// A lattice of so many sites, or rows, that takes steps `h` with a composition. `slab` gives the system and the start of some
-    /// of the sites by their numbers: lists of the system have an element for each of these. Collective.
+    /// Creates a lattice of sites, or rows, with step `h` and a composition. Collective.
+    ///
+    /// `slab` returns the system and the start of a range of sites. Lists of the system have one element for each of
+    /// these sites.
     ///
     /// ```no_run
     /// use integrator_core::prelude::*;
@@ -83,9 +85,10 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NoLattice`] for a system that is none, [`Error::FewSites`] for more ranks than the sites are worth,
-    /// [`Error::SitesDiffer`] where the formula of a site reads its number or how many there are, and [`Error::Rank`] where a run
-    /// would not begin.
+    /// - [`Error::NoLattice`]: the system is not a lattice.
+    /// - [`Error::FewSites`]: there are too few sites for the number of ranks.
+    /// - [`Error::SitesDiffer`]: the formula of a site depends on its index or on the number of sites.
+    /// - [`Error::Rank`]: a start or the step is invalid for a run.
     pub fn new<H, X>(
         world: &'w W,
         composition: X,
@@ -161,7 +164,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         self
     }
 
-    /// Uses at most so many threads on this rank, instead of all that it may run on; no result depends on it.
+    /// Limits the number of threads on this rank; the default is all that it may run on. Results do not depend on it.
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.run = self.run.with_threads(threads);
@@ -172,9 +175,9 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     /// Takes `steps` steps with all sites. Collective.
     ///
     /// # Errors
-    /// [`Error::Diverged`] if a site leaves the finite numbers; all sites then stay at the step before. [`Error::HaloDiverged`] if
-    /// the ends of a slab do, where its neighbours are missing. [`Error::Rank`] for a time that is not finite and steps that cannot be
-    /// counted.
+    /// - [`Error::Diverged`]: a site diverged; all sites keep the state of the step before.
+    /// - [`Error::HaloDiverged`]: the border of a slab diverged, where its neighbours are missing.
+    /// - [`Error::Rank`]: the time is not finite, or the steps cannot be counted.
     pub fn advance(&mut self, steps: u64) -> Result<(), Error> {
         let done = self.steps();
         let end = done.checked_add(steps).ok_or(CoreError::Steps { done, asked: steps });
