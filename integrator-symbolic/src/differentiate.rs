@@ -1,15 +1,17 @@
 //! Gradients by a reverse sweep over the arena.
 //!
-//! Comes in: a root and the part to differentiate by. Goes out: contributions to the components of the gradient, each
-//! with the loops and conditions around it. Always true: the sum of all contributions, over all iterations of their
-//! loops in which their conditions hold, is the gradient; sums are never unrolled; zeros have no contribution;
-//! a branch that is not taken contributes nothing.
+//! In: a root and the part to differentiate by. Out: contributions to the components of the gradient, each with its
+//! loops and conditions. Always true: the gradient is the sum of all contributions, over all iterations in which their
+//! conditions hold; sums are never unrolled; zeros have no contribution; a branch that is not taken contributes
+//! nothing.
 //!
-//! Inside a sum the adjoint of a node is a value per iteration of the loops around it. Where such a value reaches a
-//! node that does not depend on the innermost of these loops, it is summed over them first, so that the sweep leaves a
-//! loop as soon as it can. It never leaves a condition: what a branch contributes is computed in the branch, and where
-//! a loop is left that may have had no iteration in its branches, what is computed from then on stays under the
-//! condition that it had one, unless no value of it could do harm.
+//! Inside a sum, the adjoint of a node has one value per iteration of the enclosing loops. If such a value reaches a
+//! node that is independent of the innermost loop, it is summed over that loop first. The sweep hence leaves a loop as
+//! soon as possible.
+//!
+//! The sweep never leaves a condition: the contribution of a branch is computed in the branch. A loop may have no
+//! iteration in its branches. After such a loop, values are computed under the condition that it had one, unless no
+//! value can do harm.
 
 mod limits;
 

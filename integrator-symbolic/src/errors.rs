@@ -1,7 +1,7 @@
-//! Errors in what the user wrote: all of them are gathered, each with the smallest true span.
+//! Errors in the user's code: all of them are collected, each with the smallest accurate span.
 //!
-//! A message has the form of rustc's: one line that says what is wrong, in lower case and without a full stop, then lines
-//! that begin with `help: `, what to write instead, and lines that begin with `note: `, the reason. A constant that
+//! A message has the form of rustc's. The first line says what is wrong, in lower case and without a full stop. Lines
+//! that begin with `help: ` say what to write instead; lines that begin with `note: ` give the reason. A constant that
 //! begins with `help: ` or `note: ` is the end of several messages.
 
 use proc_macro2::{Span, TokenStream};

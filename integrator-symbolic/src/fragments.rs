@@ -1,8 +1,7 @@
-//! Fragments that a macro of `macro_rules!` passed on, such as `$width:literal`: groups without delimiters, which say nothing
-//! but what they hold.
+//! Fragments of `macro_rules!`, such as `$width:literal`: invisible groups without delimiters.
 //!
-//! Comes in: tokens. Goes out: the same without such groups, so that whatever reads them knows literals, types and formulas by
-//! their own form alone. What binds less strongly than an operator beside it has parentheses instead.
+//! In: tokens. Out: the same tokens without such groups, so that all readers can recognise literals, types and formulas
+//! by their form. If the content binds less strongly than an adjacent operator, it gets parentheses.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use syn::{BinOp, Expr};

@@ -5,9 +5,9 @@
 //! tokens -> Sequence -> Scheme -> tokens                                    composition!
 //! ```
 //!
-//! Each arrow is a module. Errors arise up to the model, or up to the proof of a scheme, and not later. All functions
-//! return for every input, report all mistakes at once, and write the same code for the same input. [`report`],
-//! [`declared`] and [`sequence`] return what the macros derive and prove, for tools that show it.
+//! Each arrow is a module. Errors arise before or in the model, or before or in the proof of a scheme, and not later.
+//! All functions return for every input, report all mistakes together, and generate the same code for the same input.
+//! [`report`], [`declared`] and [`sequence`] return what the macros derive and prove, for tools that show it.
 #![forbid(unsafe_code)]
 
 mod differentiate;

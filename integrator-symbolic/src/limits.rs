@@ -1,5 +1,5 @@
-//! How deep and how large an annotated impl may be, and how deep compositions. Beyond, they are refused: nothing here may
-//! overflow the compiler's stack or keep it busy for minutes.
+//! Limits on the depth and size of an annotated impl and of compositions. Larger input is an error, since it could
+//! overflow the compiler's stack or take minutes.
 
 use crate::errors::Errors;
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};

@@ -1,10 +1,13 @@
-//! Powers become multiplications, roots and divisions.
+//! Lowering of powers to multiplications, roots and divisions.
 //!
-//! Comes in: roots that the algebra has built. Goes out: roots of equal value without any power but the square root.
-//! Always true: a negative power used once divides what it multiplies, one used more often is a reciprocal that is
-//! shared, several negative powers of one base share the reciprocal of the base, and in a sum of two of them the lesser one is
-//! factored out. Values that conditions compare are lowered by their own formula alone, so that every function that contains a
-//! condition decides it alike.
+//! In: roots that the algebra has built. Out: roots of equal value without any power except the square root. Always
+//! true:
+//!
+//! - A negative power that is used once becomes a division; one that is used several times becomes a shared reciprocal.
+//! - Several negative powers of one base share the reciprocal of the base. In a sum of two of them, the smaller one is
+//!   factored out.
+//! - Values that conditions compare are lowered by their own formula only. Every function with such a condition hence
+//!   decides it in the same way.
 
 use crate::graph::{Graph, Node, NodeId};
 use std::collections::{HashMap, HashSet};

@@ -1,9 +1,8 @@
 //! Pair potentials: their recognition, and the force of one body on another.
 //!
-//! Comes in: a potential. Goes out: the gradient of one pair's energy and of the one-body terms, or nothing where the
-//! potential is of another kind. Always true: the energy of a pair is the same whichever of its bodies comes first,
-//! so that an executor may take the pairs in any order and may let either body be the first; a pair reads the
-//! coordinates of its two bodies and nothing else that moves.
+//! In: a potential. Out: the gradient of one pair's energy and of the one-body terms, or nothing for another kind of
+//! potential. Always true: the energy of a pair is symmetric in its bodies, so an executor may process the pairs in any
+//! order and may let either body be the first; a pair reads only the coordinates of its two bodies.
 
 mod attraction;
 mod canonical;

@@ -1,9 +1,9 @@
-//! Access patterns: how the iterations of the gradients of `T` and `V` reach the coordinates.
+//! Access patterns: how the iterations of the gradients of `T` and `V` access the coordinates.
 //!
-//! Comes in: a model and its gradients. Goes out: their pattern, once, before any text is written: flows, text for devices,
-//! Taylor's recurrences and reports read it. Always true: what a pattern adds up is what comes in; where nothing is known of
-//! how iterations reach memory, they stand as they are written, one after the other. Loops over lists are found in these
-//! lines (`program/lists.rs`), and iterations that do not depend on each other too (`program/nest.rs`).
+//! In: a model and its gradients. Out: their pattern, found once before code generation. Flows, device code, Taylor's
+//! recurrences and reports use it. Always true: the sum of a pattern equals the input; iterations with an unknown
+//! access pattern run as written, one after the other. Loops over lists (`program/lists.rs`) and independent iterations
+//! (`program/nest.rs`) are found in these lines.
 
 pub(crate) mod all_pairs;
 pub(crate) mod bodies;

@@ -1,11 +1,14 @@
-//! What is computed where: nodes and the places their values go to become nested blocks.
+//! Scheduling: nodes and the destinations of their values become nested blocks.
 //!
-//! Comes in: lowered nodes, each with its destination. Goes out: a block of lets, loops, branches and destinations, in
-//! order. Always true: a node is computed outside of every loop that it does not depend on, and inside of every branch
-//! that alone needs it, but for the sums of a loop whose iterations the branch asks for; what may not be there is read
-//! inside of what decides that it is; loops over the same range that do not
-//! wait for each other are one loop, branches on one condition are one branch; a node has a name if it is used twice or
-//! in a block inside its own.
+//! In: lowered nodes, each with its destination. Out: a block of lets, loops, branches and destinations, in order.
+//! Always true:
+//!
+//! - A node is computed outside of every loop on which it does not depend.
+//! - A node that only one branch needs is computed inside of it. A sum is computed outside of a branch on the condition
+//!   that its loop has iterations.
+//! - A value that may not exist is read inside of the condition that it exists.
+//! - Loops over the same range that do not depend on each other are merged; so are branches on the same condition.
+//! - A node has a name if it is used twice, or in an inner block.
 
 pub(crate) mod lists;
 pub(crate) mod nest;

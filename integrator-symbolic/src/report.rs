@@ -1,4 +1,4 @@
-//! What is derived from an annotated impl, for people.
+//! A readable report of what is derived from an annotated impl.
 
 use crate::{
     differentiate::{Contribution, fold_branches},

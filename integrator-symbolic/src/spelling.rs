@@ -1,4 +1,4 @@
-//! Names that were meant: those whose spelling is near to what was typed.
+//! Suggestions for misspelt names.
 
 /// How many names are offered.
 const OFFERED: usize = 3;

@@ -1,10 +1,12 @@
-//! Gradients in which every site of a lattice takes part alike, in a form in which each gets all its addends at once.
+//! Gradients with the same formula for every site of a lattice, in a form in which each site gets all its addends
+//! together.
 //!
-//! Comes in: contributions to a gradient. Goes out: a stencil: each contribution is computed at a site from its
-//! neighbourhood and belongs to that site or to one further on. A lattice is a line of sites, a plane of rows, or a volume of
-//! planes; nothing belongs to a plane further on, so that bonds between planes are computed on both sides.
-//! Always true: the stencil adds up what comes in, iteration by iteration, with the iterations of every loop renumbered
-//! so that none belongs to a site behind; or nothing comes out, where one contribution is of another kind.
+//! In: contributions to a gradient. Out: a stencil: each contribution is computed at a site from its neighbourhood and
+//! belongs to that site or to a later one. A lattice is a line of sites, a plane of rows, or a volume of planes. No
+//! contribution belongs to a later plane, so bonds between planes are computed on both sides.
+//!
+//! Always true: the stencil has the same sum as the input, iteration by iteration. The iterations of every loop are
+//! renumbered so that none belongs to an earlier site. If one contribution is of another kind, there is no stencil.
 
 mod direction;
 mod line;

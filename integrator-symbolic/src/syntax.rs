@@ -1,6 +1,6 @@
-//! What the user typed: the arguments of the attribute and the annotated impl, with all spans.
+//! The user's source: the arguments of the attribute and the annotated impl, with all spans.
 //!
-//! Comes in: tokens. Goes out: an [`Input`], faithful to the text. Always true: nothing is judged here but the form.
+//! In: tokens. Out: an [`Input`], faithful to the source. Always true: only the form is checked here.
 
 mod device;
 mod method;

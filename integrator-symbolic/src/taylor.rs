@@ -1,13 +1,14 @@
 //! Recurrences for the Taylor coefficients of a motion.
 //!
-//! Comes in: gradients. Goes out: values with the nodes beside them that their coefficients are computed from. Always
-//! true: a node's coefficient of an order is computed from coefficients of its children up to this order and from
-//! lower ones of itself and of the slopes, so that one pass over the nodes, children first, finds an order.
+//! In: gradients. Out: values, with the auxiliary nodes from which their coefficients are computed. Always true: a
+//! node's coefficient of an order is computed from coefficients of its children up to this order, and from its own
+//! lower ones and those of the slopes. One pass over the nodes, children first, hence computes an order.
 //!
-//! Sums, differences and products with prepared numbers are linear: their coefficients are those of their children. For
-//! the others, with `y = f(x)` and the slope `g = f'(x)` of the table of elementary functions, `y' = g x'` gives
-//! `k yₖ = Σ j xⱼ gₖ₋ⱼ`. So the column of derivatives is the column of recurrences. A number that is added to a series
-//! is its coefficient of order 0; it is multiplied by [`Node::Step`], which is one at order 0 and zero at all others.
+//! Sums, differences and products with prepared numbers are linear: their coefficients follow from those of their
+//! children. For other functions `y = f(x)`, with the slope `g = f'(x)` from the table of elementary functions,
+//! `y' = g x'` gives `k yₖ = Σ j xⱼ gₖ₋ⱼ`. The column of derivatives is hence the column of recurrences. A number that
+//! is added to a series is its coefficient of order 0: it is multiplied by [`Node::Step`], which is one at order 0 and
+//! zero at all others.
 
 mod inverse_mass;
 

@@ -50,8 +50,8 @@ pub struct Lattice<'w, W: Communicator, C: Coords> {
 impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     /// Creates a lattice of sites, or rows, with step `h` and a composition. Collective.
     ///
-    /// `slab` returns the system and the start of a range of sites. Lists of the system have one element for each of
-    /// these sites.
+    /// `slab` returns the system and the start of the sites with the given indices. Lists of the system have one
+    /// element per site.
     ///
     /// ```no_run
     /// use integrator_core::prelude::*;

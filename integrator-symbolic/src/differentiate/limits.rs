@@ -1,8 +1,8 @@
-//! Products of an adjoint and a slope of which one is zero and the other is infinite.
+//! Products of an adjoint and a slope if one is zero and the other is infinite.
 //!
-//! Far from a step such as `1 / (1 + eˣ)`, the slope of the reciprocal is zero when `eˣ` overflows. At a root of a sum in which
-//! each item has the factor zero, the slope of the root is infinite. The product is zero in both cases: it is chosen where the
-//! slope is infinite or exactly zero, and elsewhere the product keeps its bits.
+//! Far from a step such as `1 / (1 + eˣ)`, the slope of the reciprocal is zero when `eˣ` overflows. If all items of a
+//! sum have the factor zero, the slope of its square root is infinite. The product is zero in both cases. This value is
+//! selected if the slope is infinite or exactly zero; all other products are bitwise unchanged.
 
 use crate::graph::{Comparison, Graph, Node, NodeId};
 

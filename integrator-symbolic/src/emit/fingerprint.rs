@@ -1,4 +1,4 @@
-//! A number that tells generated text from other generated text, whatever spaces are between its tokens.
+//! A fingerprint of generated code, independent of the spaces between its tokens.
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
 

@@ -1,8 +1,8 @@
-//! The stepper as Rust.
+//! The stepper as Rust code.
 //!
-//! Comes in: a model that is known to make sense. Goes out: the implementation of the runtime's `Hamiltonian`, in a
-//! scope of its own. Always true: nothing here fails; the same model gives the same tokens; the text names only paths
-//! of the user, of `::core`, and of the runtime's private API.
+//! In: a valid model. Out: the implementation of the runtime's `Hamiltonian`, in a separate scope. Always true: nothing
+//! here fails; the same model gives the same tokens; the code contains only paths of the user, of `::core`, and of the
+//! runtime's private API.
 
 mod fingerprint;
 mod flow;

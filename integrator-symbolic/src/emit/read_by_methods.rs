@@ -1,8 +1,8 @@
-//! What methods read that generated code calls and never looks into: flows of the user, and methods with stated derivatives.
+//! The fields that opaque methods read: hand-written flows, and methods with user-supplied derivatives.
 //!
-//! Comes in: the impl, and the names of these methods. Goes out: every field that their texts mention, those included of the
-//! methods of the impl that they call. Always true: a field that is read and not found here would let a checkpoint be
-//! resumed with another value of it, so whatever cannot be followed stands for the whole of the system.
+//! In: the impl, and the names of these methods. Out: every field in their source and in that of the methods of the
+//! impl that they call. Always true: an overlooked field would let a checkpoint resume with another value of it. If a
+//! method cannot be analysed, it hence counts as reading the whole system.
 
 use super::printer::names::Names;
 use crate::{model::Model, syntax::Input};

@@ -1,4 +1,4 @@
-//! Access by indices: whether a value may be read where the user's text does not read it.
+//! Access by indices: whether a value can be read at a place where the user's code does not read it.
 
 use super::{
     Graph, Node, NodeId, Scope,

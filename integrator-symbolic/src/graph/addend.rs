@@ -1,4 +1,4 @@
-//! Accumulations: whether a step is an addition, or one of Horner's rule.
+//! Accumulations: whether an iteration adds a term or is a step of Horner's rule.
 
 use super::{Graph, Node, NodeId};
 

@@ -1,8 +1,11 @@
-//! The smart constructors, those of products in a file of their own. Each rewrite is *exact* (the same bits), *finite*
-//! (the same for finite arguments) or *reassociating* (other roundings, as many or fewer); the last kind only gathers
-//! numbers and parameters, so that they are multiplied once per run.
+//! The smart constructors; products have a separate file.
 //!
-//! Nothing hides a NaN: `0·x` and `x - x` stay, and a square root is only undone under a sum of squares.
+//! Each rewrite is *exact* (bitwise identical), *finite* (identical for finite arguments) or *reassociating* (other
+//! roundings, not more of them). Reassociating rewrites only collect numbers and parameters, which are then multiplied
+//! once per run.
+//!
+//! Nothing hides a NaN: `0·x` and `x - x` remain, and a square root is removed only if its argument is a sum of
+//! squares.
 
 use super::{
     Element, Graph, Node, NodeId, ParameterId, Scope,

@@ -1,7 +1,8 @@
-//! The values that conditions compare, with all that these are computed from.
+//! The values that conditions compare, with all of their operands.
 //!
-//! A force and an energy contain the same condition, and have to decide it alike where the two sides are equal but for a
-//! rounding. So these values are computed by the operations of their own formula, one rounding each, whatever surrounds them.
+//! A force and an energy contain the same condition. They must decide it in the same way, even if both sides differ by
+//! a rounding only. These values are therefore computed by the operations of their own formula, with one rounding each,
+//! independent of the surrounding code.
 
 use super::{Graph, Node, NodeId};
 use std::collections::HashSet;

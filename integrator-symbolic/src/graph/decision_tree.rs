@@ -1,5 +1,5 @@
-//! Balanced decision trees: of a function of `n` pieces, `log₂ n` conditions find the piece, and no piece lies deeper
-//! in branches than that.
+//! Balanced decision trees: for a function of `n` pieces, `log₂ n` conditions find the piece, and branches are nested
+//! at most as deep.
 
 use super::{Comparison, Graph, Node, NodeId, access::Access};
 use std::collections::HashSet;

@@ -1,4 +1,4 @@
-//! The arena as numbers, for tests: an interpreter that shares nothing with the code that is written.
+//! A numerical interpreter of the arena for tests, which shares no code with code generation.
 
 use super::{
     Comparison, Element, Graph, Node, NodeId, ParameterId, Part,

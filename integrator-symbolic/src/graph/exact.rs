@@ -1,4 +1,4 @@
-//! Parts of H whose exact flow is known: the judgement of a part by its formula.
+//! Parts of `H` with an exact flow: classification of a part by its formula.
 
 use super::{
     Element, Graph, Node, NodeId, Part,

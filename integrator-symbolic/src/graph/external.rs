@@ -1,4 +1,4 @@
-//! Methods of the user that are called as they are, with the methods that give their derivatives.
+//! Methods of the user that are called unchanged, and the methods that compute their derivatives.
 
 use super::{ExternalId, Graph, Node, NodeId};
 

@@ -1,4 +1,4 @@
-//! Products over a loop, and the largest item of one.
+//! Products and maxima over a loop.
 
 use super::{Comparison, Graph, Node, NodeId, index::LoopId};
 

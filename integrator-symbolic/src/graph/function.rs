@@ -1,4 +1,4 @@
-//! The one table of elementary functions: name, derivative, value. Tests iterate over its rows.
+//! The table of elementary functions: name, derivative, value. Tests iterate over its rows.
 
 use super::{Comparison, Graph, NodeId};
 

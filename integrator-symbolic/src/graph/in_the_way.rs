@@ -1,4 +1,4 @@
-//! Which term of a part keeps it from having an exact flow.
+//! The term of a part that prevents an exact flow.
 
 use super::{
     Graph, Node, NodeId,

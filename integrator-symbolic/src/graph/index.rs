@@ -1,7 +1,7 @@
 //! Integer expressions (indices, bounds) and the loops that run over them.
 //!
-//! A loop is identified by where it stands and what it runs over, not by where it was typed: two loops over the same
-//! range in the same place are one, so that their bodies share subexpressions and are generated together.
+//! A loop is identified by its position and its range, not by its source: two loops over the same range in the same
+//! position are one loop. Their bodies hence share subexpressions and are generated together.
 
 mod bounds;
 mod fold;

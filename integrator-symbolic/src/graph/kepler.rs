@@ -1,4 +1,4 @@
-//! Kepler parts, sums of `p²/2m - k/|q|` over bodies: their judgement, and the masses and strengths of the bodies.
+//! Kepler parts, sums of `p²/2m - k/|q|` over bodies: their recognition, and the masses and strengths of the bodies.
 
 use super::{
     Element, Graph, Node, NodeId, Part,

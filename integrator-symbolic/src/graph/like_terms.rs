@@ -1,10 +1,13 @@
-//! Collecting like terms: sums with one addend for each product of powers, however these are written.
+//! Collection of like terms: sums with one addend for each product of powers, for every way of writing it.
 //!
-//! Comes in: values. Goes out: values that are the same but for roundings. Prepared factors move out of products, the others
-//! are multiplied as powers in one order, and sums have one addend for each product of powers: `a x x x` and `x (b x) x` are
-//! multiples of `x³`, and together one of them. Products are not expanded, and neither sums nor products are taken apart that are
-//! used several times, so that the time it takes and the values that come out are in proportion to what comes in. Values that
-//! conditions compare stay as they are.
+//! In: values. Out: the same values except for rounding.
+//!
+//! - Prepared factors move out of products; the other factors are multiplied as powers in a fixed order.
+//! - Sums have one addend for each product of powers: `a x x x` and `x (b x) x` are multiples of `x³`, and together one
+//!   of them.
+//! - Products are not expanded. Sums and products that are used several times are not taken apart. Time and output size
+//!   are hence proportional to the input.
+//! - Values that conditions compare do not change.
 
 use super::{Graph, Node, NodeId};
 use std::collections::{BTreeMap, HashMap, HashSet, btree_map::Entry};

@@ -1,8 +1,8 @@
-//! Masked sums: sums of which only the first items count, with the mask in their coefficients.
+//! Masked sums: sums in which only the first items count, with the mask in their coefficients.
 //!
-//! A list of the system may be shorter than the coordinates that it is zipped with. An item is then a product
-//! with a coefficient that is zero from some index on, and is prepared once per run; the loop itself stays one over all
-//! coordinates, as lattices and pairs of bodies need it.
+//! A list of the system may be shorter than the coordinates with which it is zipped. An item is then a product with a
+//! coefficient that is zero from some index on, prepared once per run. The loop still runs over all coordinates, as
+//! lattices and pairs of bodies require.
 
 use super::{Graph, Node, NodeId, index::LoopId};
 

@@ -1,9 +1,11 @@
 //! Expressions as a hash-consed arena: one node per distinct expression, children before parents.
 //!
-//! Comes in: calls of the smart constructors. Goes out: ids. Always true: a child's id is smaller than its parent's, so
-//! evaluation is a loop forwards and a gradient a loop backwards; equal expressions have equal ids, so a shared
-//! subexpression is one node; nodes are built by the constructors in [`algebra`] alone, so their local identities hold
-//! everywhere. The arena knows neither syntax nor spans.
+//! In: calls of the smart constructors. Out: ids. Always true:
+//!
+//! - The id of a child is smaller than that of its parent: evaluation is a forward loop and a gradient a backward loop.
+//! - Equal expressions have equal ids, so a shared subexpression is one node.
+//! - Only the constructors in [`algebra`] build nodes, so their local identities hold everywhere.
+//! - The arena knows neither syntax nor spans.
 
 mod access;
 mod addend;

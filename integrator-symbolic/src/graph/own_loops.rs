@@ -1,7 +1,7 @@
-//! Products of sums of coordinates with a loop of its own for each sum, `(Σᵢ cᵢ qᵢ)(Σⱼ cⱼ qⱼ)`.
+//! Products of sums of coordinates with a separate loop for each sum, `(Σᵢ cᵢ qᵢ)(Σⱼ cⱼ qⱼ)`.
 //!
-//! Two loops over the same range in the same place are one loop here. A second derivative of a square of a sum has an index
-//! from each of its two factors, which cannot be told apart then.
+//! Two loops over the same range in the same position are one loop in this crate. A second derivative of a squared sum
+//! has an index from each of its two factors, which could not be distinguished then.
 
 use super::{
     Graph, Node, NodeId,

@@ -1,8 +1,9 @@
-//! Hamiltonians defined by pieces in time: the conditions between pieces are evaluated once for a step, in its middle.
+//! Hamiltonians with pieces in time: the conditions between pieces are evaluated once per step, at its midpoint.
 //!
-//! A step that ends where a piece ends belongs to this piece, its last kick included, and a stage of a composition that
-//! reads the clock outside of its step goes on with the same formula. So the order of a method holds from piece to
-//! piece, which it would not if every stage decided for itself. Values read the time of their stage, as everywhere.
+//! A step that ends at the end of a piece belongs to this piece, including its last kick. A stage of a composition
+//! whose time is outside of the step uses the same formula. The order of a method hence holds from piece to piece,
+//! which it would not if every stage evaluated the conditions. Other expressions use the time of their stage, as
+//! everywhere.
 
 use super::{
     Comparison, Graph, Node, NodeId, Part,

@@ -1,4 +1,4 @@
-//! Products, quotients and powers, whose numbers and parameters gather at the left, where they are multiplied once per
+//! Products, quotients and powers. Numbers and parameters are collected on the left, where they are multiplied once per
 //! run. The rewrites are marked as in the smart constructors of sums.
 
 use super::{Graph, Node, NodeId};

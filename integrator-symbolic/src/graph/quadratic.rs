@@ -1,5 +1,5 @@
-//! Quadratic forms in positions and momenta together, with coefficients of parameters alone: their judgement, and the
-//! terms of a sum that are of them.
+//! Quadratic forms in positions and momenta with coefficients of parameters: their recognition, and the terms of a sum
+//! that belong to them.
 
 use super::{
     Graph, Node, NodeId, Part,

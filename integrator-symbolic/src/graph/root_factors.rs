@@ -1,5 +1,5 @@
-//! Factors of products that are roots of sums which may be zero. Such a root has an infinite slope there, and a product in which it
-//! stands twice has none: `r z r` is `r² z`, whose root is undone, and so is that of `(r z)²`.
+//! Factors of products that are square roots of sums which may be zero. Such a root has an infinite slope at zero. A
+//! product that contains it twice does not: `r z r` is `r² z`, and `(r z)²` is the same, without the root.
 
 use super::{Graph, Node, NodeId};
 

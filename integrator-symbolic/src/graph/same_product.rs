@@ -1,4 +1,4 @@
-//! Products that are the same up to the order of their factors, the texts of parameters included.
+//! Products that are equal up to the order of their factors, including the source of parameters.
 
 use super::{Graph, Node, NodeId, ParameterId};
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! One function of positions and momenta as a sum of two functions, one of each.
+//! Separation of a function of positions and momenta into a sum of two functions, one of each.
 
 use super::{Graph, Node, NodeId, Part};
 use std::collections::HashMap;

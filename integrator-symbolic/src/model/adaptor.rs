@@ -1,4 +1,4 @@
-//! Adaptors: what is made of a sequence item by item, `map`, `filter`, `zip`, `windows` and the others.
+//! Adaptors that transform a sequence item by item: `map`, `filter`, `zip`, `windows` and the others.
 
 use super::{
     Reader,

@@ -1,5 +1,5 @@
-//! `match` and `if let` on values of the system: an arm is a branch under a condition of parameters, and the names that it
-//! binds are parameters that are evaluated in a `match` of their own.
+//! `match` and `if let` on values of the system. An arm is a branch under a condition of parameters. The names that it
+//! binds are parameters, evaluated in a separate `match`.
 
 use super::{
     Reader,

@@ -1,4 +1,4 @@
-//! Operators on the bits of integers that are not negative, by arithmetic with the same values.
+//! Bitwise operators on non-negative integers, as arithmetic with the same values.
 
 use super::{Reader, cure::bits_by_arithmetic, value::Value};
 use crate::graph::index::{Index, IndexId};

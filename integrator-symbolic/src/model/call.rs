@@ -1,4 +1,4 @@
-//! Calls: which function is meant, helper methods of the impl, and whatever takes parameters alone.
+//! Calls: resolution of the function, helper methods of the impl, and functions of parameters only.
 
 use super::{
     Reader,

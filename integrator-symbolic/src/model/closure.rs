@@ -1,4 +1,4 @@
-//! Closures in variables and functions inside of functions: read again wherever they are called.
+//! Closures in variables and nested functions: interpreted again at every call.
 
 use super::{
     BindingId, Reader,

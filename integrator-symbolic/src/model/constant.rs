@@ -1,4 +1,5 @@
-//! Constants of the impl whose values are seen here, as lengths of what is written out: `const N: usize = 6;` and `Self::N`.
+//! Constants of the impl with values known to the macro, such as lengths of arrays: `const N: usize = 6;` and
+//! `Self::N`.
 
 use super::{Reader, Target, repeat::FEW, sequence::Sequence, value::Value};
 use crate::graph::index::{Index, IndexId};

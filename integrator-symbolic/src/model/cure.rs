@@ -1,4 +1,4 @@
-//! What is written in other languages, and what Rust writes in its place.
+//! Constructs of other languages, and their equivalents in Rust.
 
 use super::{call::is_list, elementary::is_elementary, value::Value, whole::as_number};
 use crate::errors::quoted;

@@ -1,4 +1,4 @@
-//! A Hamiltonian that does not separate, as it is: `split = symmetric(omega = ..)`.
+//! A Hamiltonian that is not separable, without a splitting: `split = symmetric(omega = ..)`.
 
 use super::{Called, Reader, shape::whole_signature};
 use crate::{

@@ -1,4 +1,4 @@
-//! Early `return`: what follows a branch that may return is read once, where it has not.
+//! Early `return`: the code after a branch that may return is interpreted once, for the case that it has not.
 
 use super::{
     Reader,

@@ -1,6 +1,6 @@
 //! Control flow that leaves an expression: `return`, `?`, and `break` or `continue` of a loop around it.
 //!
-//! The functions are read from top to bottom, so such an expression must not pass for a value, whatever it is made of.
+//! Functions are interpreted from top to bottom, so such an expression must not be used as a value, whatever its type.
 
 use super::branch::{Skip, is_skip_unless};
 use syn::{

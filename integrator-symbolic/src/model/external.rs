@@ -1,6 +1,9 @@
-//! Methods of the user that are called as they are: `#[derivative(slope)]` names the method that gives their
-//! derivative, or the methods, or the one that gives an array of them; `#[flow(part)]` says whose flow a method is. And
-//! `#[invariant]`, which says that a function is conserved.
+//! Attributes of the user's methods.
+//!
+//! - `#[derivative(slope)]`, on a method that is called unchanged, names the method that computes its derivative. It
+//!   can also name several methods, or one that returns an array of derivatives.
+//! - `#[flow(part)]` marks a method as the flow of a part.
+//! - `#[invariant]` declares that a function is conserved.
 
 use super::{
     Reader,

@@ -1,4 +1,4 @@
-//! Factors of the user's expressions of parameters, by their tokens.
+//! Factors of the user's parameter expressions, by their tokens.
 
 use proc_macro2::{TokenStream, TokenTree};
 

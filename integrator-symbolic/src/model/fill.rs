@@ -1,5 +1,5 @@
-//! Arrays that a loop fills, an element in each iteration, and lists that are collected: each element is computed where
-//! it is read, so that an array may be of any length and the loops that read it stay sums.
+//! Arrays that a loop fills, one element per iteration, and collected lists. Each element is computed where it is read.
+//! An array may hence have any length, and the loops that read it remain sums.
 
 #[cfg(test)]
 mod tests;

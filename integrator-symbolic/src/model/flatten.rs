@@ -1,7 +1,7 @@
-//! Lists of lists as loops inside loops: `flatten` and `flat_map`.
+//! Lists of lists as nested loops: `flatten` and `flat_map`.
 //!
-//! A sum over `rows.flatten()` is the sum over the rows of the sums over each of them, so the text is read as that: the
-//! loops stay two, as bodies and lattices are recognised by.
+//! A sum over `rows.flatten()` is interpreted as the sum over the rows of the sums over each row. The two loops remain,
+//! which is how bodies and lattices are recognised.
 
 use proc_macro2::Ident;
 use quote::format_ident;

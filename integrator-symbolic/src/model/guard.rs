@@ -1,7 +1,7 @@
-//! The conditions of the system under which the functions evaluate an expression of parameters.
+//! The conditions of the system under which functions evaluate a parameter expression.
 //!
-//! It is prepared once per run for every iteration of its loops, and there, too, is evaluated only where the function
-//! does it: `if i > 0 { self.long[i - 1] * q[i] }` asks for no element before the first.
+//! Such an expression is prepared once per run for every iteration of its loops, and is evaluated only where the
+//! function evaluates it: `if i > 0 { self.long[i - 1] * q[i] }` reads no element before the first.
 
 use super::{Reader, presence::looked_up, running_index::running_index, value::Opaque};
 use crate::graph::{

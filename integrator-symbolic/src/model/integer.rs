@@ -1,4 +1,4 @@
-//! Integers: indices, bounds, and numbers read as either.
+//! Integers: indices, bounds, and literals that can be integers or floating-point numbers.
 
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! What the user says is conserved: `#[invariant]` on methods of the impl that take positions and momenta.
+//! Declared invariants: `#[invariant]` on methods of the impl that take positions and momenta.
 
 use super::{
     Reader,

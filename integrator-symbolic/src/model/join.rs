@@ -1,4 +1,4 @@
-//! Any number of items that are joined one after the other by adding, by multiplying, or by keeping the largest or the smallest.
+//! Reduction of any number of items by adding, by multiplying, or by the maximum or minimum.
 
 use super::{
     Reader,

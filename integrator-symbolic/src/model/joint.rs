@@ -1,6 +1,6 @@
-//! Arithmetic of parameters of different loops, `self.a[i] * self.b[j]`. The macro does not see types: where the arithmetic
-//! stands tells whether it is one of numbers, which have a table for each loop, or one of integers, which stay the user's own
-//! expression.
+//! Arithmetic of parameters of different loops, `self.a[i] * self.b[j]`. The macro does not know types. The context
+//! determines whether the operands are numbers, which have a table for each loop, or integers, which remain the user's
+//! own expression.
 
 use super::{
     Reader,

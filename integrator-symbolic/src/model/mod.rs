@@ -1,9 +1,9 @@
-//! What the user's functions mean: the last place where a mistake can be found.
+//! The meaning of the user's functions; the last phase that reports mistakes.
 //!
-//! Comes in: the annotated impl. Goes out: a [`Model`], or notes of every mistake. Always true: the energies are nodes
-//! of one arena, helper methods are inlined, loops are sums, names are resolved; whatever a later phase reads is valid.
+//! In: the annotated impl. Out: a [`Model`], or errors for every mistake. Always true: the energies are nodes of one
+//! arena, helper methods are inlined, loops are sums, names are resolved; later phases only receive valid data.
 //!
-//! The functions are read by running them on symbols: a variable holds a [`value::Value`], an assignment replaces it.
+//! The functions are interpreted on symbols: a variable contains a [`value::Value`], and an assignment replaces it.
 
 mod adaptor;
 mod arm;

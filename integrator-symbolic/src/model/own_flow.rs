@@ -1,4 +1,4 @@
-//! Flows that the user wrote: `#[flow(part)]` on a method of the impl.
+//! Hand-written flows: `#[flow(part)]` on a method of the impl.
 
 use super::{
     Reader,

@@ -1,4 +1,4 @@
-//! The user's expressions of parameters, rewritten for other indices.
+//! The source of the user's parameter expressions, rewritten for other indices.
 
 use super::{
     Parameter,

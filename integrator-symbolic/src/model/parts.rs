@@ -1,4 +1,4 @@
-//! The parts of H that `split` names: each a function of its own, judged by whether its exact flow is known.
+//! The parts of `H` that `split` names: each is a separate function, checked for a known exact flow.
 
 use super::{
     Called, Reader,

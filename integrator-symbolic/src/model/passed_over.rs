@@ -1,4 +1,4 @@
-//! Functions of the impl whose names mean something here, and which H is not made of.
+//! Functions of the impl with a reserved name that are not part of `H`.
 
 use super::{Reader, shape::has_coordinates};
 use proc_macro2::{TokenStream, TokenTree};

@@ -1,4 +1,4 @@
-//! Patterns: names for the parts of a value.
+//! Patterns: names for the components of a value.
 
 use super::{
     Reader,

@@ -1,4 +1,4 @@
-//! What flows read of prepared constants, and what they compute.
+//! The prepared constants that flows read, and the values that flows compute.
 
 use super::Parameter;
 use crate::graph::{Graph, Node, NodeId};

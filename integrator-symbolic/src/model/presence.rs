@@ -1,4 +1,4 @@
-//! Elements of lists that may not be there: a text that looks for them before it reads them.
+//! List elements that may be missing: code that checks for them before it reads them.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! Loops whose bounds come from lists: how far they get at most is found once per run, from the lists themselves.
+//! Loops with bounds from lists: their largest extent is computed once per run, from the lists themselves.
 
 use super::{Reader, running_index::running_index};
 use crate::graph::{

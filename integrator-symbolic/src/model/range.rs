@@ -1,4 +1,4 @@
-//! Ranges of integers, of whatever type: bounds that the system gives are converted where a loop begins, and the items keep
+//! Ranges of integers of any type: bounds from the system are converted at the beginning of a loop, and the items have
 //! the type of the bounds.
 
 use super::{

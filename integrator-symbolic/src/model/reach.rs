@@ -1,5 +1,5 @@
-//! How far an index gets under the conditions around it: the iterations of loops between numbers are walked through, so that
-//! any condition on their indices counts, `i != 3` as well as `i + 1 < 4`.
+//! The range of an index under the surrounding conditions. Loops between numbers are enumerated, so every condition on
+//! their indices counts, `i != 3` as well as `i + 1 < 4`.
 
 use super::Reader;
 use crate::graph::{

@@ -1,4 +1,4 @@
-//! Loops: what `for` runs over, and sums that stay sums.
+//! Loops: the sequence of a `for` loop, and sums that remain sums.
 
 use super::{
     Frame, Reader, Target, escape::continue_further_inside, expression::CONTINUE, fill::indexed_loop,

@@ -1,7 +1,8 @@
-//! Indices of loops in the text of parameters, by the identity of their loop.
+//! Loop indices in the source of parameters, identified by their loop.
 //!
-//! Always true: a text mentions the index of a loop by an identifier that belongs to this loop alone, whatever the user called
-//! it. It has the name of the index where it is printed, and so text that is moved between loops captures no variable.
+//! Always true: source code refers to the index of a loop by an identifier that belongs to this loop only, whatever its
+//! name in the user's code. The identifier gets the name of the index when it is printed. Source that is moved between
+//! loops hence captures no variable.
 
 use crate::graph::index::{LoopId, LoopSet};
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};

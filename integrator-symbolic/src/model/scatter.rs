@@ -1,8 +1,8 @@
-//! Arrays that a loop over pairs adds to at both of its indices, as densities of embedded atoms are,
-//! `rho[i] += f; rho[j] += f;`: what an element gets by the inner index is a loop of its own, over the outer index.
+//! Arrays to which a loop over pairs adds at both of its indices, such as densities of embedded atoms:
+//! `rho[i] += f; rho[j] += f;`. The contributions to the inner index become a separate loop, over the outer index.
 //!
-//! Elements are computed where they are read, so that each of them has to say which pairs it is in: the outer loop and the
-//! inner one change places, and the bounds of the inner one are those of the outer index.
+//! Elements are computed where they are read, so each of them needs the pairs that contain it. The outer and the inner
+//! loop are exchanged, and the bounds of the inner one become those of the outer index.
 
 use super::{
     Reader,

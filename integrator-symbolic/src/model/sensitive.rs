@@ -1,5 +1,5 @@
-//! Parameters that derivatives are taken by, `sensitive(mass, length)`: each is a number of its own in the graph, and no
-//! text that holds it, so that all that is made of it has a derivative.
+//! Parameters for derivatives, `sensitive(mass, length)`: each is a node of the graph, not part of a source expression,
+//! so every expression of it has a derivative.
 
 use super::{Parameter, Reader, sensitive_lists::several, value::Value};
 use crate::graph::{Node, ParameterId, index::LoopSet};

@@ -1,4 +1,4 @@
-//! Lists among the parameters that derivatives are taken by, which are single numbers.
+//! Errors for lists among the parameters for derivatives, which must be single numbers.
 
 use crate::{errors::Errors, syntax::Input};
 use proc_macro2::Ident;

@@ -1,4 +1,4 @@
-//! What loops and iterator chains run over: ranges, coordinates and lists of parameters, one item per index.
+//! The sequences of loops and iterator chains: ranges, coordinates and lists of parameters, with one item per index.
 
 #[cfg(test)]
 pub(super) mod tests;

@@ -1,4 +1,4 @@
-//! The arguments of the two functions: their shapes, and which is which.
+//! The arguments of the two functions: their shapes, and which one is positions or momenta.
 
 use super::operator::integer_type;
 use crate::{

@@ -1,4 +1,4 @@
-//! Signs that the text of a parameter tells: `self.eps * self.eps` is not negative, whatever `eps` is.
+//! Signs that follow from the source of a parameter: `self.eps * self.eps` is not negative, whatever `eps` is.
 
 use crate::graph::function::Function;
 use quote::ToTokens;

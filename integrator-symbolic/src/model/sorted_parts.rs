@@ -1,4 +1,4 @@
-//! `split = quadratic + rest`: the terms of one function sorted into what is solved as a quadratic form, and the others.
+//! `split = quadratic + rest`: the terms of one function are sorted into a quadratic form and the remaining terms.
 
 use super::{
     Called, Reader,

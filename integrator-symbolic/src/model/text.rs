@@ -1,4 +1,4 @@
-//! Text of the user that is moved to where it is evaluated once per run.
+//! Source of the user that is moved to a place where it is evaluated once per run.
 
 use super::integer::operand;
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};

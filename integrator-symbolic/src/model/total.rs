@@ -1,4 +1,4 @@
-//! Numbers made of a whole sequence: `sum`, `product` and `fold`.
+//! Reductions of a whole sequence: `sum`, `product` and `fold`.
 
 #[cfg(test)]
 mod tests;

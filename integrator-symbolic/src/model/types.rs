@@ -1,5 +1,5 @@
-//! Types of texts: one that follows from where a text stands in the user's function is left behind when it is moved, so that
-//! it goes along; and a reference is read where the function reads through it.
+//! Types of moved source. If a type follows from the context in the user's function, it is added explicitly when the
+//! source is moved. A reference is dereferenced where the function does so.
 
 use super::{
     Length, Reader,

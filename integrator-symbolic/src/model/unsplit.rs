@@ -1,4 +1,4 @@
-//! H in one piece, for methods that take the whole of its field: `split = none`.
+//! Unsplit `H`, for methods that use the whole vector field: `split = none`.
 
 use super::{Called, Reader, shape::whole_signature};
 use crate::{graph::NodeId, model::Shape, syntax::Compose};

@@ -1,4 +1,4 @@
-//! What an expression of the user stands for while it is read.
+//! The symbolic value of a user's expression.
 
 use super::{
     closure::Callable,

@@ -1,4 +1,4 @@
-//! Integers in the place of numbers: where they are written, and what to write instead.
+//! Errors for integers in place of floating-point numbers, with the correct spelling.
 
 use super::{
     Reader, Target,

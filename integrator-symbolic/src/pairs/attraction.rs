@@ -1,4 +1,4 @@
-//! The attraction of two bodies as the inverse of their distance, and masses: what Jacobi coordinates are made for.
+//! Attraction of two bodies by the inverse distance, and masses: the potentials for Jacobi coordinates.
 
 use super::{addends, central::cofactor};
 use crate::{

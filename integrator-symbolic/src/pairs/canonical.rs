@@ -1,8 +1,8 @@
-//! One form for energies of bodies and of their pairs, however these are written: a sum over bodies of what each has alone
-//! and of what it has with each body before it, with the components of points written out.
+//! A canonical form for energies of bodies and of their pairs. It is a sum over bodies of their one-body energy and of
+//! the pair energy with each body before, with expanded components of points.
 //!
-//! The terms of an energy are found by its loops: those whose indices are bodies, in any order of nesting, and those whose
-//! indices are components. The form is for what is asked in Jacobi coordinates; other layouts read an energy as it stands.
+//! The terms of an energy are found by its loops: those over bodies, in any order of nesting, and those over
+//! components. Only Jacobi coordinates use this form; other layouts use an energy as written.
 
 mod moving;
 

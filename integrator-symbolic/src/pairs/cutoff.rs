@@ -1,8 +1,8 @@
-//! Cutoffs: distances beyond which a pair contributes nothing, read off the branches of its energy.
+//! Cutoffs: distances beyond which a pair contributes nothing, found in the branches of its energy.
 //!
-//! What is proved: the energy is a sum whose every term stands in a branch `square < c`, where `c` is the same for all
-//! pairs, and `square` is at least the square of the distance of the two bodies, or of the distance to the nearest image in
-//! a box. So the energy and its gradient are zero for pairs further apart, whatever the term is.
+//! Proved property: the energy is a sum in which every term is in a branch `square < c`. Here `c` is the same for all
+//! pairs, and `square` is at least the squared distance of the two bodies, or of the nearest image in a box. The energy
+//! and its gradient are hence zero for pairs further apart, for any term.
 
 use crate::{
     differentiate::Contribution,

@@ -1,8 +1,8 @@
-//! Exchange symmetry: whether expressions are the same up to the order of sums and products, with two indices exchanged
-//! or not.
+//! Exchange symmetry: whether expressions are equal up to the order of sums and products, optionally with two indices
+//! exchanged.
 //!
-//! Expressions are written in a normal form: sums and products as sorted lists, signs outside. Equal forms are equal
-//! expressions; some equal expressions have different forms, and count as different.
+//! Expressions are compared in a normal form: sums and products as sorted lists, with signs outside. Equal forms are
+//! equal expressions. Some equal expressions have different forms; they count as different.
 
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId,

@@ -1,4 +1,4 @@
-//! All pairs: what moves a body, and what one body does to another, in systems of bodies that act on each other in pairs.
+//! All pairs: the motion of a body, and the force of one body on another, for systems with pair interactions.
 
 use super::bodies::{Constants, OfBodies};
 use crate::{

@@ -1,4 +1,5 @@
-//! Functions whose arguments are bodies: coordinates as arrays, and the prepared constants of a body as another array.
+//! Functions with bodies as arguments: the coordinates of a body as an array, and its prepared constants as another
+//! one.
 
 use super::stores::{lower_roots, stores};
 use crate::{

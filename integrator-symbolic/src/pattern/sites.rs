@@ -1,4 +1,4 @@
-//! Sites of a lattice that take part alike.
+//! Sites of a lattice with the same formula.
 
 use super::stores::lower_roots;
 use crate::{

@@ -1,4 +1,4 @@
-//! What a flow along a gradient computes, and where it puts it.
+//! The values that a flow along a gradient computes, and their destinations.
 
 use crate::{
     differentiate::{Contribution, fold_branches},

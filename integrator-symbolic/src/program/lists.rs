@@ -1,8 +1,8 @@
-//! Loops over lists: sums whose terms name the coordinates that they are about, such as `for &(a, b) in &self.bonds`.
+//! Loops over lists: sums whose terms name their coordinates by index, such as `for &(a, b) in &self.bonds`.
 //!
-//! Comes in: a loop of a program. Goes out: what a term reads, by which lists, and where its values go; or nothing, where
-//! terms depend on each other, or read what lists do not name. Always true: whether values are rounded before they are added
-//! follows from the program alone, so that every text that is printed from it has the same bits.
+//! In: a loop of a program. Out: the reads of a term, their lists, and the destinations of its values. The result is
+//! nothing if terms depend on each other, or read coordinates that no list names. Always true: the program alone
+//! determines whether values are rounded before they are added, so all code printed from it is bitwise identical.
 
 use super::{
     Item, Sink, Store,

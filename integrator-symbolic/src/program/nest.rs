@@ -1,9 +1,9 @@
-//! Loops whose iterations do not wait for each other, so that several can be computed side by side.
+//! Loops with independent iterations, so that several can be computed in SIMD lanes.
 //!
-//! Comes in: a loop of a program. Goes out: its innermost lines with the loops around them, and what an iteration needs
-//! from outside; or nothing, where an iteration hands anything to another or to the lines around it. Always true: what
-//! an iteration reads is coordinates, numbers that stay the same in a run, and values that are the same for all
-//! iterations.
+//! In: a loop of a program. Out: its innermost lines with the loops around them, and the values that an iteration needs
+//! from outside. The result is nothing if an iteration passes a value to another one or to the surrounding lines.
+//! Always true: an iteration reads coordinates, numbers that are constant in a run, and values that are the same for
+//! all iterations.
 
 use super::{Item, Sink};
 use crate::graph::{Element, Graph, Node, NodeId, index::LoopId};

@@ -1,4 +1,4 @@
-//! The lines of a block, in an order in which each finds what it needs.
+//! The lines of a block, in an order in which the operands of each come first.
 
 use super::{Block, End, Item, Scheduler, unwritten::Unwritten};
 use crate::graph::{Graph, Node, NodeId, Scope};

@@ -1,5 +1,4 @@
-//! The block that each node is computed in: the innermost one around all of its uses, outside of every loop that it
-//! does not depend on.
+//! The block of each node: the innermost one around all of its uses, outside of every loop on which it does not depend.
 
 use super::{End, Scheduler};
 use crate::graph::{Graph, Node, NodeId, Scope};

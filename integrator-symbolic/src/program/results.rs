@@ -1,4 +1,4 @@
-//! The results of iterations that share vectors.
+//! The results of iterations that are computed in vectors.
 
 use crate::graph::{Graph, NodeId};
 

@@ -1,4 +1,4 @@
-//! Where the components of a gradient may go.
+//! The possible destinations of gradient components.
 
 use crate::{
     differentiate::Contribution,

@@ -1,4 +1,4 @@
-//! What of a block is not written yet, and what each of its lines waits for.
+//! The lines of a block that are not scheduled yet, and the dependencies of each.
 
 use super::{Block, Scheduler};
 use crate::graph::{Graph, NodeId};

@@ -1,7 +1,7 @@
-//! What a declaration claims, held against what its proof finds.
+//! Comparison of the claims of a declaration with its proof.
 //!
-//! A sequence with its scheme comes in, the scheme as declared goes out. The declared order also chooses the class: one
-//! that holds only where `T` is quadratic in `p` declares a composition for those systems alone.
+//! In: a sequence with its scheme. Out: the scheme as declared. The declared order also determines the class: an order
+//! that is valid only for `T` quadratic in `p` declares a composition for those systems only.
 
 use super::{
     lower::{Known, lower},

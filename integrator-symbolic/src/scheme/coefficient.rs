@@ -1,9 +1,11 @@
-//! Coefficients: an expression of numbers comes in, its value to 31 digits and the doubt about it go out.
+//! Coefficients.
 //!
-//! The doubt is what the digits leave open. Integers, fractions, roots and short decimals (`0.28`) are exact. A decimal
-//! of [`ROUNDED`] or more significant digits is taken for a rounded one, so it is in doubt by one unit in its last
-//! place. Doubt follows the arithmetic to first order; the proof sets its tolerance by it.
-//! Always true: a value that goes out is finite.
+//! In: an expression of numbers. Out: its value to 31 digits, and its uncertainty. Always true: the resulting value is
+//! finite.
+//!
+//! The uncertainty comes from the given digits. Integers, fractions, roots and short decimals (`0.28`) are exact. A
+//! decimal of [`ROUNDED`] or more significant digits is assumed to be rounded, with an uncertainty of one unit in its
+//! last place. Uncertainties are propagated to first order, and the proof derives its tolerance from them.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

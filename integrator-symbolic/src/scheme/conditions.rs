@@ -1,9 +1,10 @@
-//! The order conditions: which coefficients of the step must equal those of the exact flow.
+//! The order conditions: coefficients of the step that must equal those of the exact flow.
 //!
 //! A step is a product of exponentials of the Lie operators of `T` and `V`, a series over the words in these two
-//! letters. The exact flow `exp(T + V)` has the coefficient `1/n!` at every word of length `n`. Two such products agree
-//! up to degree `n` exactly if they agree on the Lyndon words, which generate all words under the shuffle product.
-//! Where `T` is quadratic in `p`, every bracket with at least two more `V` than `T` vanishes, and fewer words decide.
+//! letters. The exact flow `exp(T + V)` has the coefficient `1/n!` for every word of length `n`. Two such products
+//! agree up to degree `n` exactly if they agree on the Lyndon words, which generate all words under the shuffle
+//! product. If `T` is quadratic in `p`, every bracket with at least two more `V` than `T` vanishes, and fewer words are
+//! needed.
 
 use super::{
     double::Double,

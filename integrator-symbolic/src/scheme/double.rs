@@ -1,7 +1,7 @@
 //! Numbers of 106 bits, kept as an unevaluated sum of two `f64`.
 //!
-//! The order conditions cancel, and published coefficients carry up to 45 digits: both want more than `f64`. Each
-//! operation here is wrong by a few units of 2^-104 at most, and `high` is always the `f64` nearest to the sum.
+//! The order conditions cancel, and published coefficients have up to 45 digits; both need more precision than `f64`.
+//! The error of each operation is a few units of 2^-104 at most, and `high` is always the `f64` nearest to the sum.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,7 +1,7 @@
-//! Rust tokens for a composition: its type, the facts about it and its table of stages.
+//! Rust tokens for a composition: its type, its properties and its table of stages.
 //!
-//! Generated code names `::core` and the runtime crate's private API, nothing else. A declaration that was refused
-//! becomes a stub, so that its users still type-check.
+//! Generated code uses `::core` and the runtime crate's private API, nothing else. An invalid declaration becomes a
+//! stub, so that code using it still type-checks.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;

@@ -1,4 +1,4 @@
-//! Everything that the generated code states about a composition: a scheme comes in, its facts and their prose go out.
+//! The properties of a composition in the generated code. In: a scheme. Out: its properties and their description.
 
 use super::{
     prove::{Class, Scheme},

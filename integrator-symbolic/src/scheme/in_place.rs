@@ -1,7 +1,7 @@
 //! A sequence in place of a composition's name, as in `#[hamiltonian(compose = V(1/2) T(1) V(1/2))]`.
 //!
-//! Tokens come in, a proved sequence goes out, which the caller may hold against its Hamiltonian before it asks for the
-//! code. Always true: an [`InPlace`] is consistent, of order 1 at least, and [`InPlace::emit`] cannot fail.
+//! In: tokens. Out: a proved sequence, which the caller can check against its Hamiltonian before it requests the code.
+//! Always true: an [`InPlace`] is consistent, of order 1 at least, and [`InPlace::emit`] cannot fail.
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 use quote::quote;

@@ -1,11 +1,11 @@
-//! The size of what a step gets wrong first.
+//! The size of the leading error terms of a step.
 //!
 //! All conditions up to degree `p` hold, so in degree `p + 1` the series of the step differs from that of the exact flow
 //! by a Lie element `E` with the residuals as its coefficients. Written in the basis of bracketed Lyndon words, the
 //! Euclidean norm of its coordinates is the leading error. For quadratic `T` the coordinates are those modulo the
 //! brackets that vanish, in the basis of the first bracketed Lyndon words that are independent there.
 //!
-//! The norm hangs on the basis: it compares methods of one order and class, and means nothing else.
+//! The norm depends on the basis: it compares methods of the same order and class, and has no other meaning.
 
 use super::conditions::{Series, Word, general, quadratic};
 

@@ -1,7 +1,7 @@
-//! From what was typed to a flat list of stages: names are looked up, combinators applied, coefficients evaluated.
+//! Lowering of the source to a flat list of stages: names are resolved, combinators applied, coefficients evaluated.
 //!
-//! Every error about the content of a sequence arises here. Always true: the drifts of what goes out sum to one step,
-//! and so do its kicks.
+//! Every error about the content of a sequence arises here. Always true: the drifts of the result sum to one step, and
+//! so do its kicks.
 
 use quote::ToTokens;
 use syn::{Expr, Ident};

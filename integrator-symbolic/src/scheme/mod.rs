@@ -1,15 +1,16 @@
-//! Compositions: a sequence of drifts and kicks comes in, a proved table of stages goes out.
+//! Compositions. In: a sequence of drifts and kicks. Out: a proved table of stages.
 //!
 //! ```text
 //! tokens -> Sequence (what was typed) -> Stages (flat, 31 digits) -> Scheme (proved) -> Facts -> tokens
 //!        syntax                       lower                       prove, claims      facts    emit
 //! ```
 //!
-//! Each arrow points one way; errors arise up to `claims`, and `emit` cannot fail. Always true: [`expand`] returns for
-//! every input, equal tokens give equal output, and each declared name is defined in what goes out, if only by a stub.
+//! Each arrow points one way. Errors arise in or before `claims`, and `emit` cannot fail. Always true: [`expand`]
+//! returns for every input, equal tokens give equal output, and each declared name is defined in the output, if only by
+//! a stub.
 //!
-//! Nothing here knows what a Hamiltonian looks like. The other half of the library meets this one at [`InPlace`], a
-//! sequence written in place of a composition's name.
+//! This module does not depend on Hamiltonians. The other half of the library uses it by [`InPlace`], a sequence in
+//! place of the name of a composition.
 
 mod claims;
 mod coefficient;

@@ -1,11 +1,11 @@
-//! Generalised orders: what a step gets right where the second part of the Hamiltonian is small.
+//! Generalised orders, for Hamiltonians with a small second part.
 //!
-//! For `H = A + ε B` a step of generalised order `(n₁, n₂, …)` errs by `ε h^n₁`, `ε² h^n₂` and so on (McLachlan 1995,
-//! BIT 35, 258): the words with `k` letters `B` are those of the exact flow up to the length `n_k`. The letters are those
-//! of the stages: `A` is the part of drifts, `T`, and `B` that of kicks, `V`.
+//! For `H = A + ε B`, the errors of a step of generalised order `(n₁, n₂, …)` are `ε h^n₁`, `ε² h^n₂` and so on
+//! (McLachlan 1995, BIT 35, 258). The words with `k` letters `B` have the coefficients of the exact flow up to the
+//! length `n_k`. The letters are those of the stages: `A` is the part of drifts, `T`, and `B` that of kicks, `V`.
 //!
-//! Words with one `B` are decided by moments: that of `A…AB` is the sum of the kicks times powers of the time that the
-//! drifts have reached, so that it is known at any length. Words with more are read off the series, up to [`HIGHEST`].
+//! Words with one `B` are decided by moments: that of `A…AB` is the sum of the kicks times powers of the time after the
+//! preceding drifts. It is hence known for any length. Words with more `B` are read from the series, up to [`HIGHEST`].
 
 use super::{
     conditions::{HIGHEST, Series, Word},

@@ -1,12 +1,13 @@
-//! The proof: the stages of a step come in, a scheme with the orders that its conditions establish goes out.
+//! The proof. In: the stages of a step. Out: a scheme with the orders that its conditions establish.
 //!
-//! A condition holds if its residual is below a tolerance. Neither of its parts decides a verdict by its exact size: the
-//! catalogue leaves residuals below 1e-31, and the first violated condition of any known method is above 1e-8.
-//! - Rounding: a coefficient of degree `n` adds terms up to `S^n/n!`, where `S` is the sum of the absolute durations, so
-//!   it is known to 2^-104 of that; less than [`FINEST`] is not asked.
-//! - Digits: a doubt `u` about one duration moves it by at most `u S^(n-1)/(n-1)!`. Decimals typed with 15 digits thus
-//!   pass with residuals around 1e-14, while one typed with 36 digits is refused for a wrong twentieth. However few the
-//!   digits, a residual above [`COARSEST`] is a violation.
+//! A condition holds if its residual is below a tolerance. The exact size of the tolerance decides no result: the
+//! catalogue has residuals below 1e-31, and the first violated condition of any known method is above 1e-8.
+//!
+//! - Rounding: a coefficient of degree `n` adds terms up to `S^n/n!`, where `S` is the sum of the absolute durations.
+//!   It is known to 2^-104 of that; the tolerance is at least [`FINEST`].
+//! - Digits: an uncertainty `u` of one duration changes the coefficient by at most `u S^(n-1)/(n-1)!`. Decimals with 15
+//!   digits thus pass with residuals around 1e-14, while one with 36 digits is an error if its twentieth digit is
+//!   wrong. A residual above [`COARSEST`] is a violation for any number of digits.
 
 use super::{
     coefficient::Coefficient,

@@ -1,6 +1,6 @@
-//! What the proof of a composition finds, for people.
+//! A readable summary of the proof of a composition.
 //!
-//! Declarations or a sequence come in as tokens, what holds of them goes out.
+//! In: declarations or a sequence, as tokens. Out: their proved properties.
 
 use proc_macro2::TokenStream;
 use syn::{

@@ -1,9 +1,9 @@
-//! How long a step may be on the harmonic oscillator: stages come in, the first unstable `x = h omega` goes out.
+//! The stability limit of a step for the harmonic oscillator. In: stages. Out: the first unstable `x = h omega`.
 //!
-//! One step is a matrix of determinant 1, so its powers stay bounded exactly while half its trace `t` is in `[-1, 1]`.
-//! With momenta in units of `x`, a drift is `q += a p` and a kick `p -= (b y + 2 c y^2) q`, where `y = x^2`, so that
-//! `t` is a polynomial in `y`. An accurate step has `t` close to `cos x`, which touches -1 at `x = pi`: whether `t`
-//! goes beyond hangs on its last digits there, hence extrema are judged in double-double.
+//! One step is a matrix of determinant 1, so its powers are bounded exactly while half its trace `t` is in `[-1, 1]`.
+//! With momenta in units of `x`, a drift is `q += a p` and a kick `p -= (b y + 2 c y^2) q`, where `y = x^2`; hence `t`
+//! is a polynomial in `y`. An accurate step has `t` close to `cos x`, which touches -1 at `x = pi`. Whether `t` exceeds
+//! -1 there depends on its last digits, so extrema are computed in double-double arithmetic.
 
 use super::{
     double::Double,

@@ -1,7 +1,7 @@
 //! The stages of a step: a flat list of drifts and kicks, in order of application.
 //!
-//! Always true: neighbours have different letters and no stage moves nothing, because [`Stages::push`] is the only way
-//! in: flows of the same part commute, so they merge into one of the summed duration.
+//! Always true: adjacent stages have different letters, and no stage has zero duration. [`Stages::push`] is the only
+//! way to add a stage: flows of the same part commute, so they merge into one of the summed duration.
 
 use super::coefficient::Coefficient;
 

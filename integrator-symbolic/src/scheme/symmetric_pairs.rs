@@ -1,10 +1,10 @@
-//! Whether a step keeps its orders where its second part is itself a symmetric pair.
+//! Whether a step keeps its orders if its second part is itself a symmetric pair.
 //!
-//! Where `B = J + I` has no flow of its own, `J/2 I J/2` stands for it: `exp(b B + b³ E₃ + b⁵ E₅ + ...)`, symmetric, with
-//! errors `E₃`, `E₅` of three and five letters `B`. These are more letters, of degrees 3 and 5, and a step keeps an order
-//! where the words with one of them vanish up to that degree; the first condition is `Σ bᵢ³ = 0`. For generalised orders
-//! a word counts all its letters `B`, so that those of an `E₃` are at least three (Blanes, Casas, Farres, Laskar, Makazaga
-//! and Murua 2013, Applied Numerical Mathematics 68, 58).
+//! If `B = J + I` has no exact flow, `J/2 I J/2` replaces it: `exp(b B + b³ E₃ + b⁵ E₅ + ...)`. It is symmetric, with
+//! errors `E₃`, `E₅` of three and five letters `B`. These are additional letters, of degrees 3 and 5. A step keeps an
+//! order if the words with one of them vanish up to that degree; the first condition is `Σ bᵢ³ = 0`. For generalised
+//! orders, a word counts all its letters `B`, so those of an `E₃` are at least three (Blanes, Casas, Farres, Laskar,
+//! Makazaga and Murua 2013, Applied Numerical Mathematics 68, 58).
 
 use super::{
     conditions::factorial_inverse,

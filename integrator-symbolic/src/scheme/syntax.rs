@@ -1,7 +1,7 @@
-//! What was typed into `composition!`, faithfully and with its spans.
+//! The source of `composition!`, unchanged and with its spans.
 //!
-//! Tokens come in, a [`Block`] goes out, together with every error of syntax. Parsing goes on behind an error: at the
-//! next stage if the error was inside parentheses, else at the next `;`. Nothing is looked up or computed here.
+//! In: tokens. Out: a [`Block`], together with every syntax error. Parsing continues after an error: at the next stage
+//! if the error was inside parentheses, otherwise at the next `;`. Nothing is resolved or computed here.
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;

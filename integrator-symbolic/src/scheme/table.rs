@@ -1,11 +1,12 @@
-//! The stages of a step as a run loops over them: rows of one drift and one kick, merged across step boundaries.
+//! The stages of a step in the form over which a run loops: rows of one drift and one kick, merged across steps.
 //!
-//! A [`Scheme`] comes in, the literals of its tables go out. Coefficients leave their 106 bits here, after all sums.
-//! Always true: a row reads the time that the other letter has reached, counted from the beginning of the step, so that
-//! a processor which moves on by a tenth of a step moves the times of its kernel by that much. What lies between the
-//! letters `k` and `k + 1` is, of a step, `x_k` less what lies before `k`, so that nothing is left behind the last letter:
-//! the alternating sum of all coefficients is that of the drifts less that of the kicks, which [`lower`](super::lower)
-//! proved to be equal.
+//! In: a [`Scheme`]. Out: the literals of its tables. Coefficients are rounded from 106 bits here, after all sums.
+//! Always true: a row uses the time that the other letter has reached, counted from the beginning of the step. A
+//! processor that advances by a tenth of a step hence shifts the times of its kernel by that much.
+//!
+//! The middle part between the letters `k` and `k + 1` of a step is `x_k` minus the middle part before `k`. Nothing
+//! remains after the last letter: the alternating sum of all coefficients is the sum of drifts minus the sum of kicks,
+//! and [`lower`](super::lower) proved both to be equal.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

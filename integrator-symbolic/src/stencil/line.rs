@@ -1,8 +1,8 @@
-//! Lines of sites whose ends are like the others: what an end lacks is a neighbour at rest, or nothing is beyond it.
+//! Lines of sites with open ends: the neighbour that an end lacks is at rest, or does not exist.
 //!
-//! Comes in: a stencil. Goes out: its contributions as those of one loop over all sites, and what is beyond the ends; or
-//! nothing, where an end differs in another way. Always true: the loop adds what the stencil adds, if a neighbour beyond
-//! an end is read as zero, and what the bond to nothing gives is left out.
+//! In: a stencil. Out: its contributions as one loop over all sites, and the boundary conditions at the ends; or
+//! nothing, if an end differs in another way. Always true: the loop has the same sum as the stencil, if a neighbour
+//! beyond an end is read as zero and the contribution of a missing bond is left out.
 
 use super::{Along, Extent, SiteContribution, Stencil};
 use crate::{

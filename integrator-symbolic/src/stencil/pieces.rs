@@ -1,8 +1,9 @@
-//! Contributions behind conditions on where a site is, such as `if i + 1 < q.len() { .. }`, in pieces without them.
+//! Contributions with conditions on the position of a site, such as `if i + 1 < q.len() { .. }`, in pieces without
+//! them.
 //!
-//! Comes in: contributions. Goes out: for each the values that it has on either side of its conditions, each with the conditions
-//! that hold there, of which a direction makes fewer iterations. Always true: in each iteration the pieces whose conditions hold
-//! add up to the contribution.
+//! In: contributions. Out: the values of each on either side of its conditions, with the conditions that hold there,
+//! which a direction converts to fewer iterations. Always true: in each iteration, the pieces whose conditions hold add
+//! up to the contribution.
 
 use super::computed;
 use crate::{

@@ -1,4 +1,4 @@
-//! The argument that asks for text for devices: `gpu`, `gpu(functions = native)`.
+//! The argument that requests device code: `gpu`, `gpu(functions = native)`.
 
 use proc_macro2::{Ident, Span};
 use syn::{Token, parenthesized, parse::ParseStream, token::Paren};

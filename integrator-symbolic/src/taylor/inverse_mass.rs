@@ -1,8 +1,7 @@
-//! Diagonal inverse masses, of kinetic energies that are sums of squares.
+//! Diagonal inverse masses, for kinetic energies that are sums of squares.
 //!
-//! Comes in: the gradient of `T`. Goes out: the factors of its components, if each is its own momentum times a number.
-//! Then the coefficients of positions follow from those of momenta without recurrences, and are known an order ahead of
-//! them.
+//! In: the gradient of `T`. Out: the factors of its components, if each is its own momentum times a number. The
+//! coefficients of positions then follow from those of momenta without recurrences, and are known one order ahead.
 
 use crate::{
     differentiate::Contribution,

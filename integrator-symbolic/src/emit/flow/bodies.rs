@@ -1,4 +1,4 @@
-//! Functions whose arguments are bodies as Rust.
+//! Rust code for functions with bodies as arguments.
 
 use crate::{
     emit::printer::{

@@ -1,4 +1,4 @@
-//! The struct of prepared constants: its fields, how they are prepared, and how they are gathered for lanes.
+//! The struct of prepared constants: its fields, their preparation, and how they are packed into lanes.
 
 use super::pieces::Pieces;
 use crate::{

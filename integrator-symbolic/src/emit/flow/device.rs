@@ -1,8 +1,8 @@
-//! The flows as text for devices: one struct of C++ that the runtime's stepper on a device is compiled with.
+//! Flows as device code: a C++ struct that is compiled together with the runtime's stepper for devices.
 //!
-//! Comes in: a model. Goes out: the text, and how its constants are found; or why there is none. Always true: whoever
-//! has a text has the bits of the Rust flows on a machine with fused multiply-add, since both are printed from the same
-//! programs.
+//! In: a model. Out: the code and the preparation of its constants, or the reason why there is none. Always true:
+//! device code is bitwise identical to the Rust flows on a machine with fused multiply-add, since both are printed from
+//! the same programs.
 
 mod bodies;
 mod line;

@@ -1,4 +1,4 @@
-//! The flows of two coupled copies of the state, each of which moves by what H says of the other.
+//! The flows of two coupled copies of the state: the derivatives of `H` at one copy move the other one.
 
 use super::{Flow, Flows};
 use crate::{

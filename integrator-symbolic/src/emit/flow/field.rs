@@ -1,4 +1,4 @@
-//! The vector field of the whole of H, where no flow of `T` or of `V` tells it.
+//! The vector field of the whole `H`, if it cannot be taken from flows of `T` and `V`.
 
 use super::Flow;
 use crate::{

@@ -1,8 +1,8 @@
 //! The force-gradient kick of a Hamiltonian with quadratic `T`: the exact flow of `b V + c |grad V|^2`.
 //!
-//! Comes in: the gradient of `V`. Goes out: the functions of the runtime's `QuadraticKinetic`. The norm is that of the
-//! inverse mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the
-//! Hessian `V''` is the derivative of the gradient as it stands, so the kick is symplectic to rounding.
+//! In: the gradient of `V`. Out: the functions of the runtime's `QuadraticKinetic`. The norm is that of the inverse
+//! mass matrix `M`, so the kick is `p -= b grad V + 2 c V'' M^-1 grad V`. Always true: the product with the Hessian
+//! `V''` is the derivative of the generated gradient, so the kick is symplectic to rounding.
 
 use super::{jacobi, through_buffer};
 use crate::{

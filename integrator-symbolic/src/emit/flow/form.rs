@@ -1,4 +1,4 @@
-//! In which form the flows of a Hamiltonian are written, for people.
+//! The layout of the generated flows of a Hamiltonian, for readers.
 
 use super::Flows;
 use crate::{

@@ -1,5 +1,5 @@
-//! What stands behind a condition has no effect where the condition does not hold: a table of systems whose energy and
-//! force are computed as the stepper computes them, line by line, and held against the plain function.
+//! Tests that guarded expressions have no effect if their condition is false. The energy and the force of a table of
+//! systems are computed as in the stepper, line by line, and compared with the plain function.
 
 use crate::{
     differentiate::{fold_branches, gradient},

@@ -1,4 +1,4 @@
-//! What the user says is conserved: by the generated code in any scalar, and by the user's own functions.
+//! Declared invariants: as generated code for any scalar, and as calls of the user's own functions.
 
 use super::Flows;
 use crate::{

@@ -1,4 +1,4 @@
-//! Bodies that move in Jacobi coordinates: the judgement, and what is written of the map and the Kepler parts.
+//! Bodies in Jacobi coordinates: the validity check, and the code of the map and of the Kepler parts.
 
 use crate::{
     emit::printer::{block::Emitter, function::Body, names::Names},

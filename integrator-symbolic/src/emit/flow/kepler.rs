@@ -1,4 +1,4 @@
-//! The flow of a Kepler part: the runtime has the orbits, of the bodies and constants that are named here.
+//! The flow of a Kepler part: the bodies and constants for the orbits of the runtime.
 
 use super::Flow;
 use crate::{

@@ -1,4 +1,4 @@
-//! Flows of lattices as Rust: what each site computes from its neighbourhood, for the runtime to sweep along.
+//! Rust code for flows of lattices: the computation of each site from its neighbourhood, over which the runtime sweeps.
 
 use crate::{
     emit::printer::{block::Emitter, frame::Frame, function::Body, names::Names, sites::contributions},

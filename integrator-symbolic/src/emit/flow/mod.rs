@@ -1,4 +1,4 @@
-//! Flows and energies as Rust.
+//! Rust code for flows and energies.
 
 pub(super) mod bodies;
 pub(super) mod constants;

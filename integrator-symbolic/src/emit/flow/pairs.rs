@@ -1,5 +1,5 @@
-//! Systems of bodies that act on each other in pairs as Rust: what moves a body, and what one body does to another. The loops
-//! over bodies and pairs are the runtime's.
+//! Rust code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
+//! over bodies and pairs belong to the runtime.
 
 use crate::{
     emit::printer::{

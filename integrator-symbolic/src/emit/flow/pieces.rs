@@ -1,4 +1,4 @@
-//! What is written for a Hamiltonian that is defined by pieces in time: where flows find the middle of the step.
+//! Code for a Hamiltonian with pieces in time: how flows find the middle of the step.
 
 use crate::emit::printer::{fields::Fields, names::Names};
 use proc_macro2::TokenStream;

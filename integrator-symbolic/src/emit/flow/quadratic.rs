@@ -1,5 +1,5 @@
-//! The flow of a part that is a quadratic form in positions and momenta: the runtime has the matrices, made from the
-//! second derivatives that are written here, and the first ones at zero.
+//! The flow of a part that is a quadratic form in positions and momenta. The runtime computes its matrices from the
+//! second derivatives that are generated here, and from the first derivatives at zero.
 
 use super::Flow;
 use crate::{

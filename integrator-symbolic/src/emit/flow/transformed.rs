@@ -1,9 +1,11 @@
-//! Flows under time transformations: their durations are numbers of each lane.
+//! Flows for time transformations, whose durations differ between lanes.
 //!
-//! Comes in: the gradients of `T(p)` and `V(q)`, and the pace that the user gives. Goes out: the functions of the runtime's
-//! `TimeTransformed` and `Rated`, on the plain layout. The logarithmic Hamiltonian `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) has a
-//! kick of its own: the gradient of `ln(-V)` is simplified as a whole, so that an attraction by `1/r` needs no root. It returns
-//! `V`, which is part of that gradient, or the sign of `V` where that is the same everywhere.
+//! In: the gradients of `T(p)` and `V(q)`, and the user's rate function. Out: the functions of the runtime's
+//! `TimeTransformed` and `Rated`, for the plain layout.
+//!
+//! The logarithmic Hamiltonian is `ln(T + B) - ln(-V)` (Mikkola and Tanikawa 1999; Preto and Tremaine 1999). It has a
+//! special kick: the gradient of `ln(-V)` is simplified as a whole, so an attraction by `1/r` needs no square root. The
+//! kick returns `V`, which is part of that gradient, or only its sign if that is the same everywhere.
 
 use super::{Flow, buffer};
 use crate::{

@@ -1,4 +1,4 @@
-//! The user's own functions, as the runtime calls them to hold the generated code against them.
+//! The user's own functions, which the runtime compares with the generated code.
 
 use crate::{
     emit::printer::names::Names,

@@ -1,4 +1,4 @@
-//! Statements as Rust: lets, loops, branches and stores.
+//! Rust code for statements: lets, loops, branches and stores.
 
 use super::{
     expression::{Dialect, Printer},

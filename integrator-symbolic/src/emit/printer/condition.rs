@@ -1,4 +1,4 @@
-//! Conditions as Rust: masks of lanes in a flow, `bool` where parameters are prepared.
+//! Rust code for conditions: masks of lanes in a flow, `bool` in the preparation of parameters.
 
 use super::{
     expression::{Binding, Dialect, Printer},

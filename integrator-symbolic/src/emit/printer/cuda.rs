@@ -1,7 +1,8 @@
-//! Values, indices, conditions and lines of a program as C++, which CUDA compiles for devices.
+//! C++ code for values, indices, conditions and lines of a program, compiled by CUDA for devices.
 //!
-//! The same program gives the Rust text, and each operation here is the one that stands there: a product that is added
-//! is a fused multiply-add in both. What a device cannot be told of is noted, and no text is made of it.
+//! The Rust code is printed from the same program, and both use the same operations: a product inside of a sum is a
+//! fused multiply-add in both. Constructs without a device equivalent are recorded, and no device code is generated for
+//! them.
 
 mod functions;
 mod identifier;

@@ -1,4 +1,4 @@
-//! Expressions as Rust: with only the parentheses that are needed, products that are added as fused multiply-adds.
+//! Rust code for expressions, with the fewest parentheses; a product inside of a sum becomes a fused multiply-add.
 
 use super::{fields::Fields, frame::Frame};
 use crate::{

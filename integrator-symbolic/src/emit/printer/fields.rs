@@ -1,4 +1,5 @@
-//! Prepared constants: what depends on parameters alone becomes a field, or a table where it depends on loops too.
+//! Prepared constants: a value that depends on parameters only becomes a field, or a table if it depends on loops as
+//! well.
 
 use crate::{
     graph::{ExternalId, Graph, Node, NodeId, ParameterId},

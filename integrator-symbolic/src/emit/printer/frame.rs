@@ -1,4 +1,4 @@
-//! The storage that a generated function reads coordinates and prepared constants from.
+//! The storage from which a generated function reads coordinates and prepared constants.
 
 use super::{
     expression::{Dialect, Printer},

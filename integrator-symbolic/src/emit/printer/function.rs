@@ -1,4 +1,4 @@
-//! The heads of generated functions: arguments that a body does not read are written with an underscore.
+//! The signatures of generated functions: unused arguments begin with an underscore.
 
 use super::names::Names;
 use crate::program::Program;

@@ -1,4 +1,4 @@
-//! Integer expressions as Rust: indices of coordinates and bounds of loops.
+//! Rust code for integer expressions: indices of coordinates and bounds of loops.
 
 use super::{
     expression::{Dialect, Printer},

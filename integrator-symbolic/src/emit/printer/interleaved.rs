@@ -1,4 +1,4 @@
-//! Indices of interleaved coordinates that no loop runs over: computed once per call, since that takes a division.
+//! Indices of interleaved coordinates outside of loops: computed once per call, since they need a division.
 
 use super::{expression::Printer, fields::Fields, function::Body};
 use crate::graph::{Element, Graph, Node, index::IndexId};

@@ -1,5 +1,5 @@
-//! Sums over lists as Rust: what a term computes, in vectors of any width, and the call of the runtime that gathers and
-//! scatters.
+//! Rust code for sums over lists: the computation of a term, in vectors of any width, and the call of the runtime's
+//! gather and scatter.
 
 use super::{
     block::{Accumulation, Block},

@@ -1,4 +1,4 @@
-//! Values, indices, conditions and lines of a program as Rust, and in `cuda` as C++ for devices.
+//! Rust code for values, indices, conditions and lines of a program; `cuda` prints C++ for devices.
 
 pub(super) mod block;
 pub(super) mod condition;

@@ -1,4 +1,4 @@
-//! Names of what is written beside the user's own items, so that neither hides the other.
+//! Names for generated items that do not shadow the user's own, or the reverse.
 
 use crate::syntax::{Compose, Input};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};

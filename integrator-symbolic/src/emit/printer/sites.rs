@@ -1,4 +1,4 @@
-//! What the sites of a lattice read of their neighbourhood, and what they share out.
+//! The values that sites of a lattice read from their neighbourhood, and the contributions that they pass on.
 
 use super::{expression::Printer, fields::Fields, frame::Frame, names::Names};
 use crate::{

@@ -1,8 +1,8 @@
-//! Formulas as people write them: sums of products, numbers first, then parameters, coordinates and functions of them,
-//! what is divided by behind one stroke.
+//! Readable formulas: sums of products, with numbers first, then parameters, coordinates and functions of them, and one
+//! fraction bar per product.
 //!
-//! They are for reading alone: what is equal for almost all arguments is written in one way, whatever its roundings
-//! are.
+//! They are for documentation only: expressions that are equal for almost all arguments are printed in the same way,
+//! whatever their rounding.
 
 /// A sum of products.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! Formulas for people: the equations of motion in the documentation of what is generated.
+//! Readable formulas: the equations of motion in the documentation of the generated code.
 
 mod formula;
 mod naming;

@@ -1,4 +1,4 @@
-//! Names for what formulas share: distances, and where a formula is too long for a line its pieces.
+//! Names for common subexpressions of formulas: distances, and the pieces of a formula that is too long for a line.
 
 use super::{Formulas, formula::Formula};
 use crate::{

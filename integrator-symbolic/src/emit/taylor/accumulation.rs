@@ -1,4 +1,4 @@
-//! The accumulation of addends in the coefficients of coordinates.
+//! Accumulation of addends into the coefficients of coordinates.
 
 use crate::{
     graph::{Element, Graph},

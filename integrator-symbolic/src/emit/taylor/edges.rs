@@ -1,7 +1,7 @@
-//! The function that shows the conditions of a Hamiltonian to the runtime, which ends steps where they change.
+//! The function that passes the conditions of a Hamiltonian to the runtime, which ends steps where they change.
 //!
-//! Comes in: gradients. Goes out: code that evaluates every condition where a gradient does, within its loops and
-//! branches. Always true: nothing is written for a Hamiltonian without edges.
+//! In: gradients. Out: code that evaluates every condition at the same place as a gradient, within its loops and
+//! branches. Always true: a Hamiltonian without edges has no such code.
 
 use crate::{
     differentiate::Contribution,

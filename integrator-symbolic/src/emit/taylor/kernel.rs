@@ -1,5 +1,5 @@
-//! Loops as Rust: a kernel, which computes iterations that share vectors, and the lines that call it; or iteration by
-//! iteration, where these depend on each other.
+//! Rust code for loops: a kernel that computes iterations in vectors and the lines that call it, or a scalar loop if
+//! iterations depend on each other.
 
 use super::{
     accumulation::Accumulation,

@@ -1,5 +1,5 @@
-//! Lines of sites as Rust: a kernel that computes several vectors of sites at once, and the sums of what each site gets
-//! from its own bond and from the one before.
+//! Rust code for lines of sites: a kernel that computes several vectors of sites per call, and the sums of the
+//! contributions of the bonds at each site.
 
 use super::{
     accumulation::Accumulation,

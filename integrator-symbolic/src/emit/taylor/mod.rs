@@ -1,4 +1,4 @@
-//! The recurrences of Taylor coefficients as Rust.
+//! Rust code for the recurrences of Taylor coefficients.
 
 mod accumulation;
 pub(super) mod edges;

@@ -1,7 +1,7 @@
-//! The Taylor coefficients of a motion, order by order, as Rust.
+//! Rust code for the Taylor coefficients of a motion, order by order.
 //!
-//! One pass over the nodes computes their coefficients of an order from those of lower orders. Values that recurrences
-//! read are kept in a tape: beside each other where no loop is around, and else in a list with a place for every
+//! One pass over the nodes computes their coefficients of an order from those of lower orders. The values that
+//! recurrences read are stored in a tape: adjacent if they are outside of loops, otherwise in a list with one entry per
 //! iteration.
 
 use super::{

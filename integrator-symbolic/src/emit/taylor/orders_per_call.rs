@@ -1,5 +1,7 @@
-//! The orders that one call of the recurrences computes: one of all coefficients, or, where positions follow momenta by
-//! an inverse mass, two of forces, since those of an order do not depend on those of the one before.
+//! The number of orders that one call of the recurrences computes: usually one order of all coefficients.
+//!
+//! If positions follow from momenta by an inverse mass, a call computes two orders of forces, since each is independent
+//! of the previous one.
 
 use super::{
     accumulation::{Accumulation, declare_derivatives, derivative},

@@ -1,7 +1,8 @@
-//! Sums of products that are computed side by side, in the two lanes of a register where there is one: two sums with a
-//! factor in common, those of two squares, those of a power, or the halves `Σ aⱼ bₖ₋ⱼ` and `Σ bⱼ aₖ₋ⱼ`, `j < k/2`, of one.
+//! Sums of products that are computed as pairs, in two lanes of a register if there is one.
 //!
-//! The coefficients of two factors are kept side by side; those of coordinates are read from their rows.
+//! A pair is one of these: two sums with a common factor; those of two squares; those of a power; or the halves
+//! `Σ aⱼ bₖ₋ⱼ` and `Σ bⱼ aₖ₋ⱼ`, `j < k/2`, of one sum. The coefficients of two factors are interleaved in memory; those
+//! of coordinates are read from their rows.
 
 use super::{
     orders::Writer,

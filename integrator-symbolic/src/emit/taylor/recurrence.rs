@@ -1,9 +1,11 @@
-//! Recurrences as Rust: what is known since the last order is summed up at the beginning of a block, for all of its
-//! values; the newest coefficients come in where a value is computed.
+//! Rust code for recurrences. The terms that are known from lower orders are summed at the beginning of a block, for
+//! all of its values. The newest coefficients are added when a value is computed.
 //!
-//! For a product `Σ aⱼ bₖ₋ⱼ`; for a square, half of that; for a power `y = aᵉ`, `Σ (e j - (k - j)) aⱼ yₖ₋ⱼ` over `k
-//! a₀`; for `y' = g x'`, `Σ j xⱼ gₖ₋ⱼ` over `k`. Sums run from the middle outwards, so that they begin with
-//! coefficients that have been known for long.
+//! - A product: `Σ aⱼ bₖ₋ⱼ`; a square needs half of the terms.
+//! - A power `y = aᵉ`: `Σ (e j - (k - j)) aⱼ yₖ₋ⱼ` divided by `k a₀`.
+//! - `y' = g x'`: `Σ j xⱼ gₖ₋ⱼ` divided by `k`.
+//!
+//! Sums run from the middle outwards, so they begin with coefficients that were computed long before.
 
 use super::{edges::touches_zero, orders::Writer, tape::Kept};
 use crate::{

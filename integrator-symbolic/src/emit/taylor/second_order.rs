@@ -1,5 +1,5 @@
-//! The second-order recurrence of few positions with an inverse mass, `q' = m p`: their coefficients come from the sums
-//! of momenta by one division, `qₖ₊₂ = m p'ₖ / ((k + 1) (k + 2))`, an order before they are read.
+//! The second-order recurrence of a few positions with an inverse mass, `q' = m p`. Their coefficients follow from the
+//! sums of momenta by one division, `qₖ₊₂ = m p'ₖ / ((k + 1) (k + 2))`, one order before they are needed.
 
 use super::{
     accumulation::{Accumulation, declare_derivatives, derivative},

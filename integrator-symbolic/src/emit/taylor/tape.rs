@@ -1,6 +1,6 @@
-//! The structs that hold the Taylor coefficients which recurrences read.
+//! The structs for the Taylor coefficients that recurrences read.
 //!
-//! Values outside of all loops lie beside each other; those inside of one have a place for every iteration of it.
+//! Values outside of all loops are adjacent; a value inside of a loop has one entry per iteration.
 
 use crate::emit::printer::names::Names;
 use proc_macro2::{Ident, Literal, TokenStream};

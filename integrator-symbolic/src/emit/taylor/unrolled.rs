@@ -1,9 +1,9 @@
-//! Recurrences whose orders are compiled one by one, where a state is a few numbers: what matters is the latency from
-//! an order to the next.
+//! Recurrences with separately compiled orders, for a state of a few numbers. The bottleneck is the latency from one
+//! order to the next.
 //!
-//! Of a sum `Σ aⱼ bₖ₋ⱼ` that is divided by `k`, the product with the newest `b` comes in when the others have been
-//! divided, with an `a₁/k` that has been known for long. For `y' = g x'`, the coefficients `j xⱼ` of `x'` are kept:
-//! those of a coordinate are there before its own, which are divided by their order.
+//! For a sum `Σ aⱼ bₖ₋ⱼ` that is divided by `k`, the other terms are divided first. Then the product with the newest
+//! `b` is added, with an `a₁/k` that was computed long before. For `y' = g x'`, the coefficients `j xⱼ` of `x'` are
+//! stored: those of a coordinate are available before its own coefficients, which need a division by the order.
 
 use super::{
     accumulation::Accumulation,

@@ -1,4 +1,4 @@
-//! Types of integers: their casts, and whether they may be below zero.
+//! Integer types: their casts, and whether they can be negative.
 
 use super::{Index, IndexId, Loop, Loops};
 

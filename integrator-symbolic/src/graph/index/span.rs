@@ -1,5 +1,5 @@
-//! Which integers an index may be, whatever the indices of loops are: from a first to a last one, each a number or so much
-//! more or less than one that is not known.
+//! The interval of integers that an index can take over all iterations. Each end is a number, or an unknown integer
+//! plus or minus a number.
 
 use super::{Index, IndexId, Loops};
 

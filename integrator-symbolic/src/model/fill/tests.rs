@@ -1,4 +1,4 @@
-//! Arrays that loops fill have the values that Rust gives them, wherever they are read.
+//! Tests that arrays filled by loops have the same values as in Rust, wherever they are read.
 #![allow(clippy::explicit_iter_loop, clippy::needless_range_loop, reason = "the language of H")]
 
 use crate::{graph::evaluate::Point, model::sequence::tests::potential};

@@ -1,4 +1,4 @@
-//! Integers are those of Rust: energies over them have the values that the same text has as code.
+//! Tests that integers behave as in Rust: energies over them have the same values as the same source compiled as code.
 
 use crate::{graph::evaluate::Point, model::sequence::tests::potential};
 

@@ -1,5 +1,5 @@
-//! Chains of adaptors, all up to a depth of two and every seventh of a depth of three, over coordinates of every length from 0 to 7: the sum that is read has the
-//! value that the iterators of `std` give.
+//! Tests of chains of adaptors over coordinates of every length from 0 to 7: all chains up to a depth of two, and every
+//! seventh one of a depth of three. The interpreted sum has the same value as that of the iterators of `std`.
 
 use crate::{
     errors::Errors,

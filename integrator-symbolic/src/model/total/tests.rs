@@ -1,4 +1,5 @@
-//! Folds have the value that those of `std` have, or are refused: what a closure does is never guessed from a few values.
+//! Tests that folds have the same value as those of `std`, or are errors: the meaning of a closure is never guessed
+//! from a few values.
 
 use crate::{graph::evaluate::Point, model::sequence::tests::potential};
 

@@ -1,4 +1,4 @@
-//! Values for other indices.
+//! Substitution of indices in values.
 
 use crate::graph::{
     Element, Graph, Node, NodeId, ParameterId,

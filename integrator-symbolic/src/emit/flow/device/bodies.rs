@@ -1,5 +1,5 @@
-//! The flows of bodies that act on each other in pairs as text for devices: what moves a body, and what one body does to
-//! another. The loops over pairs are those of the runtime on a device, in the order of the one on processors.
+//! Device code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
+//! over pairs belong to the runtime on the device and have the same order as those on processors.
 
 use super::{Shape, function};
 use crate::{

@@ -1,5 +1,5 @@
-//! The flow of a short line of sites as text for devices: what each site computes from its neighbourhood, and the pass along them,
-//! in which a site adds what arrives in the order of the runtime on processors.
+//! Device code for a short line of sites: the computation of each site from its neighbourhood, and the sweep along the
+//! line. A site adds its contributions in the same order as the runtime on processors.
 
 use super::{Shape, function};
 use crate::{

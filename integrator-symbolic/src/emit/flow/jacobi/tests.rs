@@ -1,4 +1,4 @@
-//! Energies of bodies in their one form: the same values, and what Jacobi coordinates are made of.
+//! Tests of the canonical form of body energies: equal values, and the terms from which Jacobi coordinates are built.
 
 use super::*;
 use crate::graph::evaluate::Point;

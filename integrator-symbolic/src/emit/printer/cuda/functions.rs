@@ -1,4 +1,4 @@
-//! The elementary functions that text for devices may call.
+//! The elementary functions that device code can call.
 
 /// The functions that have the bits of the Rust kernels on a device, or are exact there.
 pub(super) const KNOWN: [&str; 23] = [

@@ -1,4 +1,4 @@
-//! Names of the user's as C++ may have them.
+//! The user's names as valid C++ identifiers.
 
 use super::functions::KNOWN;
 use proc_macro2::Ident;

@@ -1,4 +1,4 @@
-//! What the lines of a text read beside the state, and whose functions they call.
+//! The data that lines of device code read besides the state, and the functions that they call.
 
 use super::{functions::NATIVE, identifier::identifier};
 use crate::{

@@ -1,4 +1,4 @@
-//! What the sites of a line read of their neighbourhood, and what they share out.
+//! The values that sites of a line read from their neighbourhood, and the contributions that they pass on.
 
 use super::Cuda;
 use crate::{
