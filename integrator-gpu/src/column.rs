@@ -1,4 +1,4 @@
-//! One member of what the device holds.
+//! One member in the memory of the device.
 
 use integrator_core::{
     __private::{Coords, Precision},

@@ -1,4 +1,4 @@
-//! Members as columns of numbers: one array for each coordinate and each constant, as the device reads them.
+//! Members as columns of numbers: one array for each coordinate and each constant, in the layout of the device.
 
 use integrator_core::{
     __private::{Coords, DeviceText, Precision},

@@ -1,4 +1,4 @@
-//! What kernels of one composition know of it when they are compiled.
+//! The properties of a composition that its kernels know at compile time.
 
 use crate::launch::{Launch, Row};
 

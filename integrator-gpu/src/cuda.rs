@@ -1,4 +1,4 @@
-//! Launches on a device of CUDA, whose libraries are loaded when the first ensemble asks for one.
+//! Launches on a CUDA device, whose libraries are loaded when the first ensemble needs them.
 
 use crate::{
     error::Error,

@@ -1,7 +1,8 @@
-//! An ensemble on a device, with the methods of the one on the processor.
+//! An ensemble on a device, with the methods of an ensemble on the processor.
 //!
-//! Always true: one on the processor stands beside it. It judged the members, has those that are no longer under way, and takes
-//! the others over for whatever is no whole step: energies, checkpoints, members between two steps.
+//! Always true: it contains an ensemble on the processor, which validated the members and contains the failed and
+//! finished ones. That ensemble also takes over the active members for everything except whole steps: energies,
+//! checkpoints, members between two steps.
 
 use crate::{
     column::read_column,

@@ -1,4 +1,4 @@
-//! What can go wrong between members and a device.
+//! Errors of ensembles on a device.
 
 use integrator_core::{Error as CoreError, Lost};
 

@@ -1,5 +1,5 @@
-//! The text for devices as a program of this machine: whatever C++ compiler is there makes it, and members are taken one
-//! after the other. It is there to test the text where no device is.
+//! Device code as a program of this machine, built by any available C++ compiler, which integrates members one after
+//! the other. It tests the code on machines without a device.
 
 use super::launch::{Launch, Row};
 use std::{

@@ -1,4 +1,4 @@
-//! What a launch of the steps is told: the clock, and the stages of a composition, laid out as the device reads them.
+//! The arguments of a launch: the clock and the stages of a composition, in the layout of the device.
 
 use integrator_core::__private::{Composition, Hamiltonian, Lead, Precision, Rows, Stage, corrections};
 

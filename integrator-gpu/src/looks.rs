@@ -1,4 +1,4 @@
-//! What an ensemble on a device shows of its members.
+//! Read access to the members of an ensemble on a device.
 
 use crate::{
     ensemble::{Ended, Ensemble},

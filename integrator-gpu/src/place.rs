@@ -1,4 +1,4 @@
-//! Where members are that the processor has given away: on a device, or in the program that takes its place.
+//! The place of active members: a device, or the program that replaces it.
 
 use crate::{
     cuda,

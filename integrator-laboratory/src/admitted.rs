@@ -1,5 +1,5 @@
-//! Methods that not every Hamiltonian admits: those of second-order equations and force gradients where `T` is quadratic,
-//! Taylor's where recurrences were written. Nothing of them is compiled for the others.
+//! Methods for some Hamiltonians only: those for second-order equations and with force gradients for quadratic `T`, and
+//! Taylor's method if there are recurrences. They are not compiled for other Hamiltonians.
 
 use crate::{
     errors::{Exact, tolerances},

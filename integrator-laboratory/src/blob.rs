@@ -1,4 +1,4 @@
-//! A blob of starts, carried along: what becomes of its area, Poincaré's integral invariant `Σ ∮ pᵢ dqᵢ`.
+//! A set of starts that moves with the flow, and its area: Poincaré's integral invariant `Σ ∮ pᵢ dqᵢ`.
 
 use crate::{
     plan::Plan,

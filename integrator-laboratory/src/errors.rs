@@ -1,4 +1,4 @@
-//! Errors for one step size after the other, against a reference.
+//! Errors for a sequence of step sizes, compared with a reference.
 
 use crate::{
     plan::Plan,

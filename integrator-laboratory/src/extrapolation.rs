@@ -1,4 +1,4 @@
-//! The table of an extrapolation: one long step in ever finer ones, and what these become when they are continued to no step.
+//! The table of an extrapolation: one long step by finer and finer ones, and their extrapolation to step zero.
 
 use crate::problem::{Problem, distance, numbers};
 use integrator_core::{

@@ -1,5 +1,5 @@
-//! Formulas as MathML, from a notation that can be read in the source: `_` lowers and `^` raises a letter, a number or
-//! what is in braces, `{a}/{b}` is a fraction, and `;` stands between formulas.
+//! Formulas as MathML, from a notation that is readable in the source. `_` lowers and `^` raises a letter, a number or
+//! a group in braces, `{a}/{b}` is a fraction, and `;` separates formulas.
 
 /// Formulas as elements of a page, between which a line may be broken.
 pub(crate) fn math(formulas: &str) -> String {

@@ -1,4 +1,4 @@
-//! What is asked of the laboratory, and the files that it becomes.
+//! The options of the laboratory, and the files that it writes.
 
 use crate::{
     claims::{Verdict, verdicts},

@@ -1,5 +1,5 @@
-//! The largest change of the energy for steps from short to long ones: where it leaves all bounds is the limit of stability,
-//! where it has a peak the step resonates with the motion.
+//! The largest change of the energy for short to long steps. It diverges at the limit of stability, and has a peak if
+//! the step resonates with the motion.
 
 use crate::{
     plan::Plan,

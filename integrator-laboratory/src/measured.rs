@@ -1,5 +1,5 @@
-//! What is measured of one method. With `blob`, `errors`, `portrait`, `reversal`, `limits`, `tangents` and `shifted` this is the code that
-//! is generic over systems; what comes out are plain numbers.
+//! The measurements of one method. This module, `blob`, `errors`, `portrait`, `reversal`, `limits`, `tangents` and
+//! `shifted` are the code that is generic over systems; their results are plain numbers.
 
 use crate::{
     blob::{Blob, follow},

@@ -1,5 +1,5 @@
-//! What symplectic steps conserve: levels of the modified Hamiltonian under an orbit, and by how much it changes for one
-//! step after the other.
+//! The quantities that symplectic steps conserve: levels of the modified Hamiltonian under an orbit, and its change for
+//! a sequence of steps.
 
 use crate::{plan::Plan, problem::Problem, rows::Row};
 use integrator_core::{

@@ -1,4 +1,4 @@
-//! Numbers as people write them.
+//! Formatting of numbers for readers.
 
 /// Formats a number to three digits, in plain notation if that is short, otherwise with a power of ten.
 #[must_use]

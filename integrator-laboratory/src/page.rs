@@ -1,4 +1,4 @@
-//! One HTML file with all pictures inside, which needs nothing from elsewhere.
+//! A self-contained HTML file with all pictures.
 
 use crate::{
     claims::Verdict,

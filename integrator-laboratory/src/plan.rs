@@ -1,4 +1,4 @@
-//! How much is measured.
+//! The amount of measurements.
 
 /// The amount of measurements: large for a page, small for tests.
 #[derive(Clone, Copy, Debug)]

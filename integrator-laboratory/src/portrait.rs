@@ -1,5 +1,5 @@
-//! The orbit of a method in steps that show what it does: so long that a gain or a loss is seen, or as long as they may be
-//! where there is none.
+//! The orbit of a method with steps that show its properties: so long that a gain or a loss of energy is visible, or as
+//! long as possible if there is none.
 
 use crate::{
     errors::Exact,

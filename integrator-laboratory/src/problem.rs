@@ -1,4 +1,4 @@
-//! A Hamiltonian with where it starts and how long it is followed.
+//! A Hamiltonian with its start and the time of integration.
 
 use integrator_core::{
     Coords, Facts, Method,

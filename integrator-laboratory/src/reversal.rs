@@ -1,4 +1,4 @@
-//! There and back: so many steps, the momenta turned around, and as many steps again.
+//! Forward and back: a number of steps, a reversal of the momenta, and the same number of steps again.
 
 use crate::problem::{Problem, Stepped, distance, numbers};
 use integrator_core::{Coords, prelude::*};

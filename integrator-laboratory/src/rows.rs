@@ -1,4 +1,4 @@
-//! What the page says of each method, one row each, and the colour that it has in all pictures.
+//! The description of each method on the page, one row each, and its colour in all pictures.
 
 use integrator_plot::{Colour, colour::COLOURS};
 

@@ -1,8 +1,8 @@
 //! Verlet's inner half steps are the leapfrog, shifted by half a step.
 //!
-//! With drifts `T` and kicks `V`, Verlet is `T(½) V(1) T(½)` over and over. Between two kicks, two half drifts follow each
-//! other and are a whole one: from the first half drift on, the sequence is kick, drift, kick, drift, which is the leapfrog,
-//! positions at half steps and momenta at whole ones.
+//! With drifts `T` and kicks `V`, Verlet repeats `T(½) V(1) T(½)`. Between two kicks, two half drifts follow each other
+//! and make a whole one. From the first half drift on, the sequence is kick, drift, kick, drift. This is the leapfrog,
+//! with positions at half steps and momenta at whole ones.
 
 use crate::problem::{Problem, numbers};
 use integrator_core::{Coords, Error, prelude::*, reference::StaggeredLeapfrog};

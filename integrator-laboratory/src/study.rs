@@ -1,4 +1,4 @@
-//! Everything that is measured of a system, as plain numbers: pictures, claims and the page come from these alone.
+//! All measurements of a system as plain numbers, from which pictures, claims and the page are made.
 
 use crate::{
     errors::exact,

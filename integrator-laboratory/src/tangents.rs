@@ -1,4 +1,4 @@
-//! What becomes of deviations, step by step: how long they get, and what is left of brackets and volumes.
+//! Deviations step by step: their lengths, and the errors of brackets and volumes.
 
 use crate::problem::{Problem, Stepped};
 use integrator_core::{check::CheckError, prelude::*};

@@ -1,4 +1,5 @@
-//! The laboratory on small runs: claims can fail, pictures have their axes, words and curves, and a page stands alone.
+//! Tests of the laboratory on small runs: claims can fail, pictures have axes, words and curves, and a page is
+//! self-contained.
 
 use crate::{Drawing, Laboratory, Plan, Verdict, claims::verdicts, pictures::PICTURES, study::Study};
 use integrator_core::prelude::*;

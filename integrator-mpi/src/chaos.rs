@@ -1,4 +1,4 @@
-//! Indicators of chaos of many orbits, dealt out to ranks.
+//! Chaos indicators of many orbits, distributed over ranks.
 
 use crate::{
     ROOT,

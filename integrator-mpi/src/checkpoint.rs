@@ -1,4 +1,4 @@
-//! Checkpoints of ensembles over ranks, from which any number of ranks goes on.
+//! Checkpoints of ensembles over ranks, which can be resumed on any number of ranks.
 
 use crate::{
     Ensemble,

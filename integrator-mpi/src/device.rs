@@ -1,4 +1,4 @@
-//! Ensembles whose ranks have their members on devices.
+//! Ensembles over ranks with members on devices.
 
 use crate::{
     Ensemble,

@@ -1,4 +1,4 @@
-//! An ensemble whose members are dealt out to ranks.
+//! An ensemble with members distributed over ranks.
 
 use crate::{
     error::{Error, Failure, agree},

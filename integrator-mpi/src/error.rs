@@ -1,4 +1,4 @@
-//! What can go wrong on some rank, as all ranks are told it.
+//! Errors on some rank, as reported to all ranks.
 
 use integrator_core::Error as CoreError;
 use mpi::traits::CommunicatorCollectives;

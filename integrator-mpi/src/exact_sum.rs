@@ -1,7 +1,7 @@
-//! Sums of numbers in any order to the same bits.
+//! Exact sums of numbers, bitwise identical for any order.
 //!
-//! Every finite `f64` is a whole number of units 2^-1074. Their sum is kept as a whole number of 68 digits of 32 bits, so that
-//! it is exact, whatever the order of the addends and however they are spread over ranks; it is rounded once, at the end.
+//! Every finite `f64` is an integer multiple of 2^-1074. The sum is an integer of 68 digits of 32 bits, so it is exact
+//! for any order of the addends and any distribution over ranks. It is rounded once, at the end.
 
 use mpi::{collective::SystemOperation, traits::CommunicatorCollectives};
 

@@ -1,4 +1,4 @@
-//! Where a rank has its members: on its processor, or on a device beside it.
+//! The members of a rank, on its processor or on a device.
 
 use crate::error::Failure;
 use integrator_core::{Coords, Ensemble as Local, Phase};

@@ -1,4 +1,4 @@
-//! Members as lines of text: one file for each rank, a manifest that names them, and one file of all.
+//! Members as lines of CSV: one file per rank, a manifest that names them, and a joined file.
 
 use crate::{
     Ensemble, Member,

@@ -1,4 +1,4 @@
-//! What ranks write together: one file each, and a manifest that names them.
+//! Files that ranks write together: one per rank, and a manifest that names them.
 
 use crate::{
     Ensemble, ROOT,

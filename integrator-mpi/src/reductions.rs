@@ -1,4 +1,4 @@
-//! Numbers of all members as one: sums, moments, extremes, histograms. None of them depends on how many ranks there are.
+//! Reductions over all members: sums, moments, extremes, histograms. They do not depend on the number of ranks.
 
 use crate::{Ensemble, Member, exact_sum::ExactSum};
 use integrator_core::Coords;

@@ -1,4 +1,4 @@
-//! States of all ranks on one of them.
+//! The states of all ranks, gathered on one of them.
 
 use crate::{Ensemble, ROOT, is_root};
 use integrator_core::{

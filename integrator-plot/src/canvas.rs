@@ -1,4 +1,4 @@
-//! What a picture consists of: shapes in pixels and parts of pixels, from which both files are made.
+//! The shapes of a picture, in pixels and fractions of pixels, from which both file formats are written.
 
 use crate::{
     colour::{Colour, WHITE},

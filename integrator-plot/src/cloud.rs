@@ -1,4 +1,4 @@
-//! Points by the million as one bitmap: a pixel takes the colours of all points on it, the more of them the deeper.
+//! Millions of points as one bitmap: a pixel mixes the colours of its points, and more points give a deeper colour.
 
 use crate::colour::Colour;
 

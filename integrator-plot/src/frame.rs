@@ -1,4 +1,4 @@
-//! Two axes on a part of a sheet, and what is drawn between them.
+//! Two axes in a part of the canvas, and the items drawn between them.
 
 use crate::{
     axis::Scale,

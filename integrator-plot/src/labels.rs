@@ -1,4 +1,4 @@
-//! Labels that do not cover each other.
+//! Placement of labels without overlap.
 
 /// Heights near those that are wanted, in the same order, at least so far apart, and within these ends where there is room.
 /// The wanted ones are sorted.

@@ -1,4 +1,4 @@
-//! Curves cut at the border of a frame, and without points that nobody would see.
+//! Curves clipped at the border of a frame, without invisible points.
 
 use crate::canvas::Place;
 

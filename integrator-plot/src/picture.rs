@@ -1,4 +1,4 @@
-//! What is written as files.
+//! Pictures and the files written from them.
 
 use crate::{
     canvas::Canvas,

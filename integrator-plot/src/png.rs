@@ -1,5 +1,4 @@
-//! Pixels as PNG: the signature, then the chunks of the head, of the rows and of the end, each with its length and its
-//! check sum.
+//! Encoding of pixels as PNG: the signature, then the header, data and end chunks, each with its length and checksum.
 
 use crc::{CRC_32_ISO_HDLC, Crc};
 use miniz_oxide::deflate::compress_to_vec_zlib;

@@ -1,4 +1,4 @@
-//! A picture as pixels: each takes as much colour as is covered of it.
+//! A picture as pixels, with antialiasing: the colour of a shape is weighted by the covered fraction of a pixel.
 
 use crate::{
     canvas::{self, Canvas, Place, Shape},

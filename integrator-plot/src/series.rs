@@ -1,4 +1,4 @@
-//! What is drawn in a chart.
+//! The series of a chart.
 
 use crate::{
     canvas::{Canvas, Marker, Place, Stroke},

@@ -1,4 +1,4 @@
-//! Fonts: how wide text is, and the outlines of its letters.
+//! Fonts: widths of text, and outlines of letters.
 
 use crate::colour::{Colour, INK};
 use std::error::Error;
@@ -23,13 +23,13 @@ pub struct Font {
     pub(crate) upright: bool,
 }
 
-/// Returns the regular font of a size, in [`INK`](crate::colour::INK).
+/// Returns the regular font of a size, in [`INK`].
 #[must_use]
 pub const fn font(size: f64) -> Font {
     Font { size, bold: false, colour: INK, anchor: Anchor::Begin, upright: false }
 }
 
-/// Returns the bold font of a size, in [`INK`](crate::colour::INK).
+/// Returns the bold font of a size, in [`INK`].
 #[must_use]
 pub const fn bold(size: f64) -> Font {
     Font { bold: true, ..font(size) }

@@ -1,4 +1,4 @@
-//! The numbers along an axis, all of an axis in one notation.
+//! The labels along an axis, all in the same notation.
 
 use std::ops::RangeInclusive;
 

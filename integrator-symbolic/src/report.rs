@@ -12,56 +12,59 @@ use crate::{
 use quote::ToTokens;
 use std::{collections::HashMap, fmt};
 
-/// The equations of motion of a Hamiltonian, what is known of it, and what its flows cost.
+/// The equations of motion of a Hamiltonian, its properties, and the cost of its flows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// The annotated type, as it is spelled.
+    /// The annotated type, as written.
     pub system: String,
-    /// The composition that the annotation asks for, a name or a sequence, as it is spelled.
+    /// The composition in the annotation, a name or a sequence, as written.
     pub compose: String,
-    /// `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...` for what has a
-    /// name in them.
+    /// The equations `dq[i]/dt = ...` and `dp[i]/dt = ...`, where `+=` marks one of several terms, and `where r = ...`
+    /// for named subexpressions.
     pub equations: Vec<String>,
-    /// `T = ...` and `V = ...`, where `hamiltonian` gives all of `H`: which of its terms went where; `name = ...` of each
-    /// part that `split` names; else nothing.
+    /// The parts of `H`.
+    ///
+    /// If `hamiltonian` contains all of `H`, they are `T = ...` and `V = ...`, with the terms of each. If `split` names
+    /// parts, there is `name = ...` for each. Otherwise the list is empty.
     pub parts: Vec<String>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`.
     pub quadratic_kinetic: bool,
-    /// Whether H is `T(p) + V(q)`, in this order.
+    /// Whether `H` is `T(p) + V(q)`, in this order.
     pub separable: bool,
-    /// Whether H stays in one piece, which no composition integrates.
+    /// Whether `H` is not split, so that no composition can integrate it.
     pub whole: bool,
-    /// Whether no part reads the time.
+    /// Whether `H` is independent of time.
     pub autonomous: bool,
-    /// What moves the positions.
+    /// The flow that moves the positions.
     pub drift: Flow,
-    /// What moves the momenta.
+    /// The flow that moves the momenta.
     pub kick: Flow,
-    /// Operations of one drift and one kick as often as they occur in the derivatives; a sum's body counts once.
+    /// The number of operations of one drift and one kick as the derivatives are written; the body of a sum counts
+    /// once.
     pub operations_written: u64,
-    /// The same operations with shared subexpressions computed once.
+    /// The number of these operations with shared subexpressions computed once.
     pub operations_shared: u64,
-    /// Operations of the energies `T` and `V`, with shared subexpressions computed once.
+    /// The number of operations of the energies `T` and `V`, with shared subexpressions computed once.
     pub operations_of_energies: u64,
-    /// Operations of the energies and of their derivatives together, with shared subexpressions computed once.
+    /// The number of operations of the energies and of their derivatives, with shared subexpressions computed once.
     pub operations_together: u64,
 }
 
-/// One of the two flows.
+/// The drift or the kick.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flow {
-    /// How it is written.
+    /// The layout of the flow.
     pub form: Form,
-    /// What it computes, by the loops that this is in, outermost first; empty if nothing moves.
+    /// The computations of the flow, by their loops, outermost first; empty if nothing moves.
     pub places: Vec<Place>,
 }
 
-/// What a flow computes in one place, with shared subexpressions computed once.
+/// The computations of a flow in one place, with shared subexpressions computed once.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// The loops around it, outermost first, as `i in 0..n`; none for what is computed once.
+    /// The enclosing loops, outermost first, as `i in 0..n`; empty outside of loops.
     pub loops: Vec<String>,
-    /// Operations of one iteration.
+    /// The operations of one iteration.
     pub operations: Tally,
 }
 

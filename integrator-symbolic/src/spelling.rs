@@ -3,8 +3,10 @@
 /// How many names are offered.
 const OFFERED: usize = 3;
 
-/// The known names nearest to `typed`, at most three, nearest first: those that at most a third of its letters, and two
-/// letters of a short name, would have to change for, or that begin with it or it with them.
+/// Returns the known names nearest to `typed`, at most three, nearest first.
+///
+/// A name is near if at most a third of its letters differ, or two letters of a short name. A name is also near if it
+/// begins with `typed`, or `typed` with it.
 pub fn nearest<'k>(typed: &str, known: &'k [String]) -> Vec<&'k str> {
     let limit = (typed.chars().count() / 3).max(2);
     let begins = |name: &str| name.len().min(typed.len()) > 2 && (name.starts_with(typed) || typed.starts_with(name));

@@ -1,4 +1,4 @@
-//! Certificates: what was measured, as data and as text.
+//! Certificates: the measurements as data and as a printed report.
 
 use crate::{
     check::property::{

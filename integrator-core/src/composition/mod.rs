@@ -1,12 +1,13 @@
-//! Compositions: proved, static tables of stages, which are the drifts and kicks of a step in their order.
+//! Compositions: proved, static tables of stages, the drifts and kicks of a step in their order.
 //!
-//! A table has coefficients and knows nothing of systems; [`Flows`] is all that it needs of an executor.
+//! A table contains coefficients and is independent of systems; it needs only [`Flows`] of an executor.
 //!
-//! A table of drifts and kicks integrates any number of parts. With the coefficients `x₁, x₂, …` of its letters in their
-//! order, it is a composition of `χ`, the flows of all parts in their order, and of its adjoint, with `γ₁ = x₁` and
-//! `γₖ = xₖ − γₖ₋₁` (McLachlan 1995, SIAM J. Sci. Comput. 16, 151): the first part has the drifts, the last one the
-//! kicks, and those between them flow for `γₖ` between the letters `k` and `k + 1`, in their order before a kick and
-//! backwards before a drift.
+//! A table of drifts and kicks integrates any number of parts. Let `x₁, x₂, …` be the coefficients of its letters in
+//! their order. The table is then a composition of `χ`, the flows of all parts in their order, and of its adjoint, with
+//! `γ₁ = x₁` and `γₖ = xₖ − γₖ₋₁` (McLachlan 1995, SIAM J. Sci. Comput. 16, 151).
+//!
+//! The first part has the drifts and the last one the kicks. The parts between them flow for `γₖ` between the letters
+//! `k` and `k + 1`, in their order before a kick and backwards before a drift.
 
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;

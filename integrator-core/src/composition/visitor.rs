@@ -1,6 +1,6 @@
-//! The loop over the catalogue: every composition that a Hamiltonian admits, one after the other.
+//! The loop over the catalogue: every composition that can integrate a Hamiltonian.
 //!
-//! A composition is a type, and types do not fit into a `Vec`; a [`Visitor`] is a loop body that is generic instead.
+//! A composition is a type, and types cannot be elements of a `Vec`; a [`Visitor`] is a generic loop body instead.
 
 use crate::{
     composition::{Composition, catalogue::*, catalogue_list::for_each_composition},

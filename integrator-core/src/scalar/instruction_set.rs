@@ -1,5 +1,4 @@
-//! Runtime dispatch: the instruction sets that this machine has, and calls of the multiversioned variants compiled for
-//! them.
+//! Runtime dispatch: detection of the instruction sets of this machine, and calls of the code compiled for them.
 
 use crate::scalar::real::Kernel;
 use core::fmt;

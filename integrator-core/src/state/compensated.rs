@@ -1,4 +1,4 @@
-//! Compensated coordinates: numbers that carry the rounding errors of their updates (Kahan 1965).
+//! Compensated coordinates: numbers with the accumulated rounding error of their updates (Kahan 1965).
 
 use crate::{
     scalar::{

@@ -1,4 +1,4 @@
-//! The shapes of coordinates: arrays and vectors of numbers or of points.
+//! Shapes of coordinates: arrays and vectors of numbers, points or planes.
 
 use crate::{
     scalar::real::Real,

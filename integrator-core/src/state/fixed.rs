@@ -1,8 +1,7 @@
-//! Fixed-point coordinates: a grid of fixed spacing, on which every update can be undone exactly.
+//! Fixed-point coordinates: a grid of fixed spacing, on which every update can be inverted exactly.
 //!
-//! Always true: adding an increment and then its negative returns the very bits. Increments are rounded to the grid,
-//! which treats `d` and `-d` alike, and sums of grid points are exact as long as they stay within the range of the
-//! grid.
+//! Always true: adding an increment and then its negative returns the bitwise identical number. Increments are rounded
+//! to the grid, symmetrically for `d` and `-d`, and sums of grid points are exact within the range of the grid.
 
 use crate::{
     scalar::{

@@ -1,4 +1,4 @@
-//! Long steps: where they resonate with the motion, and where no method follows it.
+//! Large steps: resonances with the motion, and the limit of stability.
 
 use super::style::of_method;
 use crate::{

@@ -1,4 +1,4 @@
-//! How far the map of some steps is from a symplectic one.
+//! The distance of the map of some steps from a symplectic map.
 
 use super::style::of_method;
 use crate::{

@@ -1,4 +1,4 @@
-//! What symplectic steps conserve.
+//! The quantities that symplectic steps conserve.
 
 use crate::{
     modified::{Levels, Modified},

@@ -1,4 +1,4 @@
-//! Orbits there and back.
+//! Orbits forward and back.
 
 use crate::{
     numbers::plain,

@@ -1,4 +1,5 @@
-//! How each method is drawn in all charts: in its colour, symplectic ones by whole lines, the others dashed.
+//! The style of each method in all charts: a fixed colour, with solid lines for symplectic methods and dashed lines for
+//! others.
 
 use crate::{measured::Measured, methods::Adaptive, rows::Row};
 use integrator_plot::{Chart, Mark};

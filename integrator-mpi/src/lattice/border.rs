@@ -1,7 +1,7 @@
-//! The sites around the border of two slabs, which are moved once more when the messages of an exchange have come.
+//! The sites around the border of two slabs, which are integrated again when the messages of an exchange have arrived.
 //!
-//! Always true: what a border knows after its steps is right, since it begins with the halo of its neighbour on one side, and with
-//! twice as many of its rank's own sites on the other as are asked of it.
+//! Always true: the result of a border is correct, since it begins with the halo of its neighbour on one side and with
+//! twice as many of its rank's own sites as needed on the other side.
 
 use crate::lattice::{
     RunOf,

@@ -1,4 +1,5 @@
-//! Checkpoints of lattices: those of a run of all sites, which any number of ranks goes on from, one machine among them.
+//! Checkpoints of lattices, in the format of a run of all sites, which can be resumed on any number of ranks or by a
+//! single run.
 
 use crate::{
     ROOT,

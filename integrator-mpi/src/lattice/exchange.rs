@@ -1,4 +1,4 @@
-//! What the slabs of two ranks tell each other: the coordinates next to their border.
+//! Exchange between the slabs of two ranks: the coordinates next to their border.
 
 use crate::lattice::slab::{Neighbour, Slab};
 use integrator_core::{__private::Precision, Coords, Phase};

@@ -1,4 +1,4 @@
-//! What a lattice over ranks shows.
+//! Read access to a lattice over ranks.
 
 use crate::{
     ROOT,

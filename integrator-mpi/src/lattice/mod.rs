@@ -1,8 +1,9 @@
-//! A long lattice that is spread over ranks.
+//! A long lattice that is distributed over ranks.
 //!
-//! Every rank moves a slab of sites with the flows of a line of its length. What is wrong at the ends of the slab, where others
-//! would be, comes a few sites further in each step; before it is through the halo, the neighbours say what these sites are.
-//! So a site of its own has the bits that it has where one rank moves all of them.
+//! Every rank integrates a slab of sites with the flows of a line of its length. The error from the ends of the slab,
+//! where other sites are missing, moves inwards by a few sites per step. Before it has crossed the halo, the neighbours
+//! send the values of these sites. Each site of a rank is hence bitwise identical to that in a run of all sites on one
+//! rank.
 
 mod border;
 mod checkpoint;

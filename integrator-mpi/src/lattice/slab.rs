@@ -1,8 +1,8 @@
-//! Which sites a rank moves: its own, and beyond each border a halo of those of its neighbours, which it moves as well until what
-//! is wrong at the ends of its slab has come through.
+//! The sites that a rank integrates: its own, and a halo of its neighbours' sites beyond each border. Halos are used
+//! until the error from the ends of the slab has crossed them.
 //!
-//! Always true: the slabs on the two sides of some border have other lengths and begin at other sites, so that a formula that
-//! reads how many sites there are, or the number of one, gives them other numbers.
+//! Always true: the slabs on the two sides of some border have different lengths and begin at different sites. A
+//! formula that depends on the number of sites or on the index of a site hence gives different results for them.
 
 use crate::{ensemble::share_of, error::Error};
 use integrator_core::{

@@ -15,22 +15,22 @@ pub(crate) struct Cost {
     pub(crate) shared: u64,
 }
 
-/// Operations by their kinds; a change of sign is none.
+/// Numbers of operations by kind; a change of sign does not count.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Additions and subtractions.
     pub additions: u64,
-    /// Multiplications, those that powers are made of too.
+    /// Multiplications, including those of integer powers.
     pub multiplications: u64,
-    /// Divisions by values that are not known before the run; all others are multiplications.
+    /// Divisions by values that are not known before the run; all other divisions count as multiplications.
     pub divisions: u64,
     /// Square roots.
     pub roots: u64,
-    /// Elementary functions and methods of the user, by their names.
+    /// Elementary functions and methods of the user, by name.
     pub functions: BTreeMap<String, u64>,
-    /// Choices between values.
+    /// Selections between values.
     pub branches: u64,
-    /// Coordinates that are moved, by a multiplication with the step and an addition each.
+    /// Coordinates that the flow moves, each by a multiplication with the step and an addition.
     pub coordinates: u64,
 }
 

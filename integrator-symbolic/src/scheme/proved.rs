@@ -20,61 +20,63 @@ use super::{
 };
 use crate::errors::Errors;
 
-/// What is proved of a composition.
+/// The proved properties of a composition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proved {
-    /// The name that it is declared by; empty for a sequence without one.
+    /// The declared name; empty for a sequence without one.
     pub name: String,
-    /// Where it was published, as its declaration says; may be empty.
+    /// The declared citation; may be empty.
     pub citation: String,
-    /// The proved order for the Hamiltonians that it is for.
+    /// The proved order for the class of Hamiltonians of the composition.
     pub order: u32,
-    /// The proved order for every `T(p)`; absent where there are gradient kicks, which need a quadratic `T`.
+    /// The proved order for every `T(p)`; `None` if there are gradient kicks, which need a quadratic `T`.
     pub general_order: Option<u32>,
-    /// The proved order where `T` is quadratic in `p` with constant masses.
+    /// The proved order for `T` quadratic in `p` with constant masses.
     pub quadratic_order: u32,
-    /// The proved generalised orders `(n₁, n₂, …)`: where the second part is small, of size `ε`, errors are of the sizes
-    /// `ε h^n₁`, `ε² h^n₂` and so on; the last one is `order`.
+    /// The proved generalised orders `(n₁, n₂, …)` for a second part of small size `ε`.
+    ///
+    /// Errors are of the sizes `ε h^n₁`, `ε² h^n₂` and so on; the last one is `order`.
     pub generalised_orders: Vec<u32>,
-    /// Whether it is for Hamiltonians with a quadratic `T` alone.
+    /// Whether the composition is only for Hamiltonians with a quadratic `T`.
     pub quadratic_kinetic: bool,
-    /// Whether the step is its own adjoint, so that a run back retraces the way.
+    /// Whether the step is its own adjoint, so that a step by `-h` inverts a step by `h`.
     pub symmetric: bool,
-    /// One step; of the kernel, if there is a processor.
+    /// The stages of one step, or of the kernel if there is a processor.
     pub stages: Vec<ProvedStage>,
-    /// What comes once before the first step, and undone before output; mostly nothing.
+    /// The stages of the processor, applied before the first step and inverted before output; usually empty.
     pub processor: Vec<ProvedStage>,
     /// Kicks per step in the middle of a run.
     pub force_evaluations: usize,
-    /// How many of these also go along the gradient of the squared force.
+    /// The number of these kicks with a force gradient.
     pub gradient_evaluations: usize,
     /// The smallest `h ω > 0` beyond which the harmonic oscillator is unstable.
     pub stability_limit: f64,
-    /// The norm of the error terms, where these are known and finite.
+    /// The norm of the leading error terms, if they are known and finite.
     pub leading_error: Option<f64>,
-    /// What the step gets wrong first: brackets of `T` and `V` of degree `order + 1`, with their factors.
+    /// The leading error terms: brackets of `T` and `V` of degree `order + 1`, with their factors.
     pub error_terms: Vec<(String, f64)>,
-    /// The worst of the conditions of degree `order + 1` that do not hold; absent at the highest order that is proved.
+    /// The violated condition of degree `order + 1` with the largest residual; `None` for the highest order that is
+    /// proved.
     pub violation: Option<ProvedViolation>,
 }
 
 /// A stage of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProvedStage {
-    /// `'T'` or `'A'` for a drift, `'V'` or `'B'` for a kick, as the sequence has it.
+    /// The flow as written in the sequence: `'T'` or `'A'` for a drift, `'V'` or `'B'` for a kick.
     pub letter: char,
-    /// How long, as a fraction of the step.
+    /// The duration as a fraction of the step.
     pub coefficient: f64,
     /// `c` of the kick with `b V + c h² |∇V|²`; zero in plain kicks and in drifts.
     pub gradient: f64,
 }
 
-/// An order condition that does not hold.
+/// A violated order condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProvedViolation {
     /// The word of the condition in the letters of the sequence.
     pub word: String,
-    /// By how much the coefficient of the step at this word differs from that of the exact flow.
+    /// The difference between the coefficients of the step and of the exact flow for this word.
     pub residual: f64,
 }
 

@@ -1,7 +1,7 @@
 //! The search for the loosest tolerance with which Taylor's method reaches the goal.
 //!
-//! Its steps are its own, and its evaluations are orders of series, which are other work than forces: it is held to
-//! compositions by time.
+//! The method chooses its own steps, and its evaluations are orders of series, which are a different kind of work than
+//! forces. It is hence compared with compositions by time.
 
 use super::{
     Choice, ChooseError, Split,

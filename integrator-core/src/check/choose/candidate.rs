@@ -1,4 +1,4 @@
-//! Candidates: compositions without their types, as the search sees them.
+//! Candidates: compositions without type parameters, for the search.
 
 use crate::{
     check::{start::Start, statistics::points::run},

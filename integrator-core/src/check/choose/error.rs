@@ -1,4 +1,4 @@
-//! Errors of the choice of a composition.
+//! Errors in the choice of a composition.
 
 use crate::{
     check::CheckError,

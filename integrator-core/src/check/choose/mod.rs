@@ -1,9 +1,10 @@
 //! The search for the cheapest composition for a problem, and for its step.
 //!
-//! In: a system, a start, a time span, what has to be how accurate. Out: a ranking of the compositions of the catalogue
-//! that this Hamiltonian admits, or of those of several ways to split it. Always true: every step in the ranking was run, on this very problem and in the
-//! precision of its start, and met the tolerance; so did a slightly finer one, lest an error that happens to vanish at
-//! one step size passes for accuracy. Work is counted in evaluations, which no other program on the machine disturbs.
+//! In: a system, a start, a time span, a target accuracy. Out: a ranking of the compositions of the catalogue that can
+//! integrate this Hamiltonian, or of those of several splittings. Always true: every step in the ranking was run for
+//! this problem, in the precision of its start, and reached the goal. So did a slightly finer one, since an error may
+//! vanish by chance at one step size. Work is counted in evaluations, which are independent of other programs on the
+//! machine.
 
 mod adaptive;
 mod candidate;

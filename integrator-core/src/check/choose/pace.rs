@@ -1,7 +1,7 @@
-//! Steps in a time of their own among the splittings of a choice.
+//! Fictitious time steps among the splittings of a choice.
 //!
-//! The search counts steps over a span of physical time. Here a step of the search is one of fictitious time, in units of the
-//! mean pace that a first run has over the span, so that as many of them lead through it, but for a few.
+//! The search counts steps over a span of physical time. Here, a step of the search is one of fictitious time, in units
+//! of the mean rate of a first run over the span. About the same number of steps hence covers the span.
 
 use super::{
     Split,

@@ -1,8 +1,8 @@
-//! The search for each composition's longest step within the tolerance.
+//! The search for the longest step of each composition within the tolerance.
 //!
-//! All candidates of a splitting are given the same work, then twice as much, and so on, until the first one reaches the
-//! goal and the others had sixteen times its work. So none of them costs much more than the best, however far from the
-//! goal it is. Evaluations of different splittings are different work, so that these are held to each other by time.
+//! All candidates of a splitting get the same work, then twice as much, and so on, until one reaches the goal and the
+//! others have had sixteen times its work. None of them hence costs much more than the best one, however far it is from
+//! the goal. Evaluations of different splittings are different work, so splittings are compared by time.
 
 use super::{
     Choice, ChooseError, Split, Unranked,

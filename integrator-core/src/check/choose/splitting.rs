@@ -1,4 +1,4 @@
-//! Splittings: systems without their types, as the problem of a choice sees them.
+//! Splittings: systems without type parameters, for the problem of a choice.
 
 use super::{
     Split,

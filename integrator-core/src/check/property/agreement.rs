@@ -1,9 +1,9 @@
 //! Agreement of the generated code with the user's own functions.
 //!
-//! In: a system and the states of an orbit. Out: how many energies, forces and velocities, and tangents of these, agree
-//! with the user's functions, and which do not. Always true: derivatives are held against differences
-//! that are extrapolated (Richardson) until two widths agree; where they do not, as at a kink, nothing is said and the
-//! comparison is not counted.
+//! In: a system and the states of an orbit. Out: the numbers of energies, forces, velocities and their tangents that
+//! agree with the user's functions, and those that do not. Always true: derivatives are compared with
+//! Richardson-extrapolated differences that agree for two widths. If they do not, as at a kink, the comparison is not
+//! counted.
 
 use crate::{
     check::{

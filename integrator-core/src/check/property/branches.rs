@@ -1,8 +1,8 @@
-//! The branches of H that an orbit crosses, where deviation vectors may lose their meaning.
+//! The branches of `H` that an orbit crosses, where deviation vectors may lose their meaning.
 //!
-//! In: a system, a method, a start, a step. Out: the comparisons of the energies whose side changes between two states of
-//! the run. Always true: the comparisons are those of the generated energies at the very states of the run; what is
-//! crossed twice within a step is not seen.
+//! In: a system, a method, a start, a step. Out: the comparisons in the energies whose result changes between two
+//! states of the run. Always true: the comparisons are those of the generated energies at the states of the run; a
+//! branch that is crossed twice within a step is not detected.
 
 use crate::{
     check::{

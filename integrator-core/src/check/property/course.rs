@@ -1,8 +1,8 @@
-//! The course of a flow: where it leads in a long time, compared with the vector field of its energy along the way.
+//! Long-time comparison of a flow with the vector field of its energy.
 //!
-//! In: a flow, a point, a duration. Out: the difference between the displacement of the point and the integral of the field over
-//! the course that the flow itself takes. Always true: both agree only if the flow solves the equations of motion all along, so
-//! that a flow of a slightly different energy shows; the integral is a quadrature, and its halves tell how exact it is.
+//! In: a flow, a point, a duration. Out: the difference between the displacement of the point and the integral of the
+//! field along the flow. Always true: both agree only if the flow solves the equations of motion everywhere, so a flow
+//! of a slightly different energy is detected. The integral is a quadrature, whose halves give its accuracy.
 
 use crate::{
     check::{

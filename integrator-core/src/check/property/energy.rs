@@ -1,9 +1,9 @@
 //! Energy conservation of a run.
 //!
-//! In: a system that does not read the time, a method, a start, a step, a number of steps. Out: the largest deviation
-//! of the energy, the straight line through it, and whether it oscillates, walks at random or drifts. Always true: the
-//! run is the user's own, in the precision of the user's state; the energy of a symplectic step oscillates about its
-//! value until rounding takes over.
+//! In: a time-independent system, a method, a start, a step, a number of steps. Out: the largest deviation of the
+//! energy, a fitted line, and whether the energy oscillates, walks at random or drifts. Always true: the run is the
+//! user's own, in the precision of the user's state; the energy of a symplectic step oscillates about its value until
+//! rounding dominates.
 
 use crate::{
     check::{

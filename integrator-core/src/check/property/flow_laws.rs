@@ -1,11 +1,13 @@
-//! The flows of the parts of H, each held against its energy and against what every exact flow does.
+//! Comparison of the flows of the parts of `H` with their energies and with the properties of exact flows.
 //!
-//! In: a system whose parts are no `T(p)` and `V(q)`, a point, a duration. Out: how far each flow is from being
-//! symplectic, from being undone by the flow backwards, from adding up with itself, from conserving its energy, and from
-//! leading where the gradient of its energy points. Always true: derivatives of flows by the point and of energies are
-//! exact ones by duals, those by the duration are differences that are extrapolated until two widths agree, and a flow that
-//! breaks no law so far is followed for a long time (`course.rs`); the flow and
-//! its energy meet here alone, so that neither a solver nor a flow that the user wrote is taken at its word.
+//! In: a system whose parts are not `T(p)` and `V(q)`, a point, a duration. Out: the error of each flow in
+//! symplecticity, inversion, addition of durations, conservation of its energy, and agreement with the gradient of its
+//! energy. Always true:
+//!
+//! - Derivatives of flows by the point and of energies are exact, by dual numbers.
+//! - Derivatives by the duration are extrapolated differences that agree for two widths.
+//! - A flow without an error so far is integrated for a long time (`course.rs`).
+//! - The flow and its energy are computed independently, so neither a solver nor a hand-written flow is trusted.
 
 use crate::{
     check::{

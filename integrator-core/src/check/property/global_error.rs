@@ -1,8 +1,8 @@
-//! How far a run is from the exact motion.
+//! The distance of a run from the exact orbit.
 //!
-//! In: a system, a method, a start, a step, a number of steps. Out: a distance, and how well the exact motion is known.
-//! Always true: the very run of the user, in the precision of the user's state; the reference shares nothing with a
-//! composition but flows, and with a Taylor run what flows have confirmed.
+//! In: a system, a method, a start, a step, a number of steps. Out: a distance, and the accuracy of the reference
+//! solution. Always true: the run is the user's own, in the precision of the user's state. The reference shares only
+//! flows with a composition, and with a Taylor run only what flows have confirmed.
 
 use crate::{
     check::{

@@ -1,9 +1,9 @@
-//! Gradients of the energies, held against the flows.
+//! Comparison of the gradients of the energies with the flows.
 //!
 //! In: a system and a point. Out: the largest difference between a component of the generated gradient and the exact
-//! derivative of the generated energy. Always true: the gradient is taken from the flow itself, as what a kick or a
-//! drift of unit duration adds, and the derivative from duals through the energy, so that the two meet only here.
-//! Central differences, which are independent of duals, confirm the derivative coarsely.
+//! derivative of the generated energy. Always true: the gradient is the increment of a kick or a drift of unit
+//! duration, and the derivative comes from dual numbers through the energy, so both are independent. Central
+//! differences, which need no dual numbers, confirm the derivative coarsely.
 
 use crate::{
     check::{

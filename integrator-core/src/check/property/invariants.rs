@@ -1,9 +1,9 @@
-//! Functions that the user says are conserved: `#[invariant]`.
+//! Declared invariants: `#[invariant]`.
 //!
-//! In: a system with invariants and some states. Out: by how much the Poisson bracket of each with H differs from zero,
-//! and how far it strays in a run. Always true: the bracket is a property of the system and of no method, by exact
-//! derivatives of what was generated from the user's functions; what a run makes of an invariant is measured and not
-//! judged, since steps conserve no more than what each of their flows conserves.
+//! In: a system with invariants and some states. Out: the Poisson bracket of each with `H`, and its deviation during a
+//! run. Always true: the bracket is a property of the system and not of a method, computed by exact derivatives of the
+//! generated code. The deviation during a run is measured but not judged, since a step conserves only what each of its
+//! flows conserves.
 
 use super::{
     flow_laws::slopes,

@@ -1,9 +1,9 @@
 //! Jumps of the energies along an orbit.
 //!
-//! In: states of an orbit, one after the other. Out: the first jump of an energy between two of them. Always true: the difference of
-//! an energy between two states is held against the integral of its gradient along the segment between them, at one time; where
-//! these differ, the segment is halved, and at a jump they differ in one half however short it is. So nothing is asked of the motion,
-//! and the energy need not be conserved.
+//! In: consecutive states of an orbit. Out: the first jump of an energy between two of them. Always true: the
+//! difference of an energy between two states is compared with the integral of its gradient along the connecting
+//! segment, at fixed time. If they differ, the segment is halved; at a jump they differ in one half for every length.
+//! The check hence assumes nothing about the motion, and the energy need not be conserved.
 
 use crate::{
     check::{

@@ -1,13 +1,13 @@
-//! The local order: whether the order holds all along the orbit.
+//! The local order: whether the order is observed along the whole orbit.
 //!
-//! In: a system, a method, a start, a piece of the time, how far. Out: the first time at which errors do not shrink
-//! with the order however short the steps, or nothing. Always true: every piece begins at a state that was reached
-//! before, so that errors of different pieces never add up, and a chaotic orbit is followed as far as a regular one.
+//! In: a system, a method, a start, a piece of time, a total time. Out: the first time at which errors do not decrease
+//! with the order for any step size, or nothing. Always true: every piece begins at a state reached before, so errors
+//! of different pieces do not add up, and a chaotic orbit is checked as far as a regular one.
 //!
-//! A composition has its order wherever the forces have enough derivatives, and steps are short enough. In a piece in
-//! which the order does not show, either steps are too long (an encounter, a fast oscillation) or a derivative is
-//! missing (a kink, a jump, a cutoff). Halving the piece decides: parts of the former become easy, and one part of the
-//! latter never does.
+//! A composition has its order if the forces have enough derivatives and steps are short enough. If the order is not
+//! observed in a piece, there are two causes: steps are too long (an encounter, a fast oscillation), or a derivative is
+//! missing (a kink, a jump, a cutoff). Halving the piece distinguishes them: in the first case parts of the piece show
+//! the order, in the second case one part never does.
 
 use crate::{
     check::{oracle::exact::Stepper, property::order::CLEARANCE, start::Start, statistics::path::Path},

@@ -1,4 +1,4 @@
-//! What is measured of a method and a system: one property in each file.
+//! Measurements of a method and a system: one property per file.
 
 pub(crate) mod agreement;
 pub(crate) mod branches;

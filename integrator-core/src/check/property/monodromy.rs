@@ -1,8 +1,7 @@
-//! The monodromy matrix of a periodic orbit: what one period makes of deviations.
+//! The monodromy matrix of a periodic orbit: the derivative of the state after one period by the initial state.
 //!
 //! In: a system, a method, a start, a step, the number of steps of a period. Out: the derivative of these steps, its
-//! eigenvalues, and whether deviations stay small. Always true: the matrix is the derivative of the very steps that a run
-//! takes.
+//! eigenvalues, and the linear stability. Always true: the matrix is the derivative of the steps of a run.
 
 use crate::{
     check::{

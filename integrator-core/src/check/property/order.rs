@@ -1,8 +1,8 @@
-//! The order of a composition, measured.
+//! Measurement of the order of a composition.
 //!
 //! In: a system, a composition, a start, a step. Out: the slope of the logarithm of the error over the logarithm of the
-//! step. Always true: only errors that stand well out of the rounding enter the slope, and where too few do, there is
-//! no slope but an error.
+//! step. Always true: only errors well above the rounding enter the slope; if there are too few of them, the result is
+//! an error.
 
 use crate::{
     check::{

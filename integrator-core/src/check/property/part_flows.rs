@@ -1,6 +1,6 @@
-//! The flows of parts without types, as the laws of flows see them.
+//! The flows of parts without type parameters, for the checks of flows.
 //!
-//! Always true: what is carried is a motion of the system in its own layout, moved by the very flows that a run calls.
+//! Always true: they move a state of the system in its own layout, by the flows that a run calls.
 
 use crate::{
     check::property::gradient::{Differentiable, Energies},

@@ -1,8 +1,8 @@
-//! Reversibility: whether steps by `-h` undo steps by `h`.
+//! Reversibility: whether steps by `-h` invert steps by `h`.
 //!
-//! In: a system, a method, a start, a step, a number of steps. Out: the distance from the start at which a run ends
-//! that goes forward and back. Always true: the runs are the user's own, in the precision of the user's state, and the
-//! clock is reversed where the forward run ends.
+//! In: a system, a method, a start, a step, a number of steps. Out: the distance from the start after a run forward and
+//! back. Always true: the runs are the user's own, in the precision of the user's state, and the clock is reversed at
+//! the end of the forward run.
 
 use crate::{
     check::{

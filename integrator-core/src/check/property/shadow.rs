@@ -1,9 +1,9 @@
 //! Conservation of the modified Hamiltonian (the shadow) of a composition.
 //!
-//! In: a system of `T(p) + V(q)`, a composition, a start, a step. Out: the powers of the step with which the deviations
-//! of `H`, and of its modifications by one power of the step after the other, shrink. Always true: the modifications come
-//! from the table of the composition and derivatives of the generated flows; a stepper whose forces, stages or clock are
-//! wrong conserves another quantity and shows a lower power, whatever else it conserves.
+//! In: a system `T(p) + V(q)`, a composition, a start, a step. Out: the powers of the step with which the deviations of
+//! `H` and of the modified Hamiltonians decrease. Always true: the modified Hamiltonians come from the table of the
+//! composition and from derivatives of the generated flows. A stepper with wrong forces, stages or times conserves
+//! another quantity and shows a lower power.
 
 use crate::{
     check::{

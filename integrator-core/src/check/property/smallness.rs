@@ -1,8 +1,9 @@
-//! The size of the second part of H beside the first.
+//! The size of the second part of `H` relative to the first.
 //!
-//! In: a system and states along an orbit. Out: how strongly the second part moves the coordinates that both parts move, in units of
-//! the first part or of both together. Always true: it does not depend on the units of coordinates, each of which is measured by its
-//! own, and a coordinate in which the first part happens to vanish weighs no more than any other.
+//! In: a system and states along an orbit. Out: how strongly the second part moves the coordinates that both parts
+//! move, in units of the first part or of both together. Always true: the result is independent of the units of
+//! coordinates, since each is measured in its own unit; a coordinate in which the first part happens to vanish has no
+//! larger weight than any other.
 
 use crate::{
     check::property::{

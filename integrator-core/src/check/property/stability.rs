@@ -1,9 +1,9 @@
-//! Linear stability: the fastest oscillation beside the stability limit of the composition.
+//! Linear stability: the fastest oscillation compared with the stability limit of the composition.
 //!
-//! In: a system, a composition, a start, a step. Out: the largest `h·ω` on the way, and the composition's limit for it.
-//! Always true: frequencies are those of the flows linearised by duals, for any `T`; a direction in which the motion
-//! grows exponentially has none. It is a hint: the motion is sampled, and a limit for oscillators is no promise for
-//! other systems.
+//! In: a system, a composition, a start, a step. Out: the largest `h·ω` along the orbit, and the limit of the
+//! composition. Always true: frequencies are those of the flows linearised by dual numbers, for any `T`; a direction of
+//! exponential growth has none. The result is a hint only: the orbit is sampled, and the limit is that of harmonic
+//! oscillators.
 
 use crate::{
     check::{

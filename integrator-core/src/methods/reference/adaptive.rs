@@ -1,7 +1,7 @@
-//! Methods that choose their steps by a tolerance, from the crate `differential-equations`.
+//! Methods with step-size control by a tolerance, from the crate `differential-equations`.
 //!
-//! That crate has all three on plain vectors and takes a Jacobian; `ode_solvers` has no stiff method, and diffsol wants
-//! its equations in matrices of its own.
+//! That crate has all three for plain vectors and accepts a Jacobian. `ode_solvers` has no stiff method, and diffsol
+//! requires equations in its own matrix types.
 
 use super::{
     field::Field,

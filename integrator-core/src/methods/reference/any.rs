@@ -1,4 +1,4 @@
-//! Methods as values of one type, so that what is compiled for a system is compiled once for all of them.
+//! Methods as values of one type, so that the code of a system is compiled once for all of them.
 
 use super::{
     AdamsBashforth4, AdamsBashforthMoulton4, AdamsBashforthMoulton4Pec, Bdf, DormandPrince5, DormandPrince8,

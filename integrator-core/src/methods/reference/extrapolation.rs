@@ -1,4 +1,4 @@
-//! Extrapolation: the same step in ever finer modified midpoint steps, continued to no step at all.
+//! Extrapolation: one step by finer and finer modified midpoint steps, extrapolated to step zero.
 
 use super::walk::{Place, Recipe, combined};
 use crate::{

@@ -1,6 +1,6 @@
-//! The vector field of a Hamiltonian, from its generated flows, or as it is written.
+//! The vector field of a Hamiltonian, from its generated flows or as generated directly.
 //!
-//! States are one list of numbers here, positions first.
+//! States are a list of numbers here, positions first.
 
 use crate::{
     flow::doubled::{Moved, Read},

@@ -1,4 +1,4 @@
-//! The leapfrog as it is written in textbooks: positions at whole steps and momenta at half ones.
+//! The textbook leapfrog: positions at whole steps and momenta at half steps.
 
 use super::walk::{Place, Recipe};
 use crate::{

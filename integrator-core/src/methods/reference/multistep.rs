@@ -1,4 +1,4 @@
-//! Multistep methods: the field at past steps stands in for evaluations inside of this one.
+//! Multistep methods: the field at past steps replaces evaluations within a step.
 
 use super::{
     runge_kutta::CLASSICAL,

@@ -1,4 +1,4 @@
-//! Explicit Runge–Kutta methods of a fixed step, each a row of coefficients.
+//! Explicit Runge–Kutta methods with a fixed step, each a table of coefficients.
 
 use super::walk::{Place, Recipe, combined};
 use crate::{

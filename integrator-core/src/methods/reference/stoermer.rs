@@ -1,9 +1,9 @@
-//! Multistep methods of the second-order equation `q'' = a(q)`, for `T` quadratic in `p`: forces at past positions stand in for
-//! evaluations inside of the step, and none reads a velocity.
+//! Multistep methods for the second-order equation `q'' = a(q)`, for `T` quadratic in `p`. Forces at past positions
+//! replace evaluations within a step, and no velocity is needed.
 //!
-//! The differences `q[n+1] - q[n]` of the textbook are what momenta between positions drift by, since `T'` is affine in `p`:
-//! `π[n+1] = π[n] + h Σ bᵢ F[n-i]`, `q[n+1] = q[n] + h T'(π[n+1])`. So no mass is asked for, and roundings of differences do
-//! not add up twice. With one force in the sum this is the leapfrog.
+//! The textbook differences `q[n+1] - q[n]` are drifts by momenta between positions, since `T'` is affine in `p`:
+//! `π[n+1] = π[n] + h Σ bᵢ F[n-i]`, `q[n+1] = q[n] + h T'(π[n+1])`. No mass is needed, and rounding errors of
+//! differences are not summed twice. With one force in the sum this is the leapfrog.
 
 use super::{
     runge_kutta::CLASSICAL,

@@ -1,4 +1,4 @@
-//! A motion that is carried on by increments of the whole state.
+//! A motion that advances by increments of the whole state.
 
 use super::field::{Field, Generated};
 use crate::{

@@ -1,4 +1,4 @@
-//! What may be wrong with a checkpoint.
+//! Errors of checkpoints.
 
 use crate::error::{Error, debug_as_display};
 use alloc::string::String;

@@ -11,31 +11,31 @@ use crate::{
 };
 use std::fmt;
 
-/// How a flow goes about its coordinates.
+/// The layout in which a flow processes its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// Line by line and loop by loop, as the formulas stand.
+    /// Scalar lines and loops, as the formulas are written.
     Plain,
-    /// Term by term of lists that name the coordinates, such as bonds, several terms side by side in vectors.
+    /// Terms of lists that name the coordinates, such as bonds; several terms at once in vectors.
     Lists,
-    /// Along a line of sites, each of which looks at its neighbours: a sum over neighbours, in vectors.
+    /// A line of sites with neighbour interactions: a sum over neighbours, in vectors.
     Line,
-    /// Along the rows of a plane of sites, each of which looks at its neighbours.
+    /// Rows of a plane of sites with neighbour interactions.
     Plane,
-    /// Plane by plane, along the rows of each.
+    /// Planes of a volume of sites, along the rows of each.
     Volume,
-    /// Bodies side by side in one row of a vector: a sum over pairs, by rotations of the row.
+    /// Bodies in the lanes of one vector: a sum over pairs, by rotations of the vector.
     Row,
-    /// Bodies side by side in rows of eight: a sum over pairs, tile by tile.
+    /// Bodies in rows of eight: a sum over pairs, in tiles.
     Tiles,
-    /// The same for few bodies; of many, over lists of neighbours within a cutoff.
+    /// As [`Form::Tiles`] for few bodies; for many bodies, by neighbour lists within a cutoff.
     Neighbours,
-    /// The same where neighbours are the nearest images in a periodic box.
+    /// As [`Form::Neighbours`], with the nearest images in a periodic box.
     NeighboursInBox,
 }
 
 impl Form {
-    /// One word for it.
+    /// Returns the name in one word.
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
