@@ -329,6 +329,7 @@ macro_rules! dual_real {
     ) => {
         impl<F: Real, const N: usize, const SENSITIVE: bool> Real for Dual<F, N, $is_row, SENSITIVE> {
             const LANES: usize = F::LANES * (1 + N);
+            const BEYOND_BASELINE: bool = F::BEYOND_BASELINE;
             const MEMBERS: usize = F::MEMBERS;
             const LANEWISE: bool = F::LANEWISE;
             type Mask = F::Mask;

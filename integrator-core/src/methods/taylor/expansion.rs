@@ -380,8 +380,10 @@ fn expand<H: Recurrences, R: Real, K: Precision>(expansion: &mut Of<H, R, K>, la
     let (mut q, mut p) = (q.coefficients(layout, unit), p.coefficients(layout, unit));
     // With derivatives an order is so much code that one copy has to do for all of them. Its sums have the same bits. The
     // baseline of x86 is for processors without fused multiply-add, of before 2013: half of the code would be for these.
-    let of_few_processors = const { cfg!(all(target_arch = "x86_64", feature = "std")) && !R::BEYOND_BASELINE };
-    if const { H::ROLLED || R::LANES != R::MEMBERS } || of_few_processors {
+    if const {
+        let of_few_processors = cfg!(all(target_arch = "x86_64", feature = "std")) && !R::BEYOND_BASELINE;
+        H::ROLLED || R::LANES != R::MEMBERS || of_few_processors
+    } {
         for k in (0..last).step_by(H::ORDERS_PER_CALL) {
             H::order(parameters, length, &mut q, &mut p, tape, k, time);
         }
