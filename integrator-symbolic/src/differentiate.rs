@@ -365,17 +365,18 @@ impl Sweep {
             }
             Node::Unary(function, a) if self.depends[a.position()] => {
                 let Some(slope) = graph.slope(function, a, id) else { return };
-                match distance(graph, a) {
-                    Some(distance) if function.is_of_square() => {
-                        // Both are zero where the distance is, and the quotient is one.
-                        let least = graph.constant(LEAST);
-                        let (negative, size) = graph.signed(slope);
-                        let (size, divisor) = (graph.add(size, least), graph.call_two("max", a, least));
-                        let quotient = graph.div(size, divisor);
-                        let quotient = if negative { graph.neg(quotient) } else { quotient };
-                        self.push_distance(graph, &distance, context, adjoint, quotient);
-                    }
-                    _ => self.push_product(graph, a, context, adjoint, slope),
+                if function.is_of_square()
+                    && let Some(distance) = distance(graph, a)
+                {
+                    // Both are zero where the distance is, and the quotient is one.
+                    let least = graph.constant(LEAST);
+                    let (negative, size) = graph.signed(slope);
+                    let (size, divisor) = (graph.add(size, least), graph.call_two("max", a, least));
+                    let quotient = graph.div(size, divisor);
+                    let quotient = if negative { graph.neg(quotient) } else { quotient };
+                    self.push_distance(graph, &distance, context, adjoint, quotient);
+                } else {
+                    self.push_product(graph, a, context, adjoint, slope);
                 }
             }
             Node::Binary(function, a, b) => {
