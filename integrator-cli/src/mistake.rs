@@ -45,12 +45,15 @@ fn shown(source: &Source, span: Span, message: &str) -> String {
     let (message, advice) = message.split_once('\n').unwrap_or((message, ""));
     let mut shown = format!("error: {message}\n");
     let line = source.text.lines().nth(start.line.wrapping_sub(1)).filter(|_| is_place(span));
+    let advise = |mut shown: String, gutter: &str| {
+        for line in advice.lines() {
+            let _ = writeln!(shown, "{gutter} = {line}");
+        }
+        shown
+    };
     let Some(line) = line else {
         let _ = writeln!(shown, " --> {}", source.name);
-        for line in advice.lines() {
-            let _ = writeln!(shown, "  = {line}");
-        }
-        return shown;
+        return advise(shown, " ");
     };
     let length = line.chars().count();
     // Of a place over several lines, the first one is shown.
@@ -62,9 +65,8 @@ fn shown(source: &Source, span: Span, message: &str) -> String {
     let gutter = " ".repeat(number.len());
     let _ = writeln!(shown, "{gutter}--> {}:{number}:{}", source.name, start.column + 1);
     let _ = writeln!(shown, "{gutter} |\n{number} | {line}\n{gutter} | {indent}{carets}");
-    for (number, line) in advice.lines().enumerate() {
-        let rule = if number == 0 { format!("{gutter} |\n") } else { String::new() };
-        let _ = writeln!(shown, "{rule}{gutter} = {line}");
+    if !advice.is_empty() {
+        let _ = writeln!(shown, "{gutter} |");
     }
-    shown
+    advise(shown, &gutter)
 }
