@@ -7,24 +7,32 @@ use integrator_core::{
     prelude::*,
 };
 
-/// `½ |p|² + ½ q₀² p₁ + ½ q₁² p₀ + cos q₀ + q₀² q₁ + ½ q₁²`, whose parts read one coordinate of a conjugate pair each.
+/// `½ |p|² + ½ q₀² p₁ + ½ q₁² p₀ + cos q₀ + q₀² q₁ + ½ q₁²`, whose parts read one coordinate of a conjugate pair each, in this split.
+macro_rules! twisted {
+    ($name:ident: $($split:tt)*) => {
+        #[hamiltonian(split = $($split)*)]
+        impl $name {
+            fn kinetic(&self, p: [f64; 2]) -> f64 {
+                (p[0] * p[0] + p[1] * p[1]) / 2.0
+            }
+            fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+                q[0] * q[0] * p[1] / 2.0
+            }
+            fn counter(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+                q[1] * q[1] * p[0] / 2.0
+            }
+            fn potential(&self, q: [f64; 2]) -> f64 {
+                q[0].cos() + q[0] * q[0] * q[1] + q[1] * q[1] / 2.0
+            }
+        }
+    };
+}
+pub(crate) use twisted;
+
+/// One part after the other.
 struct Twisted;
 
-#[hamiltonian(split = kinetic + twist + counter + potential)]
-impl Twisted {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        q[0] * q[0] * p[1] / 2.0
-    }
-    fn counter(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        q[1] * q[1] * p[0] / 2.0
-    }
-    fn potential(&self, q: [f64; 2]) -> f64 {
-        q[0].cos() + q[0] * q[0] * q[1] + q[1] * q[1] / 2.0
-    }
-}
+twisted!(Twisted: kinetic + twist + counter + potential);
 
 /// What is done with the parts between the first and the last.
 #[derive(Clone, Copy, PartialEq)]

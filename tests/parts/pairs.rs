@@ -1,6 +1,6 @@
 //! A last part that is itself a symmetric pair: which compositions keep their orders, and what slopes say of it.
 
-use crate::many_parts::{ByHand, Middle, TIME, reference, slope_of, walk};
+use crate::many_parts::{ByHand, Middle, TIME, reference, slope_of, twisted, walk};
 use integrator_core::{
     __private::{Flows, QuadraticKinetic, Scheme},
     Composition, Hamiltonian, Phase, Visitor,
@@ -15,21 +15,7 @@ use catalogue::for_each_composition;
 /// The parts of `Twisted`, all but the first of which are one.
 struct Paired;
 
-#[hamiltonian(split = kinetic + (twist + counter + potential))]
-impl Paired {
-    fn kinetic(&self, p: [f64; 2]) -> f64 {
-        (p[0] * p[0] + p[1] * p[1]) / 2.0
-    }
-    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        q[0] * q[0] * p[1] / 2.0
-    }
-    fn counter(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        q[1] * q[1] * p[0] / 2.0
-    }
-    fn potential(&self, q: [f64; 2]) -> f64 {
-        q[0].cos() + q[0] * q[0] * q[1] + q[1] * q[1] / 2.0
-    }
-}
+twisted!(Paired: kinetic + (twist + counter + potential));
 
 /// A system of two parts, whose kicks are those of a pair.
 struct Two;
