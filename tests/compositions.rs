@@ -2,6 +2,8 @@
 
 #[path = "../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;
+#[path = "support/slope.rs"]
+mod slope;
 
 use catalogue::for_each_composition;
 use integrator_core::{Visitor, prelude::*};
@@ -69,16 +71,11 @@ where
         if error < FLOOR || steps * X::FORCE_EVALUATIONS as f64 > 20_000.0 {
             break;
         }
-        points.push((steps.ln(), error.ln()));
+        points.push((SPAN / steps, error));
     }
     let last = &points[points.len().saturating_sub(3)..];
     assert!(last.len() >= 3, "{}: too few steps above rounding", X::NAME);
-    let count = last.len() as f64;
-    let (x, y) = last.iter().fold((0.0, 0.0), |sum, point| (sum.0 + point.0 / count, sum.1 + point.1 / count));
-    let (above, below) = last
-        .iter()
-        .fold((0.0, 0.0), |sum, point| (sum.0 + (point.0 - x) * (point.1 - y), sum.1 + (point.0 - x) * (point.0 - x)));
-    -above / below
+    slope::slope(last)
 }
 
 const SPAN: f64 = 8.0;
