@@ -151,8 +151,7 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
         None if errors.is_empty() => {
             errors.at(
                 &input.item.self_ty,
-                "the macro failed on this impl without a reason\nhelp: please report it as \
-                                            a bug",
+                "the macro failed on this impl without a reason\nhelp: please report it as a bug",
             );
         }
         None => {}

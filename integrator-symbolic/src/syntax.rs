@@ -342,10 +342,9 @@ fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
     let coupling = content.parse()?;
     match content.is_empty() {
         true => Ok(coupling),
-        false => Err(content.error(
-            "the coupling has to be one number\nhelp: write, for example, `symmetric(omega = \
-                                    20.0)`",
-        )),
+        false => {
+            Err(content.error("the coupling has to be one number\nhelp: write, for example, `symmetric(omega = 20.0)`"))
+        }
     }
 }
 
@@ -383,11 +382,7 @@ fn coordinates_of(input: ParseStream<'_>, key: Span) -> syn::Result<Coordinates>
     };
     let masses = if input.peek(Paren) { input.parse::<Group>().ok() } else { None };
     let lacks = || {
-        syn::Error::new(
-            name.span(),
-            "`jacobi` lacks the list of masses\nhelp: write, for example, \
-                                                 `jacobi(self.mass)`",
-        )
+        syn::Error::new(name.span(), "`jacobi` lacks the list of masses\nhelp: write, for example, `jacobi(self.mass)`")
     };
     let masses = masses.filter(|masses| !masses.stream().is_empty()).ok_or_else(lacks)?;
     Ok(Coordinates { masses: syn::parse2(masses.stream())?, name })

@@ -89,8 +89,7 @@ fn refusal_of_pairs(sequence: &InPlace) -> Option<String> {
     let such = "help: use a composition such as `Abah1064`, `Verlet` or `Yoshida4`";
     match sequence.proof().general {
         None => Some(format!(
-            "a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), without a pair of parts in \
-                              parentheses\n{such}"
+            "a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), without a pair of parts in parentheses\n{such}"
         )),
         Some(_) if sequence.merges_kicks() => Some(
             "this sequence begins and ends with a kick, which a pair of parts in parentheses does not support\nhelp: \

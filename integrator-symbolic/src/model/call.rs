@@ -43,11 +43,7 @@ impl Reader<'_> {
             }
             self.errors.at(
                 &call.method,
-                format!(
-                    "`{}` returns a sequence, not a number\nhelp: end it with \
-                                                  `.sum::<f64>()`",
-                    call.method
-                ),
+                format!("`{}` returns a sequence, not a number\nhelp: end it with `.sum::<f64>()`", call.method),
             );
             return None;
         }
@@ -332,8 +328,7 @@ impl Reader<'_> {
     /// Notes that a function of coordinates is not in this impl.
     pub(super) fn outside(&mut self, place: impl ToTokens, name: &str, cure: &str) {
         let message = format!(
-            "no derivative of `{name}` is known\nhelp: {cure}\nnote: the macro sees only the \
-                               functions of this impl"
+            "no derivative of `{name}` is known\nhelp: {cure}\nnote: the macro sees only the functions of this impl"
         );
         self.errors.at(place, message);
     }

@@ -62,13 +62,8 @@ impl Reader<'_> {
                 let whole: Vec<&Expr> = std::iter::once(place).chain(places.iter().copied()).collect();
                 match in_rust(&method, &whole, is_list(&receiver)) {
                     Some(cure) => {
-                        self.errors.at(
-                            name,
-                            format!(
-                                "numbers and arrays have no method `{method}`\nhelp: write \
-                                                      `{cure}`"
-                            ),
-                        );
+                        self.errors
+                            .at(name, format!("numbers and arrays have no method `{method}`\nhelp: write `{cure}`"));
                     }
                     None => self.unknown_function(name, &method),
                 }

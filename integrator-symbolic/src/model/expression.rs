@@ -43,10 +43,8 @@ impl Reader<'_> {
             // Noted once: from here on every reading ends at once.
             if self.readings <= READINGS + 1 {
                 self.readings = READINGS + 1;
-                let message = format!(
-                    "H has more than {OPERATIONS} different operations\nhelp: write what repeats as \
-                                       a loop"
-                );
+                let message =
+                    format!("H has more than {OPERATIONS} different operations\nhelp: write what repeats as a loop");
                 self.errors.at(expression, message);
             }
             return None;

@@ -638,8 +638,7 @@ impl<'i> Reader<'i> {
         if reads.is_empty() {
             let letter = shape::usual_name(part);
             let message = format!(
-                "`{name}` takes only `{letter}` as coordinates, since H = T(p) + V(q)\nhelp: remove \
-                                   this argument"
+                "`{name}` takes only `{letter}` as coordinates, since H = T(p) + V(q)\nhelp: remove this argument"
             );
             self.errors.at(foreign, message);
         }

@@ -28,8 +28,7 @@ impl Reader<'_> {
             let Some(part) = part_of(method) else {
                 self.errors.at(
                     attribute,
-                    "`#[flow]` lacks the name of a part of H\nhelp: write, for example, \
-                                           `#[flow(kepler)]`",
+                    "`#[flow]` lacks the name of a part of H\nhelp: write, for example, `#[flow(kepler)]`",
                 );
                 continue;
             };

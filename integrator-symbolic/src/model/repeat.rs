@@ -219,8 +219,7 @@ impl Reader<'_> {
         let iterations = self.known_iterations(sequence);
         if iterations.is_none() {
             let message = format!(
-                "a loop over an array of values supports at most {FEW} iterations\nnote: such a \
-                                   loop is unrolled"
+                "a loop over an array of values supports at most {FEW} iterations\nnote: such a loop is unrolled"
             );
             self.errors.at(place, message);
         }

@@ -238,13 +238,8 @@ impl Reader<'_> {
         match shape.extent(level) {
             Some(extent) => Some(self.length(extent)),
             None => {
-                self.errors.at(
-                    place,
-                    format!(
-                        "a coordinate is a number, and a loop over it is not \
-                                               supported\n{EXPECTED}"
-                    ),
-                );
+                self.errors
+                    .at(place, format!("a coordinate is a number, and a loop over it is not supported\n{EXPECTED}"));
                 None
             }
         }

@@ -317,10 +317,7 @@ pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors)
     if is_named(&q.pat, "p") || is_named(&p.pat, "q") {
         errors.at(
             &function.sig.inputs,
-            format!(
-                "positions have to come before momenta\nhelp: write `fn {name}(&self, \
-                                                 q, p)`"
-            ),
+            format!("positions have to come before momenta\nhelp: write `fn {name}(&self, q, p)`"),
         );
         return None;
     }
@@ -359,12 +356,8 @@ pub(crate) fn mismatch(positions: (&Shape, &str), momenta: (&Shape, &str)) -> Op
     let (q, p) = (of_positions.text(), of_momenta.text());
     let constants = of_positions.has_constant() || of_momenta.has_constant();
     let hint = if constants { "\nnote: lengths are compared by their spelling" } else { "" };
-    (q != p).then(|| {
-        format!(
-            "positions and momenta have different types: q is `{q}`{here}, but p is \
-                              `{p}`{there}{hint}"
-        )
-    })
+    (q != p)
+        .then(|| format!("positions and momenta have different types: q is `{q}`{here}, but p is `{p}`{there}{hint}"))
 }
 
 /// Reads the signature of `function`, which gives the energy of `part`.
@@ -378,20 +371,15 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
         }
         [first, second] => (second, Some(first)),
         [] => {
-            let message = format!(
-                "`{name}` has no coordinates\nhelp: write `fn {name}(&self, {letter}: [f64; N]) -> \
-                                   f64`"
-            );
+            let message =
+                format!("`{name}` has no coordinates\nhelp: write `fn {name}(&self, {letter}: [f64; N]) -> f64`");
             errors.at(name, message);
             return None;
         }
         _ => {
             errors.at(
                 &function.sig.inputs,
-                format!(
-                    "`{name}` has to take `&self`, `{letter}` and optionally the time, \
-                                                   `t: f64`"
-                ),
+                format!("`{name}` has to take `&self`, `{letter}` and optionally the time, `t: f64`"),
             );
             return None;
         }
@@ -402,8 +390,7 @@ pub(crate) fn signature<'f>(function: &'f ImplItemFn, part: Part, errors: &mut E
         errors.at(
             &own.pat,
             format!(
-                "`{name}` is a function of the {of}, and its argument is named `{wrong}`\nhelp: \
-                                     name it `{letter}`"
+                "`{name}` is a function of the {of}, and its argument is named `{wrong}`\nhelp: name it `{letter}`"
             ),
         );
     }

@@ -177,8 +177,7 @@ fn root_degree(expression: &Expr) -> syn::Result<u32> {
         return Ok(degree);
     }
     let message = format!(
-        "the degree of a root has to be an integer from 1 to {LARGEST_ROOT}\nhelp: write, for \
-                           example, `root(5, x)`"
+        "the degree of a root has to be an integer from 1 to {LARGEST_ROOT}\nhelp: write, for example, `root(5, x)`"
     );
     Err(syn::Error::new_spanned(expression, message))
 }

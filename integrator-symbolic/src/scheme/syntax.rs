@@ -280,17 +280,11 @@ fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors
         return match spelled.as_str() {
             "T" | "V" => Err(syn::Error::new(
                 name.span(),
-                format!(
-                    "the stage `{spelled}` lacks its coefficient\nhelp: \
-                                                                   write, for example, `{spelled}(1/2)`"
-                ),
+                format!("the stage `{spelled}` lacks its coefficient\nhelp: write, for example, `{spelled}(1/2)`"),
             )),
             _ if is_combinator(&spelled) => Err(syn::Error::new(
                 name.span(),
-                format!(
-                    "`{spelled}` lacks its composition\nhelp: write, for \
-                                                          example, `{spelled}(Verlet)`"
-                ),
+                format!("`{spelled}` lacks its composition\nhelp: write, for example, `{spelled}(Verlet)`"),
             )),
             _ => Ok(Some(Item::Name(name))),
         };
@@ -321,18 +315,12 @@ fn stage(letter: Letter, name: &Ident, parentheses: &token::Paren, content: Pars
         (Letter::V, Some(coefficient), Some(gradient), None) => {
             Ok(Item::Stage { letter, coefficient, gradient: Some(Box::new(gradient)) })
         }
-        (Letter::T, ..) => Err(at(
-            name,
-            parentheses,
-            &format!(
-                "a drift takes one number\nhelp: write, for example, \
-                                                               `{name}(1/2)`"
-            ),
-        )),
+        (Letter::T, ..) => {
+            Err(at(name, parentheses, &format!("a drift takes one number\nhelp: write, for example, `{name}(1/2)`")))
+        }
         (Letter::V, ..) => {
             let message = format!(
-                "a kick takes one number or two\nhelp: write, for example, `{name}(1/2)` or \
-                                   `{name}(2/3, -1/72)`"
+                "a kick takes one number or two\nhelp: write, for example, `{name}(1/2)` or `{name}(2/3, -1/72)`"
             );
             Err(at(name, parentheses, &message))
         }
