@@ -4,9 +4,9 @@
 //! that begin with `help: ` say what to write instead; lines that begin with `note: ` give the reason. A constant that
 //! begins with `help: ` or `note: ` is the end of several messages.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
-use std::fmt::Display;
+use std::{collections::HashSet, fmt::Display};
 
 /// Tokens as one would type them, for a message: `Self::N`, `a[0]`, `2 * N`.
 pub(crate) fn quoted(tokens: impl ToTokens) -> String {
@@ -40,8 +40,7 @@ impl Errors {
 
     /// Notes a mistake; one that is known already is not noted again.
     pub(crate) fn push(&mut self, error: syn::Error) {
-        // Spans cannot be compared, but what they print tells them apart.
-        let key = |error: &syn::Error| format!("{error} {:?}", error.span());
+        let key = |error: &syn::Error| format!("{error} {}", printed(error.span()));
         let same = |known: &syn::Error| key(known) == key(&error);
         if !self.0.iter().any(same) {
             self.0.push(error);
@@ -69,8 +68,41 @@ impl Errors {
         self.0.is_empty()
     }
 
+    /// Returns the places at which the mistakes begin.
+    pub(crate) fn places(&self) -> Places {
+        let begin = |tokens: TokenStream| Some(printed(tokens.into_iter().next()?.span()));
+        Places(self.0.iter().flatten().filter_map(|error| begin(error.to_compile_error())).collect())
+    }
+
     /// All mistakes as `compile_error!` invocations.
     pub(crate) fn into_tokens(self) -> TokenStream {
         self.0.into_iter().map(|error| error.into_compile_error()).collect()
     }
+}
+
+/// The first tokens of mistakes.
+pub(crate) struct Places(HashSet<String>);
+
+impl Places {
+    /// Whether a mistake begins within these tokens.
+    pub(crate) fn are_in(&self, trees: &[TokenTree]) -> bool {
+        !self.0.is_empty() && trees.iter().any(|tree| self.is_at(tree))
+    }
+
+    fn is_at(&self, tree: &TokenTree) -> bool {
+        let begins = |span: Span| self.0.contains(&printed(span));
+        match tree {
+            TokenTree::Group(group) => {
+                begins(group.span())
+                    || begins(group.span_open())
+                    || group.stream().into_iter().any(|tree| self.is_at(&tree))
+            }
+            tree => begins(tree.span()),
+        }
+    }
+}
+
+/// A span as text. Spans cannot be compared, but different spans print different text.
+fn printed(span: Span) -> String {
+    format!("{span:?}")
 }

@@ -47,7 +47,7 @@ use syntax::{Compose, Input};
 pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let stepper = stepper(arguments, item.clone(), &mut errors);
-    let item = model::strip(item);
+    let item = model::strip(item, &errors.places());
     let errors = errors.into_tokens();
     // Formulas number their bodies, and so may the loops in H: no lint should ask for iterators instead.
     let lints = stepper.is_some().then(|| quote!(#[allow(clippy::needless_range_loop, reason = "the language of H")]));

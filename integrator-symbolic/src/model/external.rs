@@ -11,8 +11,11 @@ use super::{
     shape::is_f64,
     value::Value,
 };
-use crate::graph::{ExternalId, NodeId, external::Arguments};
-use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
+use crate::{
+    errors::Places,
+    graph::{ExternalId, NodeId, external::Arguments},
+};
+use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
 use std::fmt;
 use syn::{Attribute, Expr, ExprLit, ImplItemFn, Lit, ReturnType, Token, Type, punctuated::Punctuated};
@@ -38,44 +41,64 @@ pub(super) fn invariant_attributes(method: &ImplItemFn) -> impl Iterator<Item = 
     method.attrs.iter().filter(|attribute| attribute.path().is_ident(INVARIANT))
 }
 
-/// An item without these attributes, which mean nothing outside of the annotated impl, and without invariants of a name that
-/// another one has: the macro has said so, and the compiler would say it again.
-pub(crate) fn strip(item: TokenStream) -> TokenStream {
+/// Returns the item without these attributes, which have no meaning outside of the macro.
+///
+/// rustc would report several mistakes a second time, in more lines. Therefore an invariant with the name of an earlier one
+/// is removed, and rustc does not check the bodies of functions with mistakes.
+pub(crate) fn strip(item: TokenStream, mistakes: &Places) -> TokenStream {
     let mut kept: Vec<TokenTree> = Vec::new();
     let mut invariants: Vec<String> = Vec::new();
-    // Where the function under way begins, and whether it is an invariant.
+    // Where the current function begins, and whether it is an invariant.
     let (mut begin, mut is_invariant) = (0, false);
     for tree in item {
-        match &tree {
+        match tree {
             TokenTree::Group(group) if is_attribute(&group.stream()) && ends_with_hash(&kept) => {
                 kept.pop();
                 is_invariant |= first(&group.stream()).is_some_and(|name| name == INVARIANT);
             }
-            TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => {
-                let mut inner = proc_macro2::Group::new(group.delimiter(), strip(group.stream()));
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let mut inner = Group::new(group.delimiter(), strip(group.stream(), mistakes));
                 inner.set_span(group.span());
+                let function = function_name(&kept[begin..]);
                 kept.push(inner.into());
-                match function_name(&kept[begin..]).filter(|_| is_invariant) {
+                if function.is_some() && !returns_opaque(&kept[begin..]) && mistakes.are_in(&kept[begin..]) {
+                    let body = kept.pop();
+                    kept.push(unchecked(body));
+                }
+                match function.filter(|_| is_invariant) {
                     Some(name) if invariants.contains(&name) => kept.truncate(begin),
                     name => invariants.extend(name),
                 }
                 (begin, is_invariant) = (kept.len(), false);
             }
             TokenTree::Punct(mark) if mark.as_char() == ';' => {
-                kept.push(tree);
+                kept.push(mark.into());
                 (begin, is_invariant) = (kept.len(), false);
             }
-            _ => kept.push(tree),
+            tree => kept.push(tree),
         }
     }
     kept.into_iter().collect()
 }
 
-/// The name behind `fn`.
+/// A body that rustc does not check, except in tests. rust-analyzer sets `test`, so it completes names in the body.
+fn unchecked(body: Option<TokenTree>) -> TokenTree {
+    let lints = quote!(#![allow(unused, reason = "the body is left out, since the macro reports a mistake in it")]);
+    Group::new(Delimiter::Brace, quote!(#lints #[cfg(test)] #body #[cfg(not(test))] loop {})).into()
+}
+
+/// Whether the type that a function returns may contain `impl Trait`, which `loop {}` does not have.
+fn returns_opaque(trees: &[TokenTree]) -> bool {
+    trees.iter().any(|tree| matches!(tree, TokenTree::Ident(word) if word == "impl"))
+}
+
+/// The name after `fn`.
 fn function_name(trees: &[TokenTree]) -> Option<String> {
     let keyword = |tree: &TokenTree| matches!(tree, TokenTree::Ident(word) if word == "fn");
-    let name = trees.get(trees.iter().position(keyword)? + 1)?;
-    Some(name.to_string())
+    match trees.get(trees.iter().position(keyword)? + 1)? {
+        TokenTree::Ident(name) => Some(name.to_string()),
+        _ => None,
+    }
 }
 
 /// The first token, where it is a name.

@@ -3,7 +3,7 @@
 use integrator_core::prelude::*;
 
 composition! {
-    /// McLachlan and Atela's: of order 4 where `T` is quadratic, of order 3 elsewhere.
+    /// Of order 4 if `T` is quadratic in `p`, otherwise of order 3. By McLachlan and Atela.
     pub struct Mine: order 4 =
         V(0.134496199277431089210659254937312760687) T(0.515352837431122936363778587573609500315)
         V(-0.22481980307942080594522736361864931224) T(-0.0857820194129736460164250123389618937825)
