@@ -24,7 +24,7 @@ pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
     {
         let failed = proved.violation.as_ref().map(|violation| {
             format!(
-                "\nnote: the condition of the word {} is violated by {:.1e}",
+                "\nnote: the order condition of the word {} has a residual of {:.1e}",
                 violation.word,
                 violation.residual.abs()
             )
@@ -82,8 +82,8 @@ fn shown(text: &str, proved: &Proved) -> String {
     row("stable", &format!("h ω < {:.6}", proved.stability_limit));
     if let Some(violation) = &proved.violation {
         row(
-            "violated first",
-            &format!("the condition of the word {}, by {:.1e}", violation.word, violation.residual.abs()),
+            "residual",
+            &format!("{:.1e} in the order condition of the word {}", violation.residual.abs(), violation.word),
         );
     }
     if let Some(norm) = proved.leading_error {

@@ -115,7 +115,7 @@ fn a_declared_order_chooses_the_class() {
     }
     let found = errors(&format!("struct McAte4: order 5 = {MCATE4};"));
     assert!(
-        found[0].contains("finds order 4 where T is quadratic in p (3 for every T)\nnote: the condition of"),
+        found[0].contains("finds order 4 where T is quadratic in p (3 for every T)\nnote: the order condition of"),
         "{found:?}"
     );
 }
@@ -127,13 +127,13 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: order 4 = T(1/2) V(1) T(1/2);",
             &[
-                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word TVV is violated by 8.3e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the order condition of the word TVV has a residual of 8.3e-2",
             ],
         ),
         (
             "struct A: order 4 = symmetric(V(1/6) T(1/2) V(2/3, 1/72));",
             &[
-                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word TVV is violated by 2.8e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the order condition of the word TVV has a residual of 2.8e-2",
             ],
         ),
         (
@@ -152,13 +152,13 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: order (6, 2) = A(1/2) B(1) A(1/2);",
             &[
-                "1:16 declared order 6 for words with one B, but the proof finds order 2\nnote: the condition of the word AAB is violated by 2.5e-1",
+                "1:16 declared order 6 for words with one B, but the proof finds order 2\nnote: the order condition of the word AAB has a residual of 2.5e-1",
             ],
         ),
         (
             "struct A: order (4, 4) = symmetric(B(1/6) A(1/2) B(_));",
             &[
-                "1:16 declared order 4, but the proof finds order 2\nnote: the condition of the word ABB is violated by 1.4e-2",
+                "1:16 declared order 4, but the proof finds order 2\nnote: the order condition of the word ABB has a residual of 1.4e-2",
             ],
         ),
         (
@@ -176,7 +176,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: order (40, 2) = Verlet;",
             &[
-                "1:16 declared order 40 for words with one V, but the proof finds order 2\nnote: the condition of the word TTV is violated by 2.5e-1",
+                "1:16 declared order 40 for words with one V, but the proof finds order 2\nnote: the order condition of the word TTV has a residual of 2.5e-1",
             ],
         ),
         ("struct A = A(1/2) V(1) A(1/2);", &["1:18 a sequence cannot mix the stages `T` and `V` with `A` and `B`"]),
@@ -313,7 +313,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: order 3 = Verlet;\nstruct B = adjoint(A);\nstruct C = D;",
             &[
-                "1:16 declared order 3, but the proof finds order 2\nnote: the condition of the word TVV is violated by 8.3e-2",
+                "1:16 declared order 3, but the proof finds order 2\nnote: the order condition of the word TVV has a residual of 8.3e-2",
                 "3:11 unknown composition `D`\nnote: known compositions are `Euler`, `EulerAdjoint`, `Verlet`, `VelocityVerlet`, `A`, `B`; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),

@@ -11,7 +11,7 @@ fn velocity_verlet_is_known_by_heart() {
     stages           V(0.5) T(1) V(0.5)
     forces per step  1
     stable           h ω < 2.000000
-    violated first   the condition of the word TTV, by 8.3e-2
+    residual         8.3e-2 in the order condition of the word TTV
     leading error    9.316950e-2 h^3, the norm of
                      +8.333333e-2 [T, [T, V]]
                      -4.166667e-2 [[T, V], V]
@@ -57,7 +57,7 @@ fn an_order_that_does_not_hold_is_an_error_with_its_reason() {
 1 | {sequence}
   | {}
   |
-  = note: the condition of the word TVV is violated by 1.4e-2
+  = note: the order condition of the word TVV has a residual of 1.4e-2
 ",
         "^".repeat(sequence.len())
     );

@@ -130,7 +130,7 @@ impl Reader<'_> {
                     return None;
                 }
                 Value::Unknown => return None,
-                other => format!("expected a number, found {}", other.describe()),
+                other => format!("expected an `f64`, found {}", other.describe()),
             };
             self.errors.at(place, message);
         }
@@ -295,7 +295,7 @@ impl Reader<'_> {
     fn coordinate(&mut self, view: View, position: IndexId, place: &ExprIndex) -> Option<Value> {
         let shape = self.shape.clone()?;
         let Some(extent) = shape.extent(view.at.len()) else {
-            self.errors.at(place, "a coordinate is a number and cannot be indexed");
+            self.errors.at(place, "a coordinate is an `f64` and cannot be indexed");
             return None;
         };
         let upper = self.graph.loops.upper(position).and_then(|upper| self.graph.loops.literal(upper));

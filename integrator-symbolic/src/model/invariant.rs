@@ -74,7 +74,7 @@ impl Reader<'_> {
         self.may_mix = false;
         let value = value?;
         let Some(value) = self.real(&value) else {
-            let message = format!("`{name}` has to end in a number, and this is {}", value.describe());
+            let message = format!("`{name}` has to return an `f64`, but ends in {}", value.describe());
             self.errors.at(method.block.stmts.last(), message);
             return None;
         };

@@ -622,8 +622,7 @@ impl<'i> Reader<'i> {
             return self.number(&value, end);
         }
         let place = last.map_or_else(|| function.block.span(), Spanned::span);
-        let message =
-            format!("`{}` has to end in a number, the energy, and this is {}", function.sig.ident, value.describe());
+        let message = format!("`{}` has to return an energy, but ends in {}", function.sig.ident, value.describe());
         self.errors.at_span(place, message);
         None
     }

@@ -200,7 +200,7 @@ impl Reader<'_> {
                 .collect(),
             Value::Unknown => None,
             other => {
-                let message = format!("{} cannot be taken apart into {count} parts", other.describe());
+                let message = format!("{} cannot be destructured into {count} parts", other.describe());
                 let message = self.several_sensitive(other).unwrap_or(message);
                 self.errors.at_span(pattern.span(), message);
                 None

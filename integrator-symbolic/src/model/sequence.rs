@@ -239,7 +239,7 @@ impl Reader<'_> {
             Some(extent) => Some(self.length(extent)),
             None => {
                 self.errors
-                    .at(place, format!("a coordinate is a number, and a loop over it is not supported\n{EXPECTED}"));
+                    .at(place, format!("a coordinate is an `f64`, and a loop over it is not supported\n{EXPECTED}"));
                 None
             }
         }

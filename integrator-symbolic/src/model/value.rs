@@ -80,7 +80,7 @@ impl Value {
     /// What it is, for a message.
     pub(crate) fn describe(&self) -> &'static str {
         match self {
-            Value::Real(_) | Value::Joint(_) => "a number",
+            Value::Real(_) | Value::Joint(_) => "an `f64`",
             Value::Integer(_) => "an integer",
             Value::Condition(_) => "a condition",
             Value::View(view) if view.at.is_empty() => "the whole array of coordinates",

@@ -17,11 +17,12 @@ impl Reader<'_> {
     /// Notes an integer where a number belongs: at its literal, where it is one.
     pub(super) fn note_integer(&mut self, index: IndexId, place: &TokenStream) {
         let Ok(place) = syn::parse2::<Expr>(place.clone()) else {
-            self.errors.at(place, "expected a number, found an integer\nhelp: write `2.0`, or `n as f64`");
+            self.errors.at(place, "expected an `f64`, found an integer\nhelp: write `2.0`, or `n as f64`");
             return;
         };
         if let Some(literal) = self.whole_literal(&place, index) {
-            let message = format!("`{literal}` is an integer\nhelp: write `{}`", as_number(&literal));
+            let message =
+                format!("expected an `f64`, found the integer `{literal}`\nhelp: write `{}`", as_number(&literal));
             self.errors.at(literal, message);
             return;
         }
@@ -29,10 +30,13 @@ impl Reader<'_> {
         let message = match (cast_of(&place), declared) {
             (Some(cast), Some(literal)) => {
                 let number = as_number(&literal);
-                format!("`{}` is an integer\nhelp: write `{cast}`, or `{number}` where it is declared", quoted(&place))
+                format!(
+                    "expected an `f64`, found the integer `{}`\nhelp: write `{cast}`, or `{number}` where it is declared",
+                    quoted(&place)
+                )
             }
-            (Some(cast), None) => format!("expected a number, found an integer\nhelp: write `{cast}`"),
-            (None, _) => "expected a number, found an integer\nhelp: write `2.0`, or `n as f64`".to_owned(),
+            (Some(cast), None) => format!("expected an `f64`, found an integer\nhelp: write `{cast}`"),
+            (None, _) => "expected an `f64`, found an integer\nhelp: write `2.0`, or `n as f64`".to_owned(),
         };
         self.errors.at(place, message);
     }

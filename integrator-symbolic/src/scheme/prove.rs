@@ -140,7 +140,7 @@ impl Violation {
             true => "\nnote: so small a residual suggests wrong or missing digits",
             false => "",
         };
-        format!("the condition of the word {word} is violated by {residual:.1e}{suspicion}")
+        format!("the order condition of the word {word} has a residual of {residual:.1e}{suspicion}")
     }
 }
 

@@ -56,7 +56,7 @@ const BODIES: &[Row] = &[
     ),
     (
         "f64::from(self.count(self.length as usize)) * q[0].cos()",
-        &["2:21 a number cannot be cast here\nnote: energies are computed in `f64`"],
+        &["2:21 an `f64` cannot be cast here\nnote: energies are computed in `f64`"],
     ),
     (
         "self.elsewhere() * q[0].cos()",
