@@ -36,7 +36,7 @@ pub(super) const ORDERS: [usize; 2] = [4, HIGHEST];
 /// 17²) ln(1/ε)`: at 15.4 for 1e-6, 19.9 for 1e-10, 24.1 for 1e-14 and 28.2 for 1e-18, ten more than there are digits. But at one
 /// tolerance a higher order leaves out more, since its terms fall more slowly. To one error the least is two orders below,
 /// which is within two per cent of it. The 17 and the two are those of five problems, with loops and without;
-/// `docs/taylor.md` has the measurements.
+/// `docs/contributing/taylor.md` has the measurements.
 const LOWEST_BY_WORK: f64 = 8.0;
 
 /// What rounds to even orders, which loops compute in pairs: odd numbers down, since lower orders err less at the same
