@@ -9,6 +9,7 @@ use integrator_bench::{
     plan::Plan,
     race::{Racer, race},
     starts::Problems,
+    table::Table,
 };
 use integrator_core::prelude::*;
 
@@ -31,6 +32,8 @@ fn main() {
         assert!((found - expected).abs() < 1e-8, "both follow the same orbits: {found} {expected}");
     }
     let times = race(ROUNDS, STEPS as f64, vec![Racer::new("generated", generated), Racer::new("by hand", by_hand)]);
-    println!("generated {:.1} ns per stage, by hand {:.1} ns", times.median(0), times.median(1));
+    let mut table = Table::new("kepler", &["scene", "unit", "generated", "by hand", "ratio"]);
+    table.row(["five planets", "ns/stage"], &[times.median(0), times.median(1), times.ratio_to_best()]);
+    table.write().expect("a table");
     println!("ratio_kepler={:.3}", times.ratio_to_best());
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Runs the benches and writes what they print, and the pictures they draw, into docs/contributing/performance-notes.md and docs/pictures.
-# docs/performance.md and README.md quote these figures; tests/readme.rs compares them.
-# With names of benches as arguments, those alone. On a quiet machine it takes some ten minutes, most of them to compile.
+# Runs the benches. Their tables go to docs/contributing/performance-notes.md and benches/results, their pictures to docs/pictures.
+# The README, docs/performance.md, the guide and paper.md quote these figures; tests/readme.rs compares them.
+# With names of benches as arguments, it runs only these. On a quiet machine it takes some ten minutes, most of them to compile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 page=docs/contributing/performance-notes.md
@@ -31,6 +31,7 @@ for bench in "$@"; do
     # Every run of every method is in target/bench/work_precision.csv and taylor.csv; the page has the fastest.
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
     fill "$bench" "$output"
+    if [ -e "benches/results/$bench.csv" ]; then cp "target/bench/$bench.csv" benches/results/; fi
 done
 # Of the benches that have run.
 for picture in target/bench/{step,throughput,skips,pace,liquid,work_precision_*_energy}.svg; do

@@ -1,5 +1,8 @@
 //! The documents say what is true: the commands are what is run, lists are complete, links lead somewhere.
 
+#[path = "support/figures.rs"]
+mod figures;
+
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -117,107 +120,6 @@ fn the_readme_alone_says_how_to_depend() {
         );
     }
     assert!(found > 0 && text("README.md").contains("--git"));
-}
-
-/// Figures of the README and of the page for users agree with the tables that the benches write.
-#[test]
-fn figures_are_those_of_the_benches() {
-    fn numbers(row: &str) -> Vec<f64> {
-        row.replace("·10⁹", "").replace("**", "").split_whitespace().filter_map(|word| word.parse().ok()).collect()
-    }
-    let row_of = |page: &str, row: &str| {
-        numbers(page.lines().find_map(|line| line.strip_prefix(row)).unwrap_or_else(|| panic!("no row {row:?}")))
-    };
-    let notes = text("docs/contributing/performance-notes.md");
-    let measured = |scene: &str, unit: &str| row_of(&notes, &format!("{scene:<25}{unit}"));
-    // What is generated, what is by hand, and their ratio, with or without a column of plain loops.
-    let step = |scene: &str, composition: &str| {
-        let row = measured(scene, composition);
-        vec![row[0], row[row.len() - 2], row[row.len() - 1]]
-    };
-    // The rate in units of 1e9, that over the rate by hand, and what a second thread brings.
-    let rate = |scene: &str, unit: &str| {
-        let row = measured(scene, unit);
-        vec![row[0] / 1e9, row[row.len() - 2], row[row.len() - 1]]
-    };
-    let chain = measured("fput_1e7", "site-steps/s");
-    let of_ensemble = rate("pendulum", "trajectory-steps/s");
-    let of_pendulum = step("pendulum", "verlet");
-    let solar = row_of(&notes, "solar_energy_1e-8");
-    let crates = |scene: &str| {
-        let row = row_of(&notes, &format!("{scene}_energy_1e-8"));
-        vec![row[0], row[1], row[1] / row[0]]
-    };
-    let taylor = |scene: &str| row_of(&notes, &format!("{scene}_1e-8       "));
-    let (readme, page) = (text("README.md"), text("docs/performance.md"));
-    let (beside_crates, by_hand) = page.split_once("\n## Against hand-written code\n").expect("the section");
-    let beside_crates = beside_crates.split_once("\n## Against Rust crates\n").expect("the section").1;
-    let (steps, rates) = by_hand.split_once("\nThroughput per second").expect("the table");
-    /// A row by its first cell, and the numbers that it should have.
-    type Rows<'a> = &'a [(&'a str, Vec<f64>)];
-    let pages: [(&str, Rows); 4] = [
-        (
-            &readme,
-            &[
-                ("pendulum, one force evaluation", vec![of_pendulum[0], of_pendulum[2]]),
-                ("ensemble of pendulums, steps per second", vec![of_ensemble[0], of_ensemble[1]]),
-                ("chain of 10⁷ sites, site-steps per second", vec![chain[0] / 1e9, chain[0] / chain[1]]),
-                ("outer solar system, energy error 10⁻⁸", solar),
-            ],
-        ),
-        (
-            beside_crates,
-            &[
-                ("pendulum", crates("pendulum")),
-                ("Hénon–Heiles", crates("henon")),
-                ("Kepler, eccentricity 0.6", crates("kepler")),
-                ("outer solar system", crates("solar")),
-                ("FPUT-32", crates("fput")),
-            ],
-        ),
-        (
-            steps,
-            &[
-                ("pendulum", of_pendulum),
-                ("Hénon–Heiles", step("henon", "verlet")),
-                ("Hénon–Heiles, quadratic + rest", step("henon_parts", "aba864")),
-                ("Kepler", step("kepler", "verlet")),
-                ("outer solar system, six bodies", step("solar", "verlet")),
-                ("FPUT-32", step("fput", "verlet")),
-                ("FPUT, 10⁶ sites", step("fput_1e6", "verlet")),
-                ("Toda, 10⁴ sites", step("toda_1e4", "verlet")),
-                ("sine-Gordon, 10⁴ sites", step("sine_gordon_1e4", "verlet")),
-                ("φ⁴ plane, 256 × 256 sites", step("phi4_2d", "verlet")),
-                ("1,000 bodies", step("nbody_1000", "verlet")),
-            ],
-        ),
-        (
-            rates,
-            &[
-                ("pendulum ensemble, steps", of_ensemble),
-                ("pendulum ensemble, `functions = fast`", rate("pendulum_fast", "trajectory-steps/s")),
-                ("pendulum ensemble, `f32`", rate("pendulum_f32", "trajectory-steps/s")),
-                ("Hénon–Heiles ensemble, steps", rate("henon", "trajectory-steps/s")),
-                ("Kepler ensemble, steps", rate("kepler", "trajectory-steps/s")),
-                ("Kepler ensemble, `f32`", rate("kepler_f32", "trajectory-steps/s")),
-                ("FPUT, 10⁷ sites, site-steps", rate("fput_1e7", "site-steps/s")),
-                ("φ⁴, 4096 × 4096 sites, site-steps", rate("phi4_4096x4096", "site-steps/s")),
-                ("φ⁴, 128³ sites, site-steps", rate("phi4_128x128x128", "site-steps/s")),
-                ("1,000 bodies, pairs", rate("nbody_1000", "pairs/s")),
-                ("Taylor's method, pendulum to 10⁻⁸", taylor("pendulum")),
-                ("Taylor's method, outer solar system to 10⁻⁸", taylor("solar")),
-            ],
-        ),
-    ];
-    for (page, rows) in pages {
-        for (row, expected) in rows {
-            let quoted = row_of(page, &format!("| {row} |"));
-            assert_eq!(quoted.len(), expected.len(), "{row}: {quoted:?} for {expected:?}");
-            // Two digits are off by half a unit of the second, a twentieth of the number at most.
-            let near = |(quoted, expected): (&f64, &f64)| (quoted / expected - 1.0).abs() <= 0.05;
-            assert!(quoted.iter().zip(expected).all(near), "{row}: {quoted:?} for {expected:?}");
-        }
-    }
 }
 
 /// The test command of the README is the one that is run for every change.
