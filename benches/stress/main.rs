@@ -177,10 +177,10 @@ fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(
         ("solar", brouwer::growth(Ensemble::new(SofroniouSpaletta10, systems, 50.0)?, planetary)?),
     ];
     let curves = growths.iter().map(|(problem, growth)| Growing {
-        name: format!("{problem}: {:.2}", growth.exponent),
+        name: format!("{}: {:.2}", plot::named(problem), growth.exponent),
         points: growth.looks.iter().map(|(steps, change)| (*steps as f64, *change)).collect(),
     });
-    let title = "Rounding over a long time, and the exponents of its growth";
+    let title = "Rounding errors of the energy grow like a random walk";
     plot::growth(&folder().join("stress_brouwer"), title, &curves.collect::<Vec<_>>())?;
     let mut table = Table::new("stress_brouwer", &["problem", "", "steps", "energy error"]);
     for (problem, Growth { looks, exponent, bias }) in growths {

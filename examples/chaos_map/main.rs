@@ -1,9 +1,11 @@
-//! Where order ends: maps of the mean MEGNO, 2 on regular orbits and larger on chaotic ones.
+//! Draws maps of chaos by the mean MEGNO, which tends to 2 on regular orbits and grows on chaotic ones.
 //!
-//! Look at `chaos_map_galaxy.png`: the section of Hénon and Heiles at the energy 1/8, with islands of order in a sea of chaos; and
-//! at `chaos_map_belt.png`: asteroids under Jupiter's attraction, whose orbits are chaotic near Jupiter and at the edges of
-//! resonances, which lines mark. Each point is an orbit with a deviation vector, many of them in the lanes of one register. Printed: the
-//! regular share of the section and of the belt.
+//! - `chaos_map_galaxy.png`: the Hénon–Heiles system at energy 1/8, with islands of regular orbits in a chaotic sea.
+//! - `chaos_map_belt.png`: asteroids under Jupiter's attraction. Orbits are chaotic near Jupiter and at the edges of resonances,
+//!   which lines mark.
+//!
+//! Each point is an orbit with a deviation vector; SIMD lanes integrate many orbits at once. The program prints the regular share of
+//! both maps.
 
 #[path = "../trojan/asteroid.rs"]
 #[allow(dead_code, reason = "the other example reads more of it")]
@@ -19,7 +21,7 @@ use integrator_plot::{self as plot, Axis, colour};
 use std::error::Error;
 use support::{Watch, folder};
 
-/// From here on all is one colour: chaos.
+/// Largest MEGNO of the colour scale.
 const MOST: f64 = 6.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -39,18 +41,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let picture = |grid: &Grid, rows: &[Vec<f64>], title: &str, names: [&str; 2]| {
         let [(left, right), (low, high)] = [grid.along, grid.up];
         let high = low + (high - low) * rows.len() as f64 / grid.rows as f64;
-        // Where there is no orbit there is no colour.
+        // Points without an orbit stay white.
         let shown = rows.iter().map(|row| row.iter().map(|megno| megno.clamp(0.0, MOST)).collect::<Vec<_>>());
-        let chart = plot::map(left..=right, low..=high, "mean MEGNO, 6 and more", shown).title(title);
+        let chart = plot::map(left..=right, low..=high, "mean MEGNO, 6 or more", shown).title(title);
         let [along, up] = names.map(Axis::linear);
         chart.along(along.between(left, right)).up(up.between(low, high))
     };
-    let galaxy = picture(&section, &of_section, "Hénon and Heiles, energy 1/8", ["y", "ẏ"])
-        .claim("Tori are dark, the chaotic sea is light; x = 0, ẋ > 0");
+    let galaxy = picture(&section, &of_section, "Chaos in the Hénon–Heiles system, E = 1/8", ["y", "p_y"])
+        .claim("Regular orbits are dark, chaotic ones light; section x = 0, p_x > 0");
     galaxy.save(folder().join("chaos_map_galaxy.png"))?;
-    let mut asteroids = picture(&belt, &of_belt, "Asteroids inside of Jupiter's orbit", ["axis / au", "eccentricity"])
-        .claim(
-            "76 of Jupiter's years from a perihelion in its direction; lines: resonances 3:1, 5:2, 7:3, 2:1, 3:2, 4:3",
+    let mut asteroids =
+        picture(&belt, &of_belt, "Chaos in the asteroid belt", ["semi-major axis in AU", "eccentricity"]).claim(
+            "76 periods of Jupiter, from a perihelion in its direction; lines: resonances 3:1, 5:2, 7:3, 2:1, 3:2, 4:3",
         );
     for axis in belt::resonances() {
         let line = [(axis, belt.up.0), (axis, belt.up.1)];

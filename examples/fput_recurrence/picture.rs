@@ -1,10 +1,9 @@
-//! The energies of the lowest modes over time.
+//! Picture of the energies of the lowest modes over time.
 
 use crate::chain::Look;
 use integrator_plot::{Axis, Chart, colour};
 
-/// The modes of an accurate run, and the lowest one of a run with the step of the first; the recurrence as
-/// `(periods, share)`.
+/// Draws the modes of an accurate run, the lowest mode with the original step, and the recurrence `(periods, share)`.
 pub(crate) fn picture<const MODES: usize>(
     exact: &[Look<MODES>],
     theirs: &[Look<1>],

@@ -1,10 +1,11 @@
-//! A picture of each kind that `integrator-plot` draws of runs, in one line each.
+//! Draws one picture of each kind of `integrator-plot`, in one line each.
 //!
-//! Look at `gallery_energies`: the energy of forward Euler leaves the picture upwards and that of backward Euler downwards,
-//! Runge and Kutta's method loses a little in every swing, and those of the symplectic methods stay where they are. In
-//! `gallery_orbit` an ellipse turns, because steps are long; in `gallery_phase` blue motions stay in their wells, and orange ones
-//! go over the hill; in `gallery_section` there are islands in a sea; `gallery_map` is how long a star stays in a galaxy from
-//! which it can escape, black where it does so at once.
+//! - `gallery_energies.svg`: forward Euler gains energy, backward Euler and Runge–Kutta lose it; the energies of symplectic methods
+//!   oscillate.
+//! - `gallery_orbit.svg`: large steps make an ellipse precess.
+//! - `gallery_phase.svg`: orbits of a double well, inside one well (blue) and over the barrier (orange).
+//! - `gallery_section.svg`: islands of regular orbits in a chaotic sea.
+//! - `gallery_map.png`: escape time of a star from a galaxy, dark where it escapes at once.
 
 mod systems;
 
@@ -21,23 +22,23 @@ fn swing(method: impl Method<Pendulum>) -> Result<Vec<Sample<[f64; 1]>>, integra
     Pendulum.run_with(method, Phase::new([2.0], [0.0]), 0.2)?.samples(1).take(840).collect()
 }
 
-/// From the bottoms of two wells, with different momenta. The hill between them is 1 high.
+/// Orbits from the minima of a double well with several momenta. The barrier has height 1.
 fn wells() -> Result<plot::Chart, integrator_core::Error> {
     let within = [0.5, 1.0, 1.35].into_iter().flat_map(|p| [(1.0, p), (-1.0, p)]);
     within.chain([(1.0, 1.5), (1.0, 2.0)]).try_fold(plot::phase::<[f64; 1]>(&[]), |chart, (q, p)| {
         let run = DoubleWell.run_with(Yoshida4, Phase::new([q], [p]), 0.02)?;
-        let colour = plot::colour::COLOURS[if run.energy() < 1.0 { 6 } else { 3 }];
+        let inside = run.energy() < 1.0;
         let samples = run.samples(1).take(400).collect::<Result<Vec<_>, _>>()?;
         let points = samples.iter().map(|sample| (sample.state.q[0], sample.state.p[0]));
-        Ok(chart.line("", points).coloured(colour).wide(1.5))
+        Ok(chart.line("", points).coloured(plot::colour::COLOURS[if inside { 6 } else { 3 }]).wide(1.5))
     })
 }
 
-/// Where orbits of a star of some energy pass x = 0 to the right.
+/// Crossings `(y, p_y)` of x = 0 with growing x, of orbits with one energy.
 fn section(energy: f64) -> Result<Vec<(f64, f64)>, integrator_core::Error> {
     let mut points = Vec::new();
     let along_y = (0..24).map(|i| (-0.4 + 0.045 * f64::from(i), 0.0));
-    // Islands that no star without a momentum along y meets.
+    // Islands that orbits with p_y = 0 do not reach.
     let beside = [0.20, 0.22, 0.24, 0.26, 0.28].into_iter().flat_map(|py| [(0.0, py), (0.0, -py)]);
     for (y, py) in along_y.chain(beside) {
         let Some(start) = HenonHeiles.start(energy, y, py) else { continue };
@@ -50,7 +51,7 @@ fn section(energy: f64) -> Result<Vec<(f64, f64)>, integrator_core::Error> {
     Ok(points)
 }
 
-/// How long a star stays within a distance of 3; not a number where there is no start.
+/// Time until a star is farther away than 3, at most 100. NaN where the energy allows no start.
 fn stay(energy: f64, y: f64, py: f64) -> Result<f64, integrator_core::Error> {
     let Some(start) = HenonHeiles.start(energy, y, py) else { return Ok(f64::NAN) };
     let mut run = HenonHeiles.run_with(BlanesMoanSrkn6, start, 0.25)?;
@@ -76,17 +77,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("Blanes–Moan 6", swing(BlanesMoan6)?),
     ];
     plot::energies(runs.iter().map(|(name, samples)| (*name, samples)))
-        .title("The energy of a pendulum in steps of 0.2")
+        .title("Pendulum, step 0.2: relative energy error")
         .save(folder.join("gallery_energies.svg"))?;
 
     let run = Kepler.run_with(Verlet, Phase::new([1.6, 0.0], [0.0, 0.5]), 0.08)?;
-    // Between the steps as well: the line is round however long these are.
+    // Dense output between the steps draws a smooth line.
     let orbit = run.samples_at(0.02).take(3_600).collect::<Result<Vec<_>, _>>()?;
-    plot::orbit(&orbit).title("An ellipse by Verlet").save(folder.join("gallery_orbit.svg"))?;
-    wells()?.title("A double well").save(folder.join("gallery_phase.svg"))?;
+    plot::orbit(&orbit).title("Kepler orbit by Verlet, step 0.08").save(folder.join("gallery_orbit.svg"))?;
+    wells()?.title("Orbits of a double well").save(folder.join("gallery_phase.svg"))?;
 
-    let axes = |chart: plot::Chart| chart.along(plot::Axis::linear("y")).up(plot::Axis::linear("ẏ"));
-    let chart = plot::section_of(section(1.0 / 8.0)?).title("Hénon and Heiles at an energy of 1/8");
+    let axes = |chart: plot::Chart| chart.along(plot::Axis::linear("y")).up(plot::Axis::linear("p_y"));
+    let chart = plot::section_of(section(1.0 / 8.0)?).title("Poincaré section of the Hénon–Heiles system, E = 1/8");
     axes(chart).save(folder.join("gallery_section.svg"))?;
 
     let (columns, rows) = (300_u32, 260_u32);
@@ -94,8 +95,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         |i: u32, count: u32, ends: [f64; 2]| ends[0] + (f64::from(i) + 0.5) / f64::from(count) * (ends[1] - ends[0]);
     let row = |j| (0..columns).map(move |i| stay(0.2, at(i, columns, [-0.6, 1.1]), at(j, rows, [-0.7, 0.7]))).collect();
     let rows = (0..rows).map(row).collect::<Result<Vec<Vec<f64>>, _>>()?;
-    let chart = plot::map(-0.6..=1.1, -0.7..=0.7, "time until it escapes, at most 100", rows);
-    axes(chart.title("Stars of energy 1/5")).save(folder.join("gallery_map.png"))?;
+    let chart = plot::map(-0.6..=1.1, -0.7..=0.7, "escape time, at most 100", rows);
+    axes(chart.title("Escape from the Hénon–Heiles galaxy, E = 1/5")).save(folder.join("gallery_map.png"))?;
     println!("{}", folder.display());
     Ok(())
 }

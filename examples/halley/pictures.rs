@@ -1,19 +1,19 @@
-//! Where the comet goes, and how the planets change its orbit.
+//! Pictures of the orbit of the comet and of its elements over time.
 
 use crate::comet::{BEGIN, Bodies, COMET, REVOLUTION, Solar, axis_and_eccentricity, run};
 use integrator_core::prelude::*;
 use integrator_plot::{Axis, Chart, write};
 use std::{error::Error, path::Path};
 
-/// In days.
+/// Length of a year in days.
 const YEAR: f64 = 365.25;
 
-/// The year of a Julian day.
+/// Returns the year of a Julian day.
 fn year(day: f64) -> f64 {
     2000.0 + (day - 2_451_545.0) / YEAR
 }
 
-/// One revolution, relative to the Sun, at equal intervals of time.
+/// Draws one revolution relative to the Sun, at equal intervals of time.
 pub(crate) fn orbit(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Result<(), Box<dyn Error>> {
     let samples = run(system, start, 1.0)?.samples_at(REVOLUTION / 760.0).take(761);
     let path: Vec<Bodies> = samples.map(|sample| sample.map(|sample| sample.state.q)).collect::<Result<_, _>>()?;
@@ -32,7 +32,7 @@ pub(crate) fn orbit(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Resu
     write(&folder.join("halley_orbit"), &chart)
 }
 
-/// The semi-major axis over several revolutions, back in time.
+/// Draws the semi-major axis over several revolutions, back in time.
 pub(crate) fn elements(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Result<(), Box<dyn Error>> {
     let samples = run(system, start, -1.0)?.samples_at(-YEAR).take(12 * 76);
     let states: Vec<_> = samples.collect::<Result<_, _>>()?;

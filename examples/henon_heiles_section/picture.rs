@@ -1,18 +1,18 @@
-//! Sections side by side, regular and chaotic orbits in two colours.
+//! Picture of the sections, with regular and chaotic orbits in two colours.
 
 use crate::section::{Orbit, border};
 use integrator_plot::{Axis, Chart, Panels, colour};
 
-/// What was found at one energy.
+/// The orbits of one energy.
 pub(crate) struct Section {
-    /// What the energy is called.
+    /// Name of the energy.
     pub(crate) name: &'static str,
     pub(crate) energy: f64,
     pub(crate) orbits: Vec<Orbit>,
 }
 
 impl Section {
-    /// The share of the orbits that are regular.
+    /// Returns the regular share of the orbits.
     pub(crate) fn regular(&self) -> f64 {
         self.orbits.iter().filter(|orbit| orbit.regular).count() as f64 / self.orbits.len() as f64
     }

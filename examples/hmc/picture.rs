@@ -1,23 +1,23 @@
-//! Draws from the posterior, and how likely distress is at each temperature.
+//! Picture of draws from the posterior and of the probability of distress by temperature.
 
 use crate::{posterior::Posterior, sampler::moments};
 use integrator_plot::{Axis, Chart, Panels, colour};
 
-/// The temperature of the morning of Challenger, in degrees Fahrenheit.
+/// Temperature on the morning of the Challenger launch, in °F.
 pub(crate) const MORNING: f64 = 31.0;
 
-/// How likely distress is at a temperature, by each of the draws.
+/// Returns the probability of distress at a temperature for each draw.
 pub(crate) fn probabilities(posterior: &Posterior, draws: &[[f64; 2]], temperature: f64) -> Vec<f64> {
     draws.iter().map(|b| posterior.probability(*b, temperature)).collect()
 }
 
-/// What lies at a share of a series, from the least on.
+/// Returns a quantile of a series.
 fn quantile(mut series: Vec<f64>, share: f64) -> f64 {
     series.sort_by(f64::total_cmp);
     series[(share * (series.len() - 1) as f64) as usize]
 }
 
-/// At least one draw, the mean of the posterior, and the share of trajectories that were accepted.
+/// Draws the posterior and the probability of distress. There has to be at least one draw.
 pub(crate) fn picture(posterior: &Posterior, draws: &[[f64; 2]], mean: [f64; 2], acceptance: f64) -> Panels {
     let at = |temperature: f64| probabilities(posterior, draws, temperature);
     let curve = |of: &dyn Fn(Vec<f64>) -> f64| -> Vec<_> {

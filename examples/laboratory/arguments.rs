@@ -3,7 +3,7 @@
 use crate::systems::SYSTEMS;
 use clap::{Arg, Command, builder::PossibleValuesParser};
 
-/// A system and a folder. A name that is nearly that of a system is answered with this one.
+/// Returns the command: a system and a folder. For a misspelt system, clap suggests the nearest name.
 pub(crate) fn command() -> Command {
     let names = PossibleValuesParser::new(SYSTEMS.map(|system| system.name));
     Command::new("laboratory")

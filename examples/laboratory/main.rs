@@ -1,12 +1,11 @@
-//! The laboratory: every claim about numerical integration that can be seen in a picture, on one system.
+//! Compares the claims of a course in numerical integration with numbers, on one system: `laboratory [SYSTEM] [--out DIR]`.
 //!
-//! `laboratory [SYSTEM] [--out DIR]`, where SYSTEM is one of pendulum, oscillator, `henon_heiles`, kepler, `double_well` and stiff.
-//! It measures the system with all methods and writes one page with all pictures, `DIR/SYSTEM.html`, and the pictures beside
-//! it as SVG and PNG; DIR is `target/laboratory` if it is not given. For a system of your own, take the crate
-//! `integrator-laboratory`: one call writes its page.
+//! SYSTEM is one of pendulum, oscillator, `henon_heiles`, kepler, `double_well` and stiff. The program integrates it with all
+//! methods and writes the page `DIR/SYSTEM.html`, with its pictures as SVG and PNG. DIR is `target/laboratory` by default. For
+//! your own system, one call of the crate `integrator-laboratory` writes such a page.
 //!
-//! Look at the page: portraits first, then energies. Printed at last: each claim with its number. A claim that does not hold
-//! is marked FAILED and makes the program end with an error.
+//! The page begins with phase portraits, then energies. The program prints each claim with its number. A claim that fails is
+//! marked FAILED, and the program ends with an error.
 
 mod arguments;
 mod oscillator;

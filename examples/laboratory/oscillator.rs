@@ -15,7 +15,7 @@ use integrator_plot::{Axis, Chart, Mark, colour::INK};
 /// A step as a matrix that acts on `(q, p)`.
 type Matrix = [[f64; 2]; 2];
 
-/// The step, and how many are taken.
+/// Step and number of steps.
 pub(crate) const H: f64 = 0.05;
 pub(crate) const STEPS: u32 = 1_000;
 const START: [f64; 2] = [1.0, 0.5];
@@ -24,7 +24,7 @@ const START: [f64; 2] = [1.0, 0.5];
 pub(crate) struct ClosedForm {
     pub(crate) name: &'static str,
     pub(crate) matrix: Matrix,
-    /// Where the method itself arrives.
+    /// Final state by the method.
     arrives: fn(u32) -> Result<[f64; 2], Error>,
 }
 
@@ -35,7 +35,7 @@ fn arrives<M: Method<Oscillator>>(method: M, steps: u32) -> Result<[f64; 2], Err
     Ok([state.q[0], state.p[0]])
 }
 
-/// The series of the cosine and the sine of `H`, up to the fourth power.
+/// Taylor series of cosine and sine of `H` up to the fourth power.
 const COSINE: f64 = 1.0 - H * H / 2.0 + H * H * H * H / 24.0;
 const SINE: f64 = H - H * H * H / 6.0;
 
@@ -43,7 +43,7 @@ const fn over(divisor: f64, [[a, b], [c, d]]: Matrix) -> Matrix {
     [[a / divisor, b / divisor], [c / divisor, d / divisor]]
 }
 
-/// One row for each method.
+/// Returns a row for each method.
 pub(crate) const CLOSED_FORMS: [ClosedForm; 10] = [
     // z := z + hAz with A = (0 1; −1 0).
     ClosedForm { name: "forward Euler", matrix: [[1.0, H], [-H, 1.0]], arrives: |steps| arrives(ForwardEuler, steps) },
@@ -106,13 +106,13 @@ fn times(m: Matrix, [q, p]: [f64; 2]) -> [f64; 2] {
 }
 
 impl ClosedForm {
-    /// By how much an eigenvalue is longer than one: a step multiplies areas by its square.
+    /// Returns the modulus of an eigenvalue minus one. A step multiplies areas by the square of the modulus.
     pub(crate) fn growth(&self) -> f64 {
         let m = self.matrix;
         (m[0][0] * m[1][1] - m[0][1] * m[1][0]).sqrt()
     }
 
-    /// `Mⁿ z` from the eigenvalues of `M`.
+    /// Returns `Mⁿ z` by the eigenvalues of `M`.
     fn after(&self, steps: u32) -> [f64; 2] {
         let (m, r) = (self.matrix, self.growth());
         let cosine = 0.5 * (m[0][0] + m[1][1]) / r;
@@ -122,18 +122,18 @@ impl ClosedForm {
         [0, 1].map(|i| size * (cosine_n * START[i] + sine_n / sine * (once[i] / r - cosine * START[i])))
     }
 
-    /// How far the method ends from its closed form, in units of that.
+    /// Returns the relative distance of the method from its closed form.
     pub(crate) fn distance(&self) -> Result<f64, Error> {
         let (end, exact) = ((self.arrives)(STEPS)?, self.after(STEPS));
         Ok((end[0] - exact[0]).hypot(end[1] - exact[1]) / exact[0].hypot(exact[1]))
     }
 }
 
-/// The distance from a closed form: each step rounds a few times, and the oscillator adds these roundings up, at worst
-/// in the same sense; in the closed form the roundings of `r` and of the angle are multiplied by the number of steps.
+/// The distance from a closed form: each step rounds a few times, and the oscillator adds these roundings up, at worst in
+/// the same sense; in the closed form the roundings of `r` and of the angle are multiplied by the number of steps.
 pub(crate) const CLOSED: f64 = STEPS as f64 * 16.0 * f64::EPSILON;
 
-/// What is claimed of the oscillator alone.
+/// Returns the claims about the oscillator.
 pub(crate) fn claims() -> Result<Vec<Verdict>, Error> {
     let mut farthest = 0.0_f64;
     for form in &CLOSED_FORMS {
@@ -151,8 +151,8 @@ pub(crate) fn claims() -> Result<Vec<Verdict>, Error> {
     ])
 }
 
-/// The longest step with which the energy stays, to a thousandth: a step beyond it lets the energy grow by a constant factor,
-/// which at a thousandth beyond the limit is some ten per cent.
+/// Returns the longest stable step to a thousandth. A longer step multiplies the energy by a constant factor, some ten per
+/// cent at a thousandth beyond the limit.
 fn longest<M: Method<Oscillator>>(method: M) -> f64 {
     let stays = |h: f64| {
         let Ok(mut run) = Oscillator.run_with(method, Phase::new([1.0], [0.0]), h) else { return false };
@@ -166,11 +166,11 @@ fn longest<M: Method<Oscillator>>(method: M) -> f64 {
     short
 }
 
-/// The energy beside its closed form, for those methods that gain or lose.
+/// Draws the energy and its closed form, for methods that gain or lose energy.
 pub(crate) fn picture() -> Result<Chart, Error> {
     const SHOWN: [(&str, &str); 3] = [("forward Euler", "gains"), ("backward Euler", "loses"), ("Verlet", "keeps")];
-    let chart = Chart::new("The oscillator, computed and in closed form")
-        .claim("Lines: the energy from the eigenvalues of the matrix of a step, rⁿ exp(±inθ). Dots: what the method computes.")
+    let chart = Chart::new("Harmonic oscillator: computed and closed form")
+        .claim("Lines: the energy by the closed form rⁿ exp(±inθ), from the eigenvalues of the matrix of a step. Dots: computed.")
         .measured(format!("step {H}"))
         .along(Axis::linear("steps"))
         .up(Axis::logarithmic("energy"))

@@ -6,13 +6,13 @@ use integrator_laboratory::{Verdict, colour, plain};
 use integrator_plot::{Axis, Chart, Mark};
 use std::f64::consts::TAU;
 
-/// The angle at which the pendulum is let go.
+/// Initial angle of the pendulum, at rest.
 pub(crate) const AMPLITUDE: f64 = 2.0;
-/// Swings whose time is taken.
+/// Number of measured periods.
 const SWINGS: u32 = 4;
 
-/// `4 K(sin(a/2))`, by the arithmetic-geometric mean: the period of `H = p²/2 − cos q` with the amplitude `a` is
-/// `2π / agm(1, cos(a/2))`.
+/// Returns `4 K(sin(a/2))` by the arithmetic-geometric mean: the period of `H = p²/2 − cos q` with amplitude `a` is `2π /
+/// agm(1, cos(a/2))`.
 pub(crate) fn exact(amplitude: f64) -> f64 {
     let (mut arithmetic, mut geometric) = (1.0_f64, (0.5 * amplitude).cos());
     while (arithmetic - geometric).abs() > 2.0 * f64::EPSILON * arithmetic {
@@ -21,14 +21,14 @@ pub(crate) fn exact(amplitude: f64) -> f64 {
     TAU / arithmetic
 }
 
-/// The relative errors of the period for steps that halve from one to the next.
+/// Relative errors of the period for successively halved steps.
 pub(crate) struct Periods {
     pub(crate) name: &'static str,
     pub(crate) symplectic: bool,
     pub(crate) errors: Vec<(f64, f64)>,
 }
 
-/// The mean time between two passages of the lowest point in the same sense.
+/// Returns the mean time between two crossings of the lowest point in the same direction.
 fn period<M: Method<Pendulum>>(method: M, h: f64) -> Option<f64> {
     let run = Pendulum.run_with(method, Phase::new([AMPLITUDE], [0.0]), h).ok()?;
     let steps = (1.2 * f64::from(SWINGS + 1) * exact(AMPLITUDE) / h) as u64;
@@ -45,7 +45,7 @@ fn row<M: Method<Pendulum>>(name: &'static str, method: M, rungs: u32) -> Period
     Periods { name, symplectic: method.facts().symplectic, errors: steps.filter_map(error).collect() }
 }
 
-/// One row for each method.
+/// Returns a row for each method.
 pub(crate) fn all(rungs: u32) -> Vec<Periods> {
     vec![
         row("symplectic Euler", Euler, rungs),
@@ -57,7 +57,7 @@ pub(crate) fn all(rungs: u32) -> Vec<Periods> {
     ]
 }
 
-/// What is claimed of the pendulum alone.
+/// Returns the claim about the period of the pendulum.
 pub(crate) fn claim(periods: &[Periods]) -> Verdict {
     let says = "The period of the pendulum is an elliptic integral: the least relative distance of Kahan–Li 8";
     // Some hundreds of roundings, spread over four swings.
@@ -69,11 +69,11 @@ pub(crate) fn claim(periods: &[Periods]) -> Verdict {
     )
 }
 
-/// Errors of the period against the step.
+/// Draws the errors of the period against the step.
 pub(crate) fn picture(periods: &[Periods]) -> Chart {
     let best = periods.iter().filter_map(Periods::least).fold(f64::INFINITY, f64::min);
     let chart = Chart::new(format!("Period of the pendulum, amplitude {AMPLITUDE}"))
-        .claim("The period is 4 K(sin(a/2)), an elliptic integral, here by the arithmetic-geometric mean. Measured periods reach it with the order of the method; symplectic Euler is as good as Verlet here, of which it is a view in other coordinates.")
+        .claim("The exact period is the elliptic integral 4 K(sin(a/2)). Measured periods converge with the order of the method. Symplectic Euler is as accurate as Verlet here, because it is conjugate to Verlet.")
         .measured(format!("exact {:.15}; nearest, relative: {}", exact(AMPLITUDE), plain(best)))
         .along(Axis::logarithmic("step"))
         .up(Axis::logarithmic("relative error of the period"));

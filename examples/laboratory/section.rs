@@ -6,21 +6,21 @@ use integrator_laboratory::{Verdict, plain};
 use integrator_plot::{Axis, Chart, Panels};
 use std::error::Error;
 
-/// An energy, with the points at which orbits pass x = 0 to the right.
+/// Crossings of x = 0 with growing x, at one energy.
 pub(crate) struct Section {
     pub(crate) energy: f64,
-    /// For each orbit `(y, py)`.
+    /// Crossings `(y, p_y)` of each orbit.
     pub(crate) orbits: Vec<Vec<(f64, f64)>>,
-    /// The largest distance of a point from x = 0.
+    /// Largest distance of a crossing from x = 0.
     pub(crate) off: f64,
-    /// The largest relative change of the energy.
+    /// Largest relative energy change.
     pub(crate) energy_change: f64,
 }
 
-/// Energies: at the first all orbits lie on curves, at the second most of them do not.
+/// Energies: all orbits lie on curves at the first, and most orbits are chaotic at the second.
 pub(crate) const ENERGIES: [f64; 2] = [1.0 / 12.0, 1.0 / 8.0];
 
-/// Starts on the axis `py = 0` and on `y = 0`.
+/// Returns initial states on the axes `p_y = 0` and `y = 0`.
 const STARTS: [(f64, f64); 12] = [
     (-0.25, 0.0),
     (-0.15, 0.0),
@@ -36,7 +36,7 @@ const STARTS: [(f64, f64); 12] = [
     (0.0, 0.38),
 ];
 
-/// Follows each orbit through so many crossings.
+/// Integrates each orbit through `count` crossings.
 pub(crate) fn section(energy: f64, crossings: usize) -> Result<Section, Box<dyn Error>> {
     let mut section = Section { energy, orbits: Vec::new(), off: 0.0, energy_change: 0.0 };
     for (y, py) in STARTS {
@@ -58,12 +58,12 @@ pub(crate) fn section(energy: f64, crossings: usize) -> Result<Section, Box<dyn 
     Ok(section)
 }
 
-/// At both energies.
+/// Returns the sections at both energies.
 pub(crate) fn all(crossings: usize) -> Result<Vec<Section>, Box<dyn Error>> {
     ENERGIES.iter().map(|energy| section(*energy, crossings)).collect()
 }
 
-/// What is claimed of the sections.
+/// Returns the claim about the sections.
 pub(crate) fn claim(sections: &[Section]) -> Verdict {
     let says = "Crossings lie on the section: the largest |x| of one";
     // Time and position of a crossing are rounded a few times.
@@ -75,11 +75,11 @@ pub(crate) fn claim(sections: &[Section]) -> Verdict {
     )
 }
 
-/// One panel per energy.
+/// Draws one panel per energy.
 pub(crate) fn picture(sections: &[Section]) -> Panels {
-    let claim = "Where orbits pass x = 0 to the right. At the lower energy they stay on curves; at the higher one a \
+    let claim = "Crossings of x = 0 with growing x. At the lower energy orbits lie on curves; at the higher energy a \
                  single orbit fills a region.";
-    let panels = Panels::new("Poincaré section of Hénon and Heiles", claim).columns(2).panel(620, 620);
+    let panels = Panels::new("Poincaré section of the Hénon–Heiles system", claim).columns(2).panel(620, 620);
     sections.iter().fold(panels, |panels, section| panels.chart(panel(section)))
 }
 
@@ -88,6 +88,6 @@ fn panel(section: &Section) -> Chart {
     let chart = Chart::new(format!("E = {:.4}", section.energy))
         .claim(format!("{count} crossings, energy error {}", plain(section.energy_change)))
         .along(Axis::linear("y"))
-        .up(Axis::linear("py"));
+        .up(Axis::linear("p_y"));
     section.orbits.iter().fold(chart, |chart, orbit| chart.cloud("", orbit.iter().copied()))
 }

@@ -27,13 +27,13 @@ impl Coupled {
 }
 
 const OMEGA: f64 = 100.0;
-/// How long it is followed, and the longest step.
+/// Time span and longest step.
 const SPAN: f64 = 12.0;
 const LONGEST: f64 = 0.5;
-/// A position that is off by more has left.
+/// Error from which a method counts as unstable.
 const LEFT: f64 = 3.0;
 
-/// The errors of a method, each with its step and the evaluations of the force.
+/// Errors of a method: step, error and force evaluations.
 struct Ladder {
     name: &'static str,
     implicit: bool,
@@ -45,7 +45,7 @@ fn start() -> Phase<[f64; 2]> {
     Phase::new([1.0, -1.0 / OMEGA.powi(2)], [0.0, 0.0])
 }
 
-/// The error of `x` at the end of the span; as much as what has left, where there is none.
+/// Returns the error of `x` at the end of the span, at most [`LEFT`].
 fn error<M: Method<Coupled>>(method: M, h: f64, steps: u64, exact: f64) -> Result<(f64, f64), Error> {
     let mut run = Coupled { omega: OMEGA }.run_with(method, start(), h)?;
     if run.advance(steps).is_err() {
@@ -71,7 +71,7 @@ fn ladder<M: Method<Coupled>>(
     Ok(Ladder { name, implicit, rungs: rungs.collect::<Result<_, Error>>()? })
 }
 
-/// Of methods that choose their steps, for one tolerance after the other.
+/// Returns the errors of an adaptive method for decreasing tolerances.
 fn tolerances<M: Method<Coupled>>(
     name: &'static str,
     implicit: bool,
@@ -87,7 +87,7 @@ fn tolerances<M: Method<Coupled>>(
     Ok(Ladder { name, implicit, rungs: rungs.collect::<Result<_, Error>>()? })
 }
 
-/// Measures, and writes the page.
+/// Measures all methods and writes the page.
 pub(crate) fn report(plan: &Plan, folder: &Path) -> Result<Report, Box<dyn std::error::Error>> {
     let rungs = plan.rungs.clamp(6, 11);
     let mut reference = Coupled { omega: OMEGA }.run_with(KahanLi8, start(), SPAN / 12_000.0)?;
@@ -114,7 +114,7 @@ pub(crate) fn report(plan: &Plan, folder: &Path) -> Result<Report, Box<dyn std::
     write(folder, "stiff", &formula, claims(&fixed), pictures)
 }
 
-/// What is claimed: of steps that are longer than 2/ω, all that explicit methods can take.
+/// Returns the claims about steps longer than 2/ω, the limit of explicit methods.
 fn claims(fixed: &[Ladder]) -> Vec<Verdict> {
     let long = |name: &str| -> Option<Vec<f64>> {
         let ladder = fixed.iter().find(|ladder| ladder.name == name)?;
@@ -158,7 +158,7 @@ fn claims(fixed: &[Ladder]) -> Vec<Verdict> {
     ]
 }
 
-/// A curve for each ladder, implicit methods with whole lines.
+/// Adds a curve for each method: solid for implicit methods, dashed for explicit ones.
 fn curves<'l>(
     chart: Chart,
     ladders: impl IntoIterator<Item = &'l Ladder>,
@@ -172,8 +172,8 @@ fn curves<'l>(
 }
 
 fn against_step(fixed: &[Ladder]) -> Chart {
-    let claim = "Dashed: explicit methods, which leave at steps longer than 2/ω or so, the grey line, whatever their order and however \
-                 slow the motion is. Whole lines: implicit methods, whose steps are as long as the slow motion admits.";
+    let claim = "Dashed: explicit methods, which are unstable for steps beyond about 2/ω, the grey line, whatever their order. \
+                 Solid: implicit methods, whose step is limited by the slow motion only.";
     let chart = Chart::new("A stiff system: error against step")
         .claim(claim)
         .measured(format!("2/ω = {}", plain(2.0 / OMEGA)))
@@ -185,11 +185,11 @@ fn against_step(fixed: &[Ladder]) -> Chart {
 }
 
 fn against_work(fixed: &[Ladder], adaptive: &[Ladder]) -> Chart {
-    let claim = "Forces until an error is reached. Backward differences, which were made for this, need the fewest for a few digits. Steps \
-                 of the other implicit methods may be as long, and each pays for its equation with dozens of evaluations.";
-    let chart = Chart::new("A stiff system: work and precision")
+    let claim = "Backward differences, designed for stiff systems, need the fewest evaluations for a few digits. The other implicit methods \
+                 take steps as long, and each step costs dozens of evaluations.";
+    let chart = Chart::new("A stiff system: error against work")
         .claim(claim)
-        .along(Axis::logarithmic("evaluations of the force"))
+        .along(Axis::logarithmic("force evaluations"))
         .up(Axis::logarithmic("error of x at the end").between(1e-12, 2.0 * LEFT))
         .sized(1100, 680);
     curves(chart, fixed.iter().chain(adaptive), |rung| rung.2)

@@ -5,16 +5,16 @@ use integrator_core::prelude::*;
 use integrator_laboratory::{Laboratory, Plan, Report};
 use std::{error::Error, f64::consts::TAU, path::Path};
 
-/// A page, or why there is none.
+/// Report of a page, or the error.
 pub(crate) type Outcome = Result<Report, Box<dyn Error>>;
 
-/// A name, and what writes the page of the system of this name.
+/// Name of a system and the function that writes its page.
 pub(crate) struct System {
     pub(crate) name: &'static str,
     pub(crate) report: fn(&Plan, &Path) -> Outcome,
 }
 
-/// One row for each system. The first one is taken if none is named.
+/// All systems; the first one is the default.
 pub(crate) const SYSTEMS: [System; 6] = [
     System {
         name: "pendulum",

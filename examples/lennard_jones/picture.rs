@@ -1,18 +1,18 @@
-//! How atoms are arranged and how far they go, and the course of energy and temperature.
+//! Pictures of the liquid: radial distribution, mean square displacement, energy and temperature.
 
 use integrator_plot::{Axis, Chart, Panels, colour};
 
-/// The liquid that was left alone, at one time.
+/// One sample of the liquid after equilibration.
 pub(crate) struct Look {
     pub(crate) time: f64,
-    /// The mean of the square of how far atoms have gone.
+    /// Mean square displacement in Å².
     pub(crate) square: f64,
-    /// By how much the energy of an atom differs from that at the beginning, as a temperature.
+    /// Energy change per atom since the first sample, in K.
     pub(crate) change: f64,
     pub(crate) temperature: f64,
 }
 
-/// `g(r)`, its first peak as `(place, height)`, the coefficient of diffusion, and the looks.
+/// Four charts: `g(r)` with its first peak `(place, height)`, displacements with the diffusion coefficient, and the samples.
 pub(crate) fn picture(
     distribution: &[(f64, f64)],
     (place, height): (f64, f64),
@@ -23,21 +23,24 @@ pub(crate) fn picture(
     let points = |value: fn(&Look) -> f64| looks.iter().map(move |look| (look.time, value(look)));
     let course = |title: &str, up: &str, value: fn(&Look) -> f64| chart(title, up).line("", points(value));
     let pairs = Chart::new("Radial distribution function")
-        .along(Axis::linear("distance in Å"))
-        .up(Axis::linear("g"))
+        .along(Axis::linear("distance r in Å"))
+        .up(Axis::linear("g(r)"))
         .line("", distribution.iter().copied());
     let last = looks.last().map_or((0.0, 0.0), |look| (look.time, look.square));
     let line = [0.0, last.0].map(|time| (time, last.1 + 6.0 * diffusion * (time - last.0)));
-    let far = chart("Mean square displacement and 6 D t", "Å²").line("6 D t", line).dashed().coloured(colour::GREY);
+    let far = chart("Mean square displacement and 6 D t (dashed)", "displacement² in Å²")
+        .line("6 D t", line)
+        .dashed()
+        .coloured(colour::GREY);
     Panels::new(
         "Liquid argon",
-        "Shells of neighbours without gaps between them, and atoms that do not stay where they are",
+        "The peaks of g(r) are shells of neighbours; the displacement grows linearly with time, by diffusion",
     )
     .measured(format!("first peak {height:.2} at {place:.2} Å, diffusion {:.2}·10⁻⁵ cm²/s", diffusion * 10.0))
     .columns(2)
     .panel(520, 400)
     .chart(pairs)
     .chart(far.dots("atoms", points(|look| look.square)).coloured(colour::INK))
-    .chart(course("Energy", "change for each atom in K", |look| look.change))
-    .chart(course("Temperature", "K", |look| look.temperature))
+    .chart(course("Energy", "energy change per atom in K", |look| look.change))
+    .chart(course("Temperature", "temperature in K", |look| look.temperature))
 }

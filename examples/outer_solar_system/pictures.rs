@@ -1,18 +1,18 @@
-//! Where the planets go, and how well compositions keep their energy.
+//! Pictures of the orbits of the planets and of energy errors.
 
 use crate::system::{Bodies, OuterSolarSystem};
 use integrator_core::prelude::*;
 use integrator_plot::{Axis, Chart, write};
 use std::{error::Error, path::Path};
 
-/// Planets, and the days that they take around the Sun.
+/// Planets and their periods in days.
 const PLANETS: [(&str, f64); 5] =
     [("Jupiter", 4_333.0), ("Saturn", 10_759.0), ("Uranus", 30_689.0), ("Neptune", 60_182.0), ("Pluto", 90_560.0)];
 
-/// In days.
+/// Length of a year in days.
 const YEAR: f64 = 365.25;
 
-/// The paths of the planets, relative to the Sun, in the plane of the Earth's equator that the table is in.
+/// Draws the orbits of the planets relative to the Sun, in the equatorial plane of the table.
 pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &Path) -> Result<(), Box<dyn Error>> {
     let step = 40.0;
     let samples =
@@ -34,11 +34,11 @@ pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &P
     write(&folder.join("outer_solar_system_orbits"), &chart.dots("Sun", [(0.0, 0.0)]))
 }
 
-/// How many days a force may stand for, and how long runs are.
+/// Days per force evaluation, and the time span in days.
 const DAYS_PER_FORCE: f64 = 5.0;
 const SPAN: f64 = 1000.0 * YEAR;
 
-/// The largest energy error in each decade.
+/// Returns the largest energy error in each decade.
 fn errors<X: Composition<OuterSolarSystem>>(
     system: &OuterSolarSystem,
     composition: X,
@@ -60,10 +60,10 @@ fn errors<X: Composition<OuterSolarSystem>>(
     Ok(decades)
 }
 
-/// What a composition is called, and its curve.
+/// Name and curve of a composition.
 type Curve = (String, Vec<(f64, f64)>);
 
-/// Energy errors of compositions of several orders at the same number of forces.
+/// Draws the energy errors of compositions of several orders at equal numbers of forces.
 pub(crate) fn energies(
     system: &OuterSolarSystem,
     start: Phase<Bodies>,

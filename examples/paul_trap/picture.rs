@@ -1,16 +1,17 @@
-//! The region in which a trap holds ions, and two orbits.
+//! Picture of the stability region of a trap, and of two orbits.
 
 use crate::trap::{PaulTrap, holds};
 use integrator_plot::{Axis, Chart, Panels, colour};
 
-/// What becomes of an ion in a trap: `x` over the time in periods of the voltage.
+/// Orbit of an ion in a trap: `x` against the time in periods of the voltage.
 pub(crate) struct Orbit {
     pub(crate) name: &'static str,
     pub(crate) trap: PaulTrap,
     pub(crate) points: Vec<(f64, f64)>,
 }
 
-/// Traps with the traces of both directions, two orbits, and where the region ends on the axis.
+/// Draws the stability region from the traces of both directions, and two orbits. `edge` is where the region ends on the
+/// axis `a = 0`.
 pub(crate) fn picture(traps: &[(PaulTrap, [f64; 2])], orbits: &[Orbit; 2], edge: f64) -> Panels {
     let place = |trap: &PaulTrap| (trap.q, trap.a);
     let those = |chosen: fn([f64; 2]) -> bool| {

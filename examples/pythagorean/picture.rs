@@ -1,4 +1,4 @@
-//! The paths of the three bodies.
+//! Picture of the paths of the three bodies.
 
 use crate::bodies::{Compensation, MASSES, run};
 use integrator_plot::{Axis, Chart, write};

@@ -1,11 +1,11 @@
-//! The wave on its way around the ring, and its distance from the closed form.
+//! Picture of the wave on its way around the ring, and of its distance from the closed form.
 
 use crate::ring::Soliton;
 use integrator_core::prelude::*;
 use integrator_plot::{Axis, Chart, Mark, Panels, colour};
 
-/// Looks in the first period, each `(time, state)`, and distances after each period, `(periods, [of momenta, of
-/// positions])`.
+/// Draws samples `(time, state)` of the first period, and distances `(periods, [of momenta, of positions])` after each
+/// period.
 pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], distances: &[(f64, [f64; 2])]) -> Panels {
     let wave = |higher: usize, state: &Phase<Vec<f64>>| {
         let sites: Vec<_> = state.p.iter().enumerate().map(|(site, p)| (site as f64, p + higher as f64)).collect();

@@ -227,15 +227,15 @@ fn svg(drawing: &Drawing) -> String {
 
 /// Words of each picture that stand on its axes or in its head, and whether all methods have their colour in it.
 const SHOWN: [(&str, [&str; 3], bool); 11] = [
-    ("portraits", ["Portraits", "symplectic", "gains energy"], true),
-    ("energy_error", ["Energy against time", "10⁻⁵", "Dormand–Prince 5"], true),
+    ("portraits", ["Phase portraits", "symplectic", "gains energy"], true),
+    ("energy_error", ["Energy error against time", "10⁻⁵", "Dormand–Prince 5"], true),
     ("energy", ["Energy in the first periods", "periods", "forward Euler"], false),
-    ("modified", ["What a step conserves", "with more terms, h⁴, h⁶", "Yoshida 4"], false),
+    ("modified", ["Modified Hamiltonians", "with further terms h⁴, h⁶", "Yoshida 4"], false),
     ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
     ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
     ("tangents", ["How long a deviation gets", "{q₁, p₁} − 1", "at every step of a symplectic method"], true),
-    ("reversal", ["There and back", "from the start: ", "Verlet"], false),
-    ("limits", ["How long a step may be", "2/ω", "Yoshida 4"], false),
+    ("reversal", ["Reversibility", "distance from the start: ", "Verlet"], false),
+    ("limits", ["Energy error against step", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
     ("work_precision", ["Work and precision", "evaluations of the force", "Dormand–Prince 8"], true),
 ];

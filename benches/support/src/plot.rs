@@ -4,7 +4,7 @@ mod dots;
 mod growth;
 mod work_precision;
 
-pub use dots::{Dots, Row, dots};
+pub use dots::{Dots, Row, dots, named};
 pub use growth::{Growing, growth};
 pub use work_precision::work_precision;
 
@@ -20,7 +20,7 @@ mod tests {
         let picture = Dots {
             title: "Ratios".to_owned(),
             series: vec!["generated".to_owned()],
-            asked: [0.9, 1.1],
+            band: [0.9, 1.1],
             rows: vec![Row { name: "pendulum".to_owned(), values: vec![3.2] }],
             ..Dots::default()
         };

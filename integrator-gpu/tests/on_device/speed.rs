@@ -8,7 +8,7 @@ use crate::{
 };
 use integrator_core::{Coords, Ensemble as OnProcessor, prelude::*};
 use integrator_gpu::{Ensemble, Error as GpuError};
-use integrator_plot::{Axis, Chart};
+use integrator_plot::{Axis, Chart, MARKERS, Mark};
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -62,7 +62,7 @@ fn constants(count: usize) -> Vec<[f64; 2]> {
 fn speed_is_told() {
     let Some(card) = Card::first() else { return eprintln!("SKIPPED: there is no device whose speed could be told") };
     println!("{}", card.name());
-    let names = ["exact functions", "native functions", "kernel by hand", "two threads"];
+    let names = ["exact functions", "native functions", "hand-written kernel", "two CPU threads"];
     let mut table = format!("members,{}\n", names.join(","));
     let mut series = [(); 4].map(|()| Vec::new());
     for count in [1_000, 10_000, 100_000, 1_000_000, 4_000_000] {
@@ -110,11 +110,15 @@ fn draw(card: &str, table: &str, names: [&str; 4], series: [Vec<(f64, f64)>; 4])
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let (file, picture) = (folder.join("members_and_steps.csv"), folder.join("members_and_steps.svg"));
     fs::write(&file, table).expect("a folder for files");
-    let chart = Chart::new("Pendulums by Yoshida4 on a device")
+    let chart = Chart::new("Ensemble of pendulums by Yoshida4 in double precision")
         .measured(card)
         .along(Axis::logarithmic("members"))
         .up(Axis::logarithmic("members × steps per second"));
-    let chart = names.into_iter().zip(series).fold(chart, |chart, (name, points)| chart.line(name, points));
+    let chart = names.into_iter().zip(series).zip(MARKERS).fold(chart, |chart, ((name, points), marker)| {
+        let chart = chart.series(Mark::Dotted, name, points).marked(marker).wide(3.0);
+        // It nearly covers that of the native functions.
+        if name == "hand-written kernel" { chart.dashed() } else { chart }
+    });
     chart.save(&picture).expect("a picture");
     println!("{}\n{}", file.display(), picture.display());
 }

@@ -6,10 +6,10 @@ use integrator_plot::{Axis, Chart, Mark, Panels};
 /// One panel per method: the outline at some times, and the area at the last.
 pub(super) fn areas(study: &Study) -> Panels {
     let claim = match study.freedom {
-        1 => "A set of starts is carried along and sheared, but symplectic methods preserve its area. Others do not.",
+        1 => "The flow moves and shears a set of initial states. Symplectic methods preserve its area; others do not.",
         _ => {
-            "A loop of starts in the plane of q₁ and p₁ is carried along. Symplectic methods preserve Σ ∮ pᵢ dqᵢ; the area \
-             that is seen here is one term of it."
+            "The flow moves a loop of initial states in the plane of q₁ and p₁. Symplectic methods preserve Σ ∮ pᵢ dqᵢ; the area in \
+             the picture is one term of this sum."
         }
     };
     let changes = study.methods.iter().filter(|measured| measured.symplectic);

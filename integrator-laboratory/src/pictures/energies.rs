@@ -21,7 +21,7 @@ pub(super) fn low_orders(study: &Study) -> Chart {
     let kept = low().filter(|measured| measured.symplectic).map(Measured::largest_energy_change);
     let most = 2.0 * kept.fold(0.005, f64::max);
     let chart = Chart::new(format!("Energy in the first periods: {}", study.system))
-        .claim("The energies of symplectic methods swing with the motion and come back. Those of the Euler methods that are not leave the picture within a period, and that of the explicit midpoint rule rises.")
+        .claim("The energy of symplectic methods oscillates with the motion. With forward and backward Euler it leaves the frame within a period; with the explicit midpoint rule it grows.")
         .measured(format!("steps of {}", plain(study.step)))
         .along(Axis::linear("periods"))
         .up(Axis::linear("(E − E₀) / |E₀|").between(-most, most));
@@ -42,12 +42,11 @@ pub(super) fn extremes(study: &Study) -> Chart {
         .filter_map(ends)
         .collect();
     let claim = format!(
-        "Of each period the largest change of the energy, with its sign: up is gained, down is lost. Whole lines, the symplectic \
-         methods, stay level. Dashed lines go on outwards, whatever their order; so do those of adaptive methods, here with a \
-         tolerance of {}, of which they know nothing.",
+        "The largest energy change in each period: a gain is drawn upwards, a loss downwards. Solid lines are symplectic methods, which \
+         stay level. Dashed lines are other methods, which drift whatever their order; adaptive ones have a tolerance of {}.",
         plain(LOOSE)
     );
-    let chart = Chart::new(format!("Energy against time: {}", study.system))
+    let chart = Chart::new(format!("Energy error against time: {}", study.system))
         .claim(claim)
         .measured(format!("steps of {}; at the end: {}", plain(study.step), numbers.join(", ")))
         .along(Axis::linear("periods"))

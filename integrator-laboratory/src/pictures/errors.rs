@@ -12,8 +12,10 @@ use integrator_plot::{Axis, Chart, Mark};
 /// Errors against the step, with the order that is measured.
 pub(super) fn against_step(study: &Study) -> Chart {
     let chart = Chart::new(format!("Error against step: {}", study.system))
-        .claim("On logarithmic axes the slope is the order of the method. It is measured where the error stands out of the rounding.")
-        .measured("the number beside each name is the measured order")
+        .claim(
+            "On logarithmic axes the slope is the order of the method. It is fitted where the error is above rounding.",
+        )
+        .measured("the number after each name is the measured order")
         .along(Axis::logarithmic("step"));
     let name = |measured: &Measured| match measured.slope {
         Some(slope) => format!("{}: {}", measured.name(), plain(slope)),
@@ -25,9 +27,9 @@ pub(super) fn against_step(study: &Study) -> Chart {
 /// Errors against evaluations of the vector field.
 pub(super) fn against_work(study: &Study) -> Chart {
     let chart = Chart::new(format!("Work and precision: {}", study.system))
-        .claim("Further down and to the left is better: less error for fewer evaluations of the force.")
-        .measured(format!("evaluations up to an error of 10⁻⁸: {}", cheapest(study)))
-        .along(Axis::logarithmic("evaluations of the force"));
+        .claim("Lower left is better: a smaller error with fewer force evaluations.")
+        .measured(format!("evaluations to an error of 10⁻⁸: {}", cheapest(study)))
+        .along(Axis::logarithmic("force evaluations"));
     let chart = curves(chart, study, |measured| measured.name().to_owned(), |rung| rung.evaluations as f64);
     study.adaptive.iter().fold(chart, |chart, adaptive| {
         let points = adaptive.errors.iter().map(|rung| (rung.evaluations as f64, rung.error));

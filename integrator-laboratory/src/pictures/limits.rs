@@ -13,12 +13,11 @@ use std::f64::consts::TAU;
 pub(super) fn limits(study: &Study) -> Chart {
     let omega = TAU / study.period;
     let claim = format!(
-        "The largest change of the energy in {PERIODS} periods, for steps from short to long ones. On an oscillator Verlet is stable \
-         up to hω = 2, the grey line for the frequency of this motion; a motion that is not one leaves earlier, at peaks \
-         where the step resonates with it. Implicit methods have no limit on an oscillator; elsewhere the equation of a long step \
-         may have no solution near."
+        "The largest energy change in {PERIODS} periods. On an oscillator Verlet is stable up to hω = 2, the grey line for the frequency \
+         of this motion. A nonlinear motion becomes unstable earlier, with peaks where the step resonates with it. Implicit methods \
+         have no limit on an oscillator; elsewhere the equation of a long step may have no solution nearby."
     );
-    let chart = Chart::new(format!("How long a step may be: {}", study.system))
+    let chart = Chart::new(format!("Energy error against step: {}", study.system))
         .claim(claim)
         .measured(format!("2/ω = {}", plain(2.0 / omega)))
         .along(Axis::logarithmic("step"))

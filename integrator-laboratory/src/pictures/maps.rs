@@ -13,9 +13,9 @@ pub(super) fn maps(study: &Study) -> Chart {
     let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket() - 1.0)));
     let numbers: Vec<_> = ["forward Euler", "symplectic Euler", "Verlet"].into_iter().filter_map(number).collect();
     let claim = format!(
-        "A map M is symplectic if MᵀJM = J, for which {{q, p}} = 1. Of symplectic methods nothing but rounding is left, whatever \
-         the step; of the others, a power of the step. Here of {STEPS} steps, so that methods with a memory have left their \
-         starter, from the exact tangent map of the code. Below the grey line is rounding."
+        "A map with derivative M is symplectic if MᵀJM = J; then {{q, p}} = 1. Symplectic methods deviate by rounding only, whatever the \
+         step; others by a power of the step. M is the exact derivative of {STEPS} steps, so multistep methods have left their \
+         starter. Deviations below the grey line are rounding."
     );
     let off = |measured: &Measured| -> Vec<(f64, f64)> {
         // A map that is exactly symplectic is shown as half a rounding.

@@ -16,13 +16,13 @@ const PALE: [f64; 5] = [0.0, 0.25, 0.45, 0.6, 0.7];
 /// One column for each composition: its levels, where these are curves, and its changes.
 pub(super) fn modified(study: &Study) -> Option<Panels> {
     let first = study.modified.first()?;
-    let levels = "Under the orbit, in long steps: a level of H, in grey, and one of the modified Hamiltonian, on which the orbit lies. ";
+    let levels = "Points of an orbit in long steps lie on a level of the modified Hamiltonian, in colour, and leave the level of H, in grey. ";
     let claim = format!(
-        "{}A symplectic step conserves another Hamiltonian that is near to H. With one term of its series after the other, what is \
-         conserved changes by higher powers of the step.",
+        "{}Below: the change of the modified Hamiltonian against the step. With each further term of its series, drawn darker, the change \
+         falls with a higher power of the step.",
         if first.levels.is_some() { levels } else { "" }
     );
-    let panels = Panels::new(format!("What a step conserves: {}", study.system), claim)
+    let panels = Panels::new(format!("Modified Hamiltonians: {}", study.system), claim)
         .columns(study.modified.len())
         .panel(420, 400);
     let of_levels =
@@ -34,7 +34,7 @@ pub(super) fn modified(study: &Study) -> Option<Panels> {
 fn portrait(study: &Study, modified: &Modified, levels: &Levels) -> Chart {
     let [of_h, of_modified] = levels.of.clone();
     Chart::new(modified.row.name)
-        .claim(format!("{} steps to a period", levels.count))
+        .claim(format!("{} steps per period", levels.count))
         .along(Axis::linear(&study.view[0]))
         .up(Axis::linear(&study.view[1]))
         .with_equal_units()
@@ -51,13 +51,13 @@ fn changes(modified: &Modified) -> Chart {
     let powers: Vec<String> = modified.powers.iter().map(|power| format!("h{}", raised(*power))).collect();
     let measured = match modified.excess {
         Some(excess) if excess < 0.0 && excess.is_finite() => {
-            format!("measured exponents fall short by {} at most", plain(-excess))
+            format!("measured exponents are smaller by at most {}", plain(-excess))
         }
-        Some(_) => "measured exponents are no smaller".to_owned(),
+        Some(_) => "measured exponents are at least these".to_owned(),
         None => "exponents could not be measured".to_owned(),
     };
     let chart = Chart::new(modified.row.name)
-        .claim(format!("H changes by {}; with more terms, {}", powers[0], powers[1..].join(", ")))
+        .claim(format!("H changes by {}; with further terms {}", powers[0], powers[1..].join(", ")))
         .measured(measured)
         .along(Axis::logarithmic("step"))
         .up(Axis::logarithmic("largest |ΔE/E| in two periods"));

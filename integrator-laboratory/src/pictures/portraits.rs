@@ -19,11 +19,10 @@ const SHADES: [f64; 5] = [0.75, 0.55, 0.35, 0.15, 0.0];
 
 /// One portrait per method.
 pub(super) fn portraits(study: &Study) -> Panels {
-    let claim = "Each method in steps in which one sees what it does. Symplectic ones keep the size of the exact orbit, in grey, which \
-                 they may turn, in steps as long as a twentieth of a period. Of the others, those that gain energy leave it \
-                 outwards, and those that lose energy inwards, from pale colours at the beginning to full ones at the end, each in the \
-                 shortest steps that show it: the higher the order, the longer these are. K is the largest kinetic energy.";
-    let panels = Panels::new(format!("Portraits: {}", study.system), claim).columns(4).panel(320, 360);
+    let claim = "The exact orbit is grey. Symplectic methods keep its size in steps of a twentieth of a period, although they may turn it. Other \
+                 methods gain energy and move outwards, or lose energy and move inwards; colours darken with time. Their steps are \
+                 the shortest that show this: longer for higher orders. K is the largest kinetic energy.";
+    let panels = Panels::new(format!("Phase portraits: {}", study.system), claim).columns(4).panel(320, 360);
     study.methods.iter().fold(panels, |panels, measured| panels.chart(portrait(study, measured)))
 }
 
@@ -40,7 +39,7 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
     let [x, y] = [seen(&study.orbit, |point| point.0), seen(&study.orbit, |point| point.1)];
     let inside = |point: &(f64, f64)| (x[0]..x[1]).contains(&point.0) && (y[0]..y[1]).contains(&point.1);
     let steps =
-        format!("{} steps to a period, {} periods", portrait.count, plain((10.0 * portrait.periods).round() / 10.0));
+        format!("{} steps per period, {} periods", portrait.count, plain((10.0 * portrait.periods).round() / 10.0));
     let claim = match (study.autonomous, measured.symplectic) {
         (false, true) => "symplectic".to_owned(),
         (false, false) => "not symplectic".to_owned(),

@@ -13,18 +13,18 @@ const SHOWN: [&str; 4] = ["Runge–Kutta 4", "symplectic Euler", "Verlet", "impl
 /// One panel for each of these methods.
 pub(super) fn reversal(study: &Study) -> Panels {
     let claim = format!(
-        "{PERIODS} periods, in colour; then the momenta are turned around, and as many steps lead back, in grey \
-         and drawn with the momenta as before. A method that is its own inverse in steps back arrives at the start, the \
-         square. Being symplectic is not enough, and not needed."
+        "{PERIODS} periods forward, in colour. Then the momenta are reversed, and as many steps lead back, in grey, drawn with the \
+         original sign of the momenta. A reversible method returns to the start, the square. Symplecticity is neither sufficient nor \
+         necessary for this."
     );
-    let panels = Panels::new(format!("There and back: {}", study.system), claim).columns(4).panel(320, 360);
+    let panels = Panels::new(format!("Reversibility: {}", study.system), claim).columns(4).panel(320, 360);
     SHOWN.iter().filter_map(|name| study.method(name)).fold(panels, |panels, measured| {
         let Reversal { count, there, back, apart } = &measured.reversal;
         let claim =
-            apart.map_or("does not come to an end".to_owned(), |apart| format!("from the start: {}", plain(apart)));
+            apart.map_or("the run fails".to_owned(), |apart| format!("distance from the start: {}", plain(apart)));
         let begin = there.first().copied();
         let chart = Chart::new(measured.name())
-            .claim(format!("{count} steps to a period"))
+            .claim(format!("{count} steps per period"))
             .measured(claim)
             .along(Axis::linear(&study.view[0]))
             .up(Axis::linear(&study.view[1]))

@@ -9,9 +9,8 @@ const SMALLEST: f64 = 1e-15;
 
 /// How long deviations get, and what is left of the bracket and of volumes.
 pub(super) fn tangents(study: &Study) -> Panels {
-    let claim = "What the steps themselves make of deviations, from their exact derivative. By their length alone methods cannot be \
-         told apart. The bracket {q₁, p₁} stays one at every step of a symplectic method, whole lines; of the others it leaves one, \
-         the later the higher their order is.";
+    let claim = "Deviations evolved by the exact derivative of the steps. Their length does not distinguish the methods. The bracket {q₁, p₁} \
+         stays one under symplectic methods, solid lines. Under others it departs from one, later for higher orders.";
     let symplectic = study.methods.iter().filter(|measured| measured.symplectic);
     let brackets =
         symplectic.flat_map(|measured| &measured.deviations).map(|deviation| (deviation.bracket - 1.0).abs());
@@ -24,15 +23,15 @@ pub(super) fn tangents(study: &Study) -> Panels {
         .columns(1)
         .panel(1150, 620);
     let length = Axis::logarithmic("|∂z/∂q₁|");
-    let panels = panels.chart(chart(study, "How long a deviation gets", length, |deviation| deviation.length));
+    let panels = panels.chart(chart(study, "Length of a deviation", length, |deviation| deviation.length));
     let bracket = Axis::signed_logarithmic("{q₁, p₁} − 1", SMALLEST);
-    let panels = panels.chart(chart(study, "The Poisson bracket", bracket, |deviation| deviation.bracket - 1.0));
+    let panels = panels.chart(chart(study, "Poisson bracket", bracket, |deviation| deviation.bracket - 1.0));
     if study.freedom == 1 {
         // Where it is the bracket.
         return panels;
     }
     let determinant = Axis::signed_logarithmic("det M − 1", SMALLEST);
-    panels.chart(chart(study, "The determinant: volumes", determinant, |deviation| deviation.determinant - 1.0))
+    panels.chart(chart(study, "Determinant: phase-space volume", determinant, |deviation| deviation.determinant - 1.0))
 }
 
 fn chart(study: &Study, title: &str, up: Axis, value: fn(&Deviation) -> f64) -> Chart {

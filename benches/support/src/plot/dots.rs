@@ -10,27 +10,71 @@ use std::path::Path;
 /// A picture of ratios.
 #[derive(Clone, Debug, Default)]
 pub struct Dots {
-    /// What is shown.
+    /// Title.
     pub title: String,
-    /// What is better.
+    /// Line below the title: which direction is better.
     pub better: String,
-    /// What stands along the axis.
+    /// Name of the horizontal axis.
     pub axis: String,
-    /// What each dot of a row is.
+    /// Names of the dots of a row, for the legend.
     pub series: Vec<String>,
-    /// From here to there all is well: the band is tinted.
-    pub asked: [f64; 2],
-    /// From top to bottom.
+    /// Ends of the tinted band of ratios.
+    pub band: [f64; 2],
+    /// Rows from top to bottom.
     pub rows: Vec<Row>,
 }
 
 /// A row of dots.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What it is about.
+    /// Name of the row.
     pub name: String,
-    /// One number per series; none is drawn where it is NaN.
+    /// One ratio per series; NaN draws no dot.
     pub values: Vec<f64>,
+}
+
+/// Scenes and compositions as the tables of the benches call them, and their names in pictures.
+const NAMES_OF: [(&str, &str); 34] = [
+    ("henon", "Hénon–Heiles"),
+    ("henon_carried", "Hénon–Heiles, compensated"),
+    ("henon_f32", "Hénon–Heiles, f32"),
+    ("henon_parts", "Hénon–Heiles, quadratic + rest"),
+    ("kepler", "Kepler"),
+    ("kepler_f32", "Kepler, f32"),
+    ("kepler_part", "Kepler part"),
+    ("pendulum_fast", "pendulum, fast functions"),
+    ("pendulum_f32", "pendulum, f32"),
+    ("solar", "outer planets"),
+    ("solar_carried", "outer planets, compensated"),
+    ("fput", "FPUT-32"),
+    ("fput_carried", "FPUT-32, compensated"),
+    ("fput_1e4", "FPUT, 10⁴ sites"),
+    ("fput_1e5", "FPUT, 10⁵ sites"),
+    ("fput_1e6", "FPUT, 10⁶ sites"),
+    ("fput_1e7", "FPUT, 10⁷ sites"),
+    ("toda_1e4", "Toda, 10⁴ sites"),
+    ("sine_gordon_1e4", "sine-Gordon, 10⁴ sites"),
+    ("phi4_1e4", "φ⁴ chain, 10⁴ sites"),
+    ("phi4_2d", "φ⁴, 256 × 256"),
+    ("phi4_2d_2e6", "φ⁴, 256 × 8192"),
+    ("phi4_4096x4096", "φ⁴, 4096 × 4096"),
+    ("phi4_128x128x128", "φ⁴, 128 × 128 × 128"),
+    ("nbody_100", "100 bodies"),
+    ("nbody_1000", "1,000 bodies"),
+    ("nbody_10000", "10,000 bodies"),
+    ("argon_376", "argon, 376 atoms"),
+    ("verlet", "Verlet"),
+    ("yoshida4", "Yoshida4"),
+    ("kahanli8", "KahanLi8"),
+    ("sofroniouspaletta10", "SofroniouSpaletta10"),
+    ("teloy8c", "Teloy8C"),
+    ("aba864", "Aba864"),
+];
+
+/// Returns the name in pictures of a scene or composition of the tables, or the same name if there is no other one.
+#[must_use]
+pub fn named(key: &str) -> &str {
+    NAMES_OF.iter().find(|(known, _)| *known == key).map_or(key, |(_, name)| name)
 }
 
 /// Draws `<file>.svg` and `<file>.png`.
@@ -46,8 +90,9 @@ const ROW: f64 = 26.0;
 const NAMES: f64 = 340.0;
 const WIDTH: f64 = 1100.0;
 const MARGIN: f64 = 70.0;
-/// The colours of the series: the first is what the picture is about.
-const SERIES: [Colour; 3] = [COLOURS[6], Colour(160, 160, 160), COLOURS[3]];
+/// Colours and markers of the series; the first series is the subject of the picture.
+const SERIES: [(Colour, Marker); 3] =
+    [(COLOURS[6], Marker::Disc), (Colour(130, 130, 130), Marker::Diamond), (COLOURS[3], Marker::Square)];
 /// Numbers that an axis may show.
 const TICKS: [f64; 19] =
     [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 0.8, 0.9, 1.0, 1.1, 1.2, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0];
@@ -55,7 +100,7 @@ const TICKS: [f64; 19] =
 impl Dots {
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let values = self.rows.iter().flat_map(|row| &row.values).copied();
-        values.chain(self.asked).chain([1.0]).filter(|value| value.is_finite() && *value > 0.0)
+        values.chain(self.band).chain([1.0]).filter(|value| value.is_finite() && *value > 0.0)
     }
 
     /// Where a number lies along the axis.
@@ -75,15 +120,15 @@ impl Picture for Dots {
         head(canvas, &self.title, &self.better);
         let (font, small) = (font(15.0), font(14.0));
         let mut x = NAMES;
-        for (name, colour) in self.series.iter().zip(SERIES) {
-            canvas.marker(Marker::Disc, (x, 88.0), 6.0, colour);
+        for (name, (colour, marker)) in self.series.iter().zip(SERIES) {
+            canvas.marker(marker, (x, 88.0), 6.0, colour);
             canvas.text(name, (x + 12.0, 93.5), font);
             x += 50.0 + canvas.width(name, font);
         }
 
         let scale = self.scale();
         let bottom = TOP + ROW * self.rows.len() as f64;
-        let [from, to] = self.asked.map(&scale);
+        let [from, to] = self.band.map(&scale);
         canvas.rectangle([(from, TOP), (to, bottom)], COLOURS[5], 0.15);
         let (least, most) =
             (scale(self.numbers().fold(f64::INFINITY, f64::min)), scale(self.numbers().fold(0.0, f64::max)));
@@ -106,8 +151,9 @@ impl Picture for Dots {
             let y = TOP + ROW * (i as f64 + 0.5);
             canvas.line([(NAMES, y), (WIDTH - MARGIN, y)].map(|(x, y)| (x, y.floor() + 0.5)), Stroke::new(PALE, 1.0));
             canvas.text(&row.name, (24.0, y + 5.5), font);
-            for (value, colour) in row.values.iter().zip(SERIES).rev().filter(|(value, _)| value.is_finite()) {
-                canvas.marker(Marker::Disc, (scale(*value), y), 6.0, colour);
+            for (value, (colour, marker)) in row.values.iter().zip(SERIES).rev().filter(|(value, _)| value.is_finite())
+            {
+                canvas.marker(marker, (scale(*value), y), 6.0, colour);
             }
             if let Some(first) = row.values.first().filter(|value| value.is_finite()) {
                 canvas.text(&format!("{first:.2}"), (WIDTH - MARGIN + 14.0, y + 5.0), small);

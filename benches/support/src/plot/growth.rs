@@ -1,16 +1,16 @@
 //! Errors that grow with the number of steps, beside a random walk.
 
 use integrator_plot::{
-    Axis, Canvas, Frame, Margins, Marker, Outcome, Picture, Stroke, bold,
+    Axis, Canvas, Frame, MARKERS, Margins, Outcome, Picture, Stroke, bold,
     colour::{COLOURS, GREY},
     head, write,
 };
 use std::path::Path;
 
-/// A problem, the exponent of its growth, and its errors after so many steps.
+/// Errors of one problem against the number of steps.
 #[derive(Clone, Debug)]
 pub struct Growing {
-    /// What it is about, with whatever was fitted.
+    /// Name of the problem, with the fitted exponent.
     pub name: String,
     /// Steps and errors, both positive.
     pub points: Vec<(f64, f64)>,
@@ -45,25 +45,25 @@ impl Picture for Growth<'_> {
     }
 
     fn draw(&self, canvas: &mut Canvas) {
-        let claim = "Grey: a random walk, which grows like the root of the number of steps";
+        let claim = "Grey lines have slope 1/2, that of a random walk; numbers are the measured exponents";
         let below = head(canvas, self.title, claim);
         let points = || self.problems.iter().flat_map(|problem| &problem.points);
         let widest = self.problems.iter().map(|problem| canvas.width(&problem.name, bold(16.0))).fold(0.0, f64::max);
-        let [along, up] = ["steps", "root mean square of the energy error"].map(Axis::logarithmic);
+        let [along, up] = ["steps", "root mean square of the relative energy error"].map(Axis::logarithmic);
         let scales = [along.fit(points().map(|point| point.0)), up.fit(points().map(|point| point.1))];
         let room = [0.0, 0.0, f64::from(self.size().0), f64::from(self.size().1)];
         let margins = Margins { top: below + 12.0, right: widest + 8.0, text: 16.0 };
         let mut frame = Frame::new(canvas, room, margins, scales);
         frame.grid();
         let mut names = Vec::new();
-        for (problem, colour) in self.problems.iter().zip(COLOURS.iter().skip(1)) {
+        for ((problem, colour), marker) in self.problems.iter().zip(COLOURS.iter().skip(1)).zip(&MARKERS) {
             frame.line(problem.walk(), Stroke::new(GREY, 1.0));
             let points = || problem.points.iter().copied();
             frame.line(points(), Stroke::new(*colour, 3.0));
-            frame.markers(points(), Marker::Disc, 4.0, *colour);
+            frame.markers(points(), *marker, 5.0, *colour);
             names.extend(problem.points.last().map(|last| (*last, &problem.name[..], *colour)));
         }
         frame.names(&names);
-        frame.axes(["steps", "root mean square of the energy error"]);
+        frame.axes(["steps", "root mean square of the relative energy error"]);
     }
 }
