@@ -1,11 +1,11 @@
-//! Four Euler methods on a linear oscillator, where the result of N steps is known in closed form.
+//! Compares four Euler methods on a linear oscillator with the closed form of N steps.
 //!
-//! Printed for each: the state after N steps, how far it is from the closed form, and the energy in units of that of the
-//! start. Look at the energies: the explicit method gains, the implicit one loses, the symplectic ones (which cost the
-//! same as the explicit one) stay; and at the distances, which are rounding alone.
+//! For each method the program prints the state after N steps, its distance from the closed form, and the energy relative to
+//! the start. The explicit method gains energy and the implicit one loses it. The symplectic ones, which cost as much as the
+//! explicit one, keep it. The distances are rounding errors.
 //!
-//! A step is a matrix M. Its eigenvalues are r exp(±iθ) with r² = det M and 2 r cos θ = tr M, so that diagonalising
-//! it gives Mᴺ = rᴺ (cos Nθ + sin Nθ / sin θ · (M/r - cos θ)).
+//! A step is a matrix M. Its eigenvalues are r exp(±iθ) with r² = det M and 2 r cos θ = tr M. Diagonalisation gives Mᴺ = rᴺ
+//! (cos Nθ + sin Nθ / sin θ · (M/r - cos θ)).
 
 use integrator_core::prelude::*;
 
@@ -33,7 +33,7 @@ fn times(m: Matrix, [q, p]: [f64; 2]) -> [f64; 2] {
     [m[0][0] * q + m[0][1] * p, m[1][0] * q + m[1][1] * p]
 }
 
-/// `Mᴺ z` from the eigenvalues of `M`.
+/// Returns `Mᴺ z` by the eigenvalues of `M`.
 fn closed_form(m: Matrix, z: [f64; 2]) -> [f64; 2] {
     let (half_trace, determinant) = (0.5 * (m[0][0] + m[1][1]), m[0][0] * m[1][1] - m[0][1] * m[1][0]);
     let (r, sine) = (determinant.sqrt(), (determinant - half_trace.powi(2)).sqrt());

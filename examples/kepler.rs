@@ -1,14 +1,14 @@
-//! An orbit of eccentricity 0.6, a thousand times round, by five compositions at the same cost.
+//! Integrates an orbit of eccentricity 0.6 over a thousand periods by five compositions at the same cost.
 //!
-//! Printed for each: its order, its steps per period (the number of force evaluations is the same for all), the largest
-//! change of the energy after any step, and the distance of the end from a reference computed in 113-bit arithmetic.
-//! Look at the last two columns: all of them keep the energy, but they differ by far in where they see the planet.
+//! For each composition the program prints the order, the steps per period (force evaluations are the same for all), the
+//! largest energy change after any step, and the distance of the end from a reference in 113-bit arithmetic. All compositions
+//! conserve the energy well; the positions at the end differ by far.
 
 use integrator_core::prelude::*;
 use std::error::Error;
 
 const PERIODS: usize = 1_000;
-/// Force evaluations per period, divisible by those per step of all five.
+/// Force evaluations per period, a multiple of those per step of all five compositions.
 const EVALUATIONS: usize = 3 * 5 * 7 * 17;
 
 struct Kepler {
@@ -25,7 +25,7 @@ impl Kepler {
     }
 }
 
-/// Where the orbit begins, how long it is followed, and where it ends: `examples/data/problems.json`.
+/// Initial state, time span and reference state, from `examples/data/problems.json`.
 struct Problem {
     q: [f64; 2],
     p: [f64; 2],

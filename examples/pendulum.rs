@@ -1,8 +1,8 @@
-//! A pendulum from two plain functions: the equations of motion are never written down.
+//! Integrates a pendulum from two plain functions, without equations of motion.
 //!
-//! Printed: angle, angular momentum and the change of the energy along a swing of large amplitude, then the certificate
-//! of the stepper. Look at the last column: it oscillates and comes back, and a million steps later, in the last row, it
-//! is as small as in the first swing.
+//! The program prints angle, angular momentum and energy change along a swing of large amplitude, then the certificate of the
+//! stepper. The energy change in the last column oscillates. After a million steps, in the last row, it is as small as in the
+//! first swing.
 
 use integrator_core::prelude::*;
 

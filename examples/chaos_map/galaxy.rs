@@ -1,4 +1,4 @@
-//! The section of a star in the galaxy of Hénon and Heiles (1964).
+//! The section of the Hénon–Heiles system (1964).
 
 use integrator_core::{
     chaos::{self, Indicator},
@@ -22,8 +22,8 @@ pub(crate) const ENERGY: f64 = 0.125;
 const STEP: f64 = 0.2;
 const STEPS: u64 = 2_500;
 
-/// The mean MEGNO of the orbits that pass `x = 0` with `p_x > 0` and these `(y, p_y)`; NaN where the energy does not
-/// allow any.
+/// Returns the mean MEGNO of the orbits that pass `x = 0` with `p_x > 0` at these `(y, p_y)`. NaN where the energy allows
+/// no orbit.
 pub(crate) fn megno(places: impl Iterator<Item = (f64, f64)>) -> Result<Vec<f64>, CheckError> {
     let starts: Vec<_> = places
         .map(|(y, py)| {

@@ -1,8 +1,8 @@
-//! Points of a plane, row by row.
+//! A grid of points in a plane, evaluated row by row.
 
 use integrator_core::{chaos::Verdict, check::CheckError};
 
-/// A rectangle of so many points.
+/// A grid of points over a rectangle.
 pub(crate) struct Grid {
     pub(crate) along: (f64, f64),
     pub(crate) up: (f64, f64),
@@ -11,7 +11,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The points of a row, counted from below: the middles of its cells.
+    /// Returns the points of a row, at the centres of its cells. Row 0 is the lowest.
     pub(crate) fn places(&self, row: usize) -> Vec<(f64, f64)> {
         let middle = |(least, most): (f64, f64), cell: usize, cells: usize| {
             least + (most - least) * (cell as f64 + 0.5) / cells as f64
@@ -20,7 +20,7 @@ impl Grid {
         (0..self.columns).map(place).collect()
     }
 
-    /// Numbers for the points of each row, as long as it is to go on.
+    /// Evaluates the points row by row, until `go_on` returns false.
     pub(crate) fn rows(
         &self,
         of_places: impl Fn(&[(f64, f64)]) -> Result<Vec<f64>, CheckError>,
@@ -37,7 +37,7 @@ impl Grid {
     }
 }
 
-/// The share of the orbits that are regular.
+/// Returns the regular share of the orbits.
 pub(crate) fn regular(rows: &[Vec<f64>]) -> f64 {
     let orbits = rows.iter().flatten().filter(|megno| megno.is_finite());
     let regular = orbits.clone().filter(|megno| Verdict::of_megno(**megno) == Verdict::Regular);

@@ -1,9 +1,8 @@
-//! Which composition is the cheapest, and with which step: `choose SYSTEM TOLERANCE [energy]`, where SYSTEM is one of
-//! pendulum, `henon_heiles`, kepler, fput and `outer_solar_system`.
+//! Finds the cheapest composition and step for a system: `choose SYSTEM TOLERANCE [energy]`.
 //!
-//! Printed: the compositions that keep the trajectory (or the energy) of the system within the tolerance, cheapest
-//! first: the step to use, the error that was measured with it, and the work in force evaluations. Look at how the
-//! order of the best one grows as the tolerance shrinks.
+//! SYSTEM is one of pendulum, `henon_heiles`, kepler, fput and `outer_solar_system`. The program prints the compositions that
+//! keep the trajectory (or the energy) within the tolerance, cheapest first: the step, the measured error, and the work in
+//! force evaluations. A smaller tolerance favours a higher order.
 
 #[path = "../outer_solar_system/system.rs"]
 #[expect(dead_code, reason = "the other example also compares with a reference")]

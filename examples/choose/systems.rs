@@ -1,8 +1,8 @@
-//! Four systems to choose for: where they start and how long they are followed.
+//! Systems to choose a composition for, with initial states and time spans.
 
 use integrator_core::prelude::*;
 
-/// A system, its start, and some periods of its slowest motion.
+/// A system, its initial state, and a time span of some periods of its slowest motion.
 pub(crate) struct Problem<H: Hamiltonian> {
     pub(crate) system: H,
     pub(crate) start: Phase<H::Coords>,
@@ -21,7 +21,7 @@ impl Pendulum {
     }
 }
 
-/// Ten swings of large amplitude.
+/// A pendulum over ten periods of large amplitude.
 pub(crate) fn pendulum() -> Problem<Pendulum> {
     Problem { system: Pendulum, start: Phase::new([2.0], [0.0]), span: 83.0 }
 }
@@ -38,7 +38,7 @@ impl HenonHeiles {
     }
 }
 
-/// Some fifteen revolutions of a star in the galaxy.
+/// The Hénon–Heiles system over about fifteen revolutions of the star.
 pub(crate) fn henon_heiles() -> Problem<HenonHeiles> {
     Problem { system: HenonHeiles, start: Phase::new([0.1, 0.0], [0.0, 0.5]), span: 99.0 }
 }
@@ -55,12 +55,12 @@ impl Kepler {
     }
 }
 
-/// Ten periods and a bit on an orbit of eccentricity 0.6, from the pericentre.
+/// A Kepler orbit of eccentricity 0.6, from the pericentre, over slightly more than ten periods.
 pub(crate) fn kepler() -> Problem<Kepler> {
     Problem { system: Kepler, start: Phase::new([0.4, 0.0], [0.0, 2.0]), span: 64.0 }
 }
 
-/// Fermi, Pasta, Ulam and Tsingou's chain of 32 particles between fixed ends.
+/// The chain of Fermi, Pasta, Ulam and Tsingou: 32 particles between fixed ends.
 pub(crate) struct Chain {
     pub(crate) alpha: f64,
 }
@@ -86,7 +86,7 @@ impl Chain {
     }
 }
 
-/// Fifty periods of the longest wave, in which all the energy is at first.
+/// The chain over fifty periods of its lowest mode, which has all the energy at the start.
 pub(crate) fn fput() -> Problem<Chain> {
     let wave = |i: usize| (std::f64::consts::PI * (i + 1) as f64 / 33.0).sin();
     Problem { system: Chain { alpha: 0.25 }, start: Phase::new(std::array::from_fn(wave), [0.0; 32]), span: 3300.0 }

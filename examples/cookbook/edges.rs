@@ -1,4 +1,4 @@
-//! What is not smooth everywhere: encounters, switches in time, cutoffs, boxes.
+//! Hamiltonians that are not smooth everywhere: encounters, switches in time, cutoffs, boxes.
 
 use integrator_core::prelude::*;
 

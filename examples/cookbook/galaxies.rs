@@ -1,4 +1,4 @@
-//! Stars in the field of all others.
+//! Stars in the mean field of a galaxy or cluster.
 
 use integrator_core::prelude::*;
 

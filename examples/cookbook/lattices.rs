@@ -1,4 +1,4 @@
-//! Chains, each a ring of eight.
+//! Chains, each a ring of eight sites.
 
 use integrator_core::prelude::*;
 

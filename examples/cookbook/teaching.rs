@@ -1,4 +1,4 @@
-//! What every course begins with.
+//! Systems of an introductory course.
 
 use integrator_core::prelude::*;
 

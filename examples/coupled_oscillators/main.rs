@@ -1,8 +1,8 @@
-//! Two oscillators that are weakly coupled: what it gains to solve them exactly.
+//! Integrates two weakly coupled oscillators by `T + V` and by `quadratic + rest`.
 //!
-//! Printed: the largest relative change of the energy over a time of 1,000 with steps of 0.2, for orbits of three sizes,
-//! by T + V and by quadratic + rest. Look along a row: the error of T + V stays, that of quadratic + rest falls with the
-//! orbit, since cubic terms are what is left to be composed.
+//! The program prints the largest relative energy change over a time of 1,000 in steps of 0.2, for orbits of three sizes. For
+//! smaller orbits the error of `T + V` stays the same. That of `quadratic + rest` falls, because only the cubic terms are
+//! composed.
 
 mod star;
 

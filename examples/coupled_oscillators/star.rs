@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// By kinetic and potential energy.
+/// The star, split into kinetic and potential energy.
 pub(crate) struct Star;
 
 #[hamiltonian(compose = Verlet)]
@@ -12,7 +12,7 @@ impl Star {
     }
 }
 
-/// By two oscillators, which are solved, and what couples them.
+/// The star, split into two oscillators, solved exactly, and their coupling.
 pub(crate) struct Oscillators;
 
 #[hamiltonian(split = quadratic + rest, compose = Verlet)]
@@ -22,7 +22,7 @@ impl Oscillators {
     }
 }
 
-/// The largest change of the energy over a time of 1,000, in units of the energy, for an orbit of this size.
+/// Returns the largest relative energy change over a time of 1,000, for an orbit of this size.
 pub(crate) fn energy_change<H, X>(system: &H, composition: X, size: f64, h: f64) -> Result<f64, Error>
 where
     H: Hamiltonian<Coords = [f64; 2]>,

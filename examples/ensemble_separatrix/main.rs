@@ -1,9 +1,10 @@
-//! A million pendulums across the separatrix, where swinging and turning over part.
+//! Integrates a million pendulums across the separatrix between oscillation and rotation.
 //!
-//! They begin in a disc. Look at the picture, `ensemble_separatrix.png`: the disc is drawn out into two spirals, one of
-//! pendulums that swing (blue) and one of those that turn over (orange), ever finer and never mixed, and the area is what it
-//! was. Printed: the area of the disc as it is at the fourth look against the one at the start, from the 200,000
-//! pendulums along its border; the worst change of an energy; how many changed sides; and the rate.
+//! They begin in a disc. The picture `ensemble_separatrix.png` shows how the flow stretches it into two spirals: pendulums that
+//! oscillate (blue) and pendulums that rotate (orange). The spirals become ever thinner, never mix, and the area is preserved.
+//!
+//! The program prints the area of the disc at the fourth output relative to the start, from the 200,000 pendulums on its
+//! border. It also prints the largest energy change, the number of pendulums that crossed the separatrix, and the rate.
 
 mod picture;
 #[path = "../support/mod.rs"]
@@ -20,7 +21,7 @@ use swarm::{Pendulum, State, area, changed_sides, disc, energy};
 const BORDER: usize = 200_000;
 const INSIDE: usize = 800_000;
 const STEP: f64 = 0.125;
-/// When to look, and at which of these looks the border is still finely enough drawn to tell the area.
+/// Output times, and the index of the last output whose border is resolved well enough to measure the area.
 const LOOKS: [f64; 6] = [0.0, 2.0, 4.0, 8.0, 16.0, 64.0];
 const AREA_AT: usize = 3;
 
@@ -53,7 +54,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let change = |(start, state): (&State, &State)| (energy(state) - energy(start)).abs();
     let energy_error = starts.iter().zip(&states).map(change).fold(0.0, f64::max);
     let file = folder().join("ensemble_separatrix");
-    let measured = area_error.map(|error| format!("at t = {} the area differs by {error:.0e}", LOOKS[AREA_AT]));
+    let measured =
+        area_error.map(|error| format!("relative change of the area at t = {}: {error:.0e}", LOOKS[AREA_AT]));
     write(&file, &picture(charts, &measured.unwrap_or_default()))?;
     println!("the picture is {}", file.with_extension("png").display());
     if let Some(error) = area_error {

@@ -1,4 +1,4 @@
-//! A disc of pendulums across the separatrix, and what becomes of it.
+//! A disc of pendulums across the separatrix, its area and its energies.
 
 use integrator_core::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -18,18 +18,18 @@ impl Pendulum {
 
 pub(crate) type State = Phase<[f64; 1]>;
 
-/// The middle of the disc, on the separatrix, where `p = 2 cos(q/2)`, and its radius.
+/// Centre of the disc, on the separatrix `p = 2 cos(q/2)`, and its radius.
 const CENTRE: f64 = -2.0;
 pub(crate) const RADIUS: f64 = 0.4;
 
-/// Energy above which a pendulum turns over: that of the upper equilibrium.
+/// Energy of the separatrix, that of the upper equilibrium. Above it a pendulum rotates.
 pub(crate) const SEPARATRIX: f64 = 1.0;
 
 pub(crate) fn energy(state: &State) -> f64 {
     0.5 * state.p[0] * state.p[0] - state.q[0].cos()
 }
 
-/// So many pendulums along the border of the disc, in order, and then others that fill it evenly.
+/// Returns `border` pendulums along the border of the disc, in order, then `inside` pendulums that fill it evenly.
 pub(crate) fn disc(border: usize, inside: usize) -> impl Iterator<Item = State> {
     let at = |radius: f64, angle: f64| {
         Phase::new([CENTRE + radius * angle.cos()], [2.0 * (CENTRE / 2.0).cos() + radius * angle.sin()])
@@ -41,21 +41,21 @@ pub(crate) fn disc(border: usize, inside: usize) -> impl Iterator<Item = State> 
     border.chain((0..inside).map(move |i| at(radius(i), golden * i as f64)))
 }
 
-/// The area inside of a closed curve through these states, in order.
+/// Returns the area enclosed by the closed polygon through these states.
 pub(crate) fn area(border: &[State]) -> f64 {
     let next = border.iter().cycle().skip(1);
     border.iter().zip(next).map(|(a, b)| 0.5 * (a.q[0] * b.p[0] - b.q[0] * a.p[0])).sum()
 }
 
-/// How many pendulums are on the other side of the separatrix than they began; those that began nearer to it than the
-/// energy is kept do not count.
+/// Returns the number of pendulums that crossed the separatrix. Those that began closer to it than `margin` in energy do
+/// not count.
 pub(crate) fn changed_sides(starts: &[State], states: &[State], margin: f64) -> usize {
     let above = |state: &State| energy(state) - SEPARATRIX;
     let both = starts.iter().map(above).zip(states.iter().map(above));
     both.filter(|(start, end)| start.abs() > margin && (*start > 0.0) != (*end > 0.0)).count()
 }
 
-/// The angle between -π and π.
+/// Returns the angle modulo 2π, between -π and π.
 pub(crate) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

@@ -1,16 +1,16 @@
-//! A pendulum, a series of its angle, and the fit of one to the other.
+//! A pendulum, a noisy series of its angle, and the least-squares fit.
 
 use integrator_core::prelude::*;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 const GRAVITY: f64 = 9.81;
-/// Steps between looks; the angle is seen every tenth of a second.
+/// Steps between observations, which are a tenth of a second apart.
 const LOOK: u64 = 2;
 const STEP: f64 = 0.05;
-/// As many iterations are enough for any guess that leads anywhere.
+/// Maximum number of iterations.
 const MOST: usize = 50;
-/// What a look is off by, in radians.
+/// Standard deviation of an observed angle, in radians.
 pub(crate) const NOISE: f64 = 0.02;
 
 /// A pendulum with a mass of one.
@@ -28,10 +28,10 @@ impl Pendulum {
     }
 }
 
-/// What is not known of the pendulum: its length, and the angle and angular momentum with which it begins.
+/// The fitted parameters: the length, and the initial angle and angular momentum.
 pub(crate) type Unknown = Vector3<f64>;
 
-/// The angles of a pendulum, each off by a number of a standard normal distribution, times [`NOISE`].
+/// Returns observed angles with normally distributed errors of standard deviation [`NOISE`].
 pub(crate) fn series(truth: Unknown, looks: usize, mut normal: impl FnMut() -> f64) -> Result<Vec<f64>, Error> {
     let run = Pendulum { length: truth[0] }.run_with(BlanesMoanSrkn11, start(truth), STEP)?;
     run.samples(LOOK).take(looks).map(|sample| Ok(sample?.state.q[0] + NOISE * normal())).collect()
@@ -41,23 +41,23 @@ fn start(unknown: Unknown) -> Phase<[f64; 1]> {
     Phase::new([unknown[1]], [unknown[2]])
 }
 
-/// The pendulum that a series says.
+/// The result of a fit.
 pub(crate) struct Fit {
     pub(crate) unknown: Unknown,
-    /// The covariance of these numbers.
+    /// Covariance of the parameters.
     pub(crate) covariance: Matrix3<f64>,
-    /// The root of the mean square of what the series is off by.
+    /// Root mean square of the residuals.
     pub(crate) residual: f64,
     pub(crate) iterations: usize,
 }
 
 impl Fit {
-    /// The length and its standard error.
+    /// Returns the length and its standard error.
     pub(crate) fn length(&self) -> (f64, f64) {
         (self.unknown[0], self.covariance[(0, 0)].sqrt())
     }
 
-    /// The period of small swings, 2π √(l/g), and its standard error.
+    /// Returns the period of small oscillations, 2π √(l/g), and its standard error.
     pub(crate) fn small_period(&self) -> (f64, f64) {
         let (length, error) = self.length();
         let period = TAU * (length / GRAVITY).sqrt();
@@ -65,8 +65,8 @@ impl Fit {
     }
 }
 
-/// Least squares by Gauss and Newton: the angle at each look is a function of what is not known, whose derivatives run along
-/// with it.
+/// Fits the parameters by the Gauss–Newton method. The run provides each angle and its derivatives with respect to the
+/// parameters.
 pub(crate) fn fit(series: &[f64], guess: Unknown) -> Result<Fit, Error> {
     let (mut unknown, mut iterations) = (guess, 0);
     loop {
@@ -84,7 +84,7 @@ pub(crate) fn fit(series: &[f64], guess: Unknown) -> Result<Fit, Error> {
     }
 }
 
-/// The normal equations of a linear fit about some numbers.
+/// Normal equations of the fit, linearised at given parameters.
 struct Equations {
     normal: Matrix3<f64>,
     right: Vector3<f64>,

@@ -1,10 +1,10 @@
-//! How long is a pendulum? Least squares of its length, and of how it began, from 200 looks at its angle.
+//! Fits the length of a pendulum and its initial state to 200 noisy angles by least squares.
 //!
-//! `sensitive(length)` in the annotation is all that the fit needs: the derivatives of every angle by the length and by the
-//! start run along with the motion, exact for the very steps. The method of Gauss and Newton takes them as they are.
+//! The fit needs `sensitive(length)` in the annotation. The run then integrates the derivatives of every angle with respect to
+//! the length and the initial state, exact for the discrete steps. The Gauss–Newton method uses them directly.
 //!
-//! Printed: the numbers that were hidden and those that were found, each with its standard error. Look at the length: it is
-//! found to less than a millimetre by looks that are off by a degree, since what a wrong length does adds up over the swings.
+//! The program prints the true and the fitted parameters with their standard errors. The length is found to less than a
+//! millimetre from angles with an error of a degree, because the effect of a wrong length accumulates over the swings.
 
 mod fit;
 #[path = "../support/normal.rs"]

@@ -1,16 +1,16 @@
-//! The chain of Fermi, Pasta, Ulam and Tsingou (1955), the energies of its modes, and when they come back.
+//! The chain of Fermi, Pasta, Ulam and Tsingou (1955), the energies of its modes, and their recurrence.
 
 use integrator_core::prelude::*;
 use std::f64::consts::PI;
 
-/// Segments between the walls; one less is the number of sites that move.
+/// Number of segments between the walls, one more than the number of moving sites.
 pub(crate) const SEGMENTS: usize = 32;
 
-/// The nonlinearity of their best known run, and the step of its leapfrog.
+/// Nonlinearity of the original run, and the step of its leapfrog.
 pub(crate) const ALPHA: f64 = 0.25;
 pub(crate) const THEIR_STEP: f64 = 0.353_553_390_593_273_8;
 
-/// Springs that are a little stronger when stretched, with both ends held.
+/// A chain with fixed ends, whose springs are slightly stiffer when stretched.
 pub(crate) struct Chain {
     pub(crate) alpha: f64,
 }
@@ -38,23 +38,23 @@ impl Chain {
 
 pub(crate) type Sites = [f64; SEGMENTS - 1];
 
-/// `2 sin(π k / 2N)`
+/// Returns the frequency of a mode, `2 sin(π k / 2N)`.
 pub(crate) fn frequency(mode: usize) -> f64 {
     2.0 * (PI * mode as f64 / (2 * SEGMENTS) as f64).sin()
 }
 
-/// One period of the lowest mode, were it alone.
+/// Returns the period of the lowest mode in the linear chain.
 pub(crate) fn period() -> f64 {
     2.0 * PI / frequency(1)
 }
 
-/// At rest, as half a sine wave of height 1.
+/// Returns the initial state: at rest, half a sine wave of height 1.
 pub(crate) fn start() -> Phase<Sites> {
     let shape = std::array::from_fn(|i| (PI * (i + 1) as f64 / SEGMENTS as f64).sin());
     Phase::new(shape, [0.0; SEGMENTS - 1])
 }
 
-/// The energies of the lowest modes, those of the chain without `alpha`.
+/// Returns the energies of the lowest modes, as in the linear chain.
 pub(crate) fn mode_energies<const MODES: usize>(state: &Phase<Sites>) -> [f64; MODES] {
     std::array::from_fn(|index| {
         let mode = index + 1;
@@ -67,11 +67,10 @@ pub(crate) fn mode_energies<const MODES: usize>(state: &Phase<Sites>) -> [f64; M
     })
 }
 
-/// A look at the chain: the time in periods of the lowest mode, and the shares that modes have in the energy.
+/// A sample: the time in periods of the lowest mode, and the share of each mode in the energy.
 pub(crate) type Look<const MODES: usize> = (f64, [f64; MODES]);
 
-/// Looks at a run every so many steps over so many periods, while `go_on` wants more; and the largest change of its
-/// energy.
+/// Samples a run until `go_on` returns false. Returns the samples and the largest energy change.
 pub(crate) fn looks<const MODES: usize>(
     run: Run<Sites>,
     interval: u64,
@@ -91,8 +90,8 @@ pub(crate) fn looks<const MODES: usize>(
     Ok((looks, energy_error))
 }
 
-/// When most of the energy is back in the lowest mode after it had least: the time and the share. `None` if it still
-/// grows at the last look.
+/// Returns the time and the share of the recurrence: the largest share of the lowest mode after its minimum. `None` if the
+/// share still grows at the last sample.
 pub(crate) fn recurrence<const MODES: usize>(looks: &[Look<MODES>]) -> Option<(f64, f64)> {
     let first = || looks.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
     let (least, _) = first().min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;

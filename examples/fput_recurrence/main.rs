@@ -1,10 +1,11 @@
-//! The paradox of Fermi, Pasta, Ulam and Tsingou: energy that does not spread.
+//! Shows the recurrence of Fermi, Pasta, Ulam and Tsingou: energy that does not spread over all modes.
 //!
-//! A chain of 32 segments with slightly nonlinear springs starts in its lowest mode. Its energy moves to the next few modes
-//! and then, instead of spreading over all of them, comes back. Look at the picture, `fput_recurrence.png`: after 146
-//! periods of the lowest mode, this mode has nearly all of the energy again. The literature says 157: that is what their
-//! leapfrog finds with their step, of which the dashed curve is made. Printed: when the energy is back and how much of it,
-//! how well the total is conserved meanwhile, and the same time with their step.
+//! A chain of 32 segments with slightly nonlinear springs starts in its lowest mode. The energy moves to the next few modes and
+//! then returns. In the picture `fput_recurrence.png`, the lowest mode has nearly all of the energy again after 146 periods.
+//! The literature gives 157: this is the result of the original leapfrog with its step, the dashed curve.
+//!
+//! The program prints when and how much of the energy returns, how well the total is conserved, and the recurrence time with
+//! the original step.
 
 mod chain;
 mod picture;

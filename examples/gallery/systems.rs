@@ -1,4 +1,4 @@
-//! A pendulum, two wells, an ellipse, and a star in a galaxy.
+//! A pendulum, a double well, a Kepler orbit, and the Hénon–Heiles system.
 
 use integrator_core::prelude::*;
 
@@ -51,7 +51,7 @@ impl HenonHeiles {
 }
 
 impl HenonHeiles {
-    /// A star of this energy at x = 0, on its way to the right; none where the rest takes more than this energy.
+    /// Returns the state at x = 0 with `p_x > 0` for this energy, or `None` where the energy allows no orbit.
     pub(crate) fn start(&self, energy: f64, y: f64, py: f64) -> Option<Phase<[f64; 2]>> {
         let px_squared = 2.0 * (energy - self.potential([0.0, y])) - py * py;
         (px_squared > 0.0).then(|| Phase::new([0.0, y], [px_squared.sqrt(), py]))

@@ -1,4 +1,4 @@
-//! The comet, the giant planets, and the days on which it is nearest to the Sun.
+//! The comet, the giant planets, and the dates of perihelion.
 
 use super::system::{GRAVITY, measured};
 use integrator_core::prelude::*;
@@ -7,29 +7,30 @@ use std::{error::Error, num::ParseFloatError};
 /// Positions or momenta: the Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune, Pluto, and the comet.
 pub(crate) type Bodies = [[f64; 3]; 7];
 
-/// Where the comet is in lists of bodies.
+/// Index of the comet in lists of bodies.
 pub(crate) const COMET: usize = 6;
 
-/// The mass of the comet in solar masses: 2.2e14 kg (Rickman 1989).
+/// Mass of the comet in solar masses: 2.2e14 kg (Rickman 1989).
 const COMET_MASS: f64 = 1.1e-16;
 
-/// The Julian day of the table of planets, 5 September 1994.
+/// Julian day of the table of planets, 5 September 1994.
 pub(crate) const BEGIN: f64 = 2_449_600.5;
 
-/// The comet's orbit on 17 February 1994, JD 2449400.5, ecliptic and equinox of J2000 (JPL, solution J863/77): perihelion
-/// distance in AU, eccentricity, inclination, node, argument of the perihelion in degrees, and the day of the perihelion.
+/// Orbit of the comet on 17 February 1994, JD 2449400.5, ecliptic and equinox of J2000 (JPL, solution J863/77): perihelion
+/// distance in AU, eccentricity, inclination, node and argument of the perihelion in degrees, and the Julian day of the
+/// perihelion.
 const ELEMENTS: [f64; 6] = [0.585_978_11, 0.967_142_91, 162.262_69, 58.420_08, 111.332_49, 2_446_467.395_32];
 
-/// The angle between equator and ecliptic of J2000, in degrees.
+/// Angle between equator and ecliptic of J2000, in degrees.
 const OBLIQUITY: f64 = 23.439_291_1;
 
-/// Perihelia that were observed, and the next one that is predicted (Yeomans and Kiang 1981, Mon. Not. R. Astron. Soc. 197,
-/// 633), as Julian days.
+/// Observed perihelia and the next predicted one (Yeomans and Kiang 1981, Mon. Not. R. Astron. Soc. 197, 633), as Julian
+/// days.
 pub(crate) const KNOWN: [(i32, f64); 5] =
     [(1759, 2_363_592.56), (1835, 2_391_598.94), (1910, 2_418_781.68), (1986, 2_446_470.96), (2061, 2_474_034.4)];
 
 pub(crate) struct Solar {
-    /// In solar masses.
+    /// Masses in solar masses.
     masses: [f64; 7],
 }
 
@@ -52,14 +53,14 @@ impl Solar {
         energy
     }
 
-    /// As fast as a comet on a circle at this distance would go round the Sun, but for a factor.
+    /// Returns the angular velocity of a circular orbit at the distance of the comet, up to a factor.
     fn rate(&self, q: &[[f64; 3]; 7]) -> f64 {
         let square = (0..3).map(|d| (q[6][d] - q[0][d]).powi(2)).sum::<f64>();
         square.powf(-0.75)
     }
 }
 
-/// The system on the day of the table.
+/// Returns the system and its state on the day of the table.
 pub(crate) fn start() -> Result<(Solar, Phase<Bodies>), ParseFloatError> {
     let (planets, state) = measured()?;
     let mut masses = [COMET_MASS; 7];
@@ -75,7 +76,7 @@ pub(crate) fn start() -> Result<(Solar, Phase<Bodies>), ParseFloatError> {
     Ok((Solar { masses }, start))
 }
 
-/// Position and velocity relative to the Sun on the day of the table, in the plane of the equator.
+/// Returns position and velocity of the comet relative to the Sun on the day of the table, in equatorial coordinates.
 fn from_elements() -> ([f64; 3], [f64; 3]) {
     let [distance, e, inclination, node, argument, perihelion] = ELEMENTS;
     let axis = distance / (1.0 - e);
@@ -98,7 +99,7 @@ fn from_elements() -> ([f64; 3], [f64; 3]) {
     (position, velocity)
 }
 
-/// A vector turned by some degrees.
+/// Rotates a vector by an angle in degrees.
 fn about_x([x, y, z]: [f64; 3], degrees: f64) -> [f64; 3] {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     [x, cosine * y - sine * z, sine * y + cosine * z]
@@ -109,7 +110,7 @@ fn about_z([x, y, z]: [f64; 3], degrees: f64) -> [f64; 3] {
     [cosine * x - sine * y, sine * x + cosine * y, z]
 }
 
-/// The comet relative to the Sun: position and velocity.
+/// Returns position and velocity of the comet relative to the Sun.
 pub(crate) fn relative(system: &Solar, state: &Phase<Bodies>) -> [[f64; 3]; 2] {
     let velocity = |body: usize, d: usize| state.p[body][d] / system.masses[body];
     [
@@ -118,7 +119,7 @@ pub(crate) fn relative(system: &Solar, state: &Phase<Bodies>) -> [[f64; 3]; 2] {
     ]
 }
 
-/// The semi-major axis in AU and the eccentricity of the comet's orbit around the Sun at a state.
+/// Returns the osculating semi-major axis in AU and the eccentricity of the comet.
 pub(crate) fn axis_and_eccentricity(system: &Solar, state: &Phase<Bodies>) -> [f64; 2] {
     let [q, v] = relative(system, state);
     let pull = GRAVITY * system.masses[0];
@@ -132,12 +133,12 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// A run with its clock in Julian days, in steps of about `h` half days at the perihelion and 200 at the aphelion.
+/// Returns a run whose time is the Julian day. Steps are about `h` half days at the perihelion and `200 h` at the aphelion.
 pub(crate) fn run(system: &Solar, start: Phase<Bodies>, h: f64) -> Result<Run<Bodies>, integrator_core::Error> {
     Ok(system.run_with(Paced(SofroniouSpaletta8), start, h)?.at_time(BEGIN))
 }
 
-/// The days between two on which the comet is nearest to the Sun.
+/// Returns the Julian days of perihelion between two dates.
 pub(crate) fn perihelia(
     system: &Solar,
     start: Phase<Bodies>,
@@ -161,5 +162,5 @@ pub(crate) fn perihelia(
     Ok(days)
 }
 
-/// About a revolution, in days.
+/// Approximate period of the comet, in days.
 pub(crate) const REVOLUTION: f64 = 76.0 * 365.25;

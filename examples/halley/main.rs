@@ -1,10 +1,11 @@
-//! Halley's comet among the giant planets, in steps that shorten by themselves near the Sun.
+//! Integrates Halley's comet among the giant planets, in steps that shorten near the Sun.
 //!
-//! The comet's pull on anything is nothing, so that the pace of `Logarithmic`, which follows the whole potential, would not
-//! notice it; `fn rate` says what the steps follow instead: the comet's distance from the Sun, and how fast it goes round
-//! there. Printed: the days of its perihelia from 1759 to 2061 beside the observed or predicted ones. The jets of the comet
-//! delay it by about four days a revolution, which no Hamiltonian knows, and the Earth is missing here: in 1910 it came within
-//! 0.15 AU of the comet, so that perihelia before are weeks off. Look at the pictures, `halley_orbit.png` and
+//! The mass of the comet is negligible. `Logarithmic`, whose steps follow the whole potential, would hence not adapt to it. `fn
+//! rate` makes the steps follow the distance of the comet from the Sun and its angular velocity.
+//!
+//! The program prints the dates of its perihelia from 1759 to 2061, beside observed or predicted ones. The jets of the comet
+//! delay it by about four days per revolution; they are not part of the Hamiltonian. The Earth is missing too. In 1910 it came
+//! within 0.15 AU of the comet, so earlier perihelia are off by weeks. The pictures are `halley_orbit.png` and
 //! `halley_elements.png`.
 
 mod comet;

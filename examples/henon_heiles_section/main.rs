@@ -1,10 +1,12 @@
-//! Order and chaos in a galaxy: Poincaré sections of Hénon and Heiles at three energies.
+//! Draws Poincaré sections of the Hénon–Heiles system at three energies.
 //!
-//! An orbit that has a third integral beside energy and angular momentum meets the section on a curve; one that has none
-//! fills an area. Look at the picture, `henon_heiles_section.png`: curves alone at the lowest energy, islands in a sea at
-//! the second, hardly an island at the energy of escape. Each point is reached by a shortened step of the same
-//! composition, so that curves are as thin as the run is accurate. Printed: the share of the section that is regular
-//! at each energy, by the growth of the distance from an orbit nearby, and the energy error of all orbits.
+//! An orbit with a third integral, besides energy and angular momentum, meets the section on a curve; without one it fills an
+//! area. The picture `henon_heiles_section.png` shows only curves at the lowest energy, islands in a chaotic sea at the second,
+//! and hardly an island at the escape energy. A shortened step of the same composition reaches each point, so curves are as
+//! thin as the run is accurate.
+//!
+//! The program prints the regular share of the section at each energy, from the distance of neighbouring orbits, and the energy
+//! error of all orbits.
 
 mod picture;
 mod section;
@@ -17,7 +19,7 @@ use section::{orbit, starts};
 use std::error::Error;
 use support::{Watch, folder};
 
-/// Hénon and Heiles' own energies: 1/12, 1/8 and that of escape.
+/// Energies of the original article: 1/12, 1/8 and the escape energy.
 const ENERGIES: [(&str, f64); 3] = [("1/12", 1.0 / 12.0), ("1/8", 0.125), ("1/6", 1.0 / 6.0)];
 const SIDE: u32 = 11;
 const PASSAGES: usize = 1000;

@@ -1,8 +1,8 @@
-//! The star of Hénon and Heiles (1964), its Poincaré section, and whether an orbit is regular.
+//! The Hénon–Heiles system (1964), its Poincaré section, and a test for regular orbits.
 
 use integrator_core::prelude::*;
 
-/// A star in a galaxy, in the plane that turns with it.
+/// A star in a galaxy, in the meridian plane that rotates with it.
 #[derive(Clone, Copy)]
 pub(crate) struct HenonHeiles;
 
@@ -18,18 +18,18 @@ impl HenonHeiles {
 
 const STEP: f64 = 0.25;
 
-/// Two orbits that begin so far from each other tell regular motion from chaos.
+/// Initial distance of the neighbouring orbit.
 const APART: f64 = 1e-10;
-/// Regular orbits part with the number of periods, chaotic ones exponentially: at the end, all that are not yet so many
-/// times as far apart are called regular.
+/// Growth of the distance from which an orbit counts as chaotic. It grows linearly for regular orbits and exponentially for
+/// chaotic ones.
 const PARTED: f64 = 1e6;
 
-/// `p_x²` of the star that passes `x = 0` at `y` with `p_y` and this energy; negative where none can.
+/// Returns `p_x²` at `x = 0` for given `y`, `p_y` and energy. Negative where the energy allows no orbit.
 fn square_across(energy: f64, y: f64, py: f64) -> f64 {
     2.0 * energy - py * py - y * y + 2.0 / 3.0 * y.powi(3)
 }
 
-/// The border of the section: all `(y, p_y)` where `p_x` is zero.
+/// Returns the border of the section: points `(y, p_y)` with `p_x = 0`.
 pub(crate) fn border(energy: f64) -> Vec<(f64, f64)> {
     let upper: Vec<_> = (-1000..=1000)
         .map(|i| f64::from(i) / 1000.0)
@@ -42,7 +42,7 @@ pub(crate) fn border(energy: f64) -> Vec<(f64, f64)> {
     upper.iter().copied().chain(lower).chain(upper.first().copied()).collect()
 }
 
-/// Starts on the section, evenly over all that the energy allows, `side` by `side` around it.
+/// Returns initial points on the section: those of a grid of `side` × `side` that the energy allows.
 pub(crate) fn starts(energy: f64, side: u32) -> Vec<(f64, f64)> {
     let half = (2.0 * energy).sqrt();
     // The middle of each cell; in y, the section reaches farther up than down, to 1 at the energy of escape.
@@ -51,16 +51,16 @@ pub(crate) fn starts(energy: f64, side: u32) -> Vec<(f64, f64)> {
     all.filter(|(y, py)| *y < 1.0 && square_across(energy, *y, *py) > 1e-6).collect()
 }
 
-/// An orbit as the section sees it.
+/// The crossings of one orbit.
 pub(crate) struct Orbit {
-    /// `(y, p_y)` at every passage through `x = 0` with `p_x > 0`.
+    /// `(y, p_y)` at every crossing of `x = 0` with `p_x > 0`.
     pub(crate) points: Vec<(f64, f64)>,
     pub(crate) regular: bool,
-    /// The largest change of the energy, relative.
+    /// Largest relative energy change.
     pub(crate) energy_error: f64,
 }
 
-/// The passages of the orbit through a point of the section, without this one.
+/// Returns the crossings of the orbit through a point of the section, without this point.
 fn passages(
     energy: f64,
     (y, py): (f64, f64),
@@ -73,7 +73,7 @@ fn passages(
     Ok(run.crossings(steps, Direction::Rising, |state, _| state.q[0]).take(count))
 }
 
-/// Follows the orbit through a point of the section, and one beside it.
+/// Integrates the orbit through a point of the section, and a neighbouring orbit.
 pub(crate) fn orbit(energy: f64, start: (f64, f64), count: usize) -> Result<Orbit, Error> {
     let beside = (start.0 + APART, start.1);
     let (mut points, mut apart, mut energy_error) = (vec![start], 0.0_f64, 0.0_f64);

@@ -1,11 +1,12 @@
-//! Hamiltonian Monte Carlo: what 23 launches of the space shuttle said of the 24th.
+//! Samples a logistic regression of 23 launches of the space shuttle by Hamiltonian Monte Carlo.
 //!
-//! A logistic regression of the distress of O-rings on the temperature, with the posterior density of its two coefficients
-//! as a potential: trajectories with random momenta lead to points that are accepted nearly always, because a symplectic step
-//! keeps the energy. Look at the picture, `hmc.png`: on the left the draws, on the right how likely distress is, with the
-//! middle 90 % of what the posterior allows; it was 31 °F on the morning of Challenger. Printed: the share of accepted
-//! trajectories, effective sample sizes, the mean of both coefficients against a sum over a grid, in standard errors,
-//! and the probability at 31 °F.
+//! The model is the distress of O-rings against the temperature. The negative logarithm of the posterior density of its two
+//! coefficients is the potential. Trajectories with random momenta propose points, which are nearly always accepted because a
+//! symplectic step conserves the energy well.
+//!
+//! The picture `hmc.png` shows the draws on the left, and the probability of distress with its middle 90 % on the right. On the
+//! morning of the Challenger launch it was 31 °F. The program prints the acceptance rate, effective sample sizes, the
+//! probability at 31 °F, and the deviation of the mean coefficients from a sum over a grid, in standard errors.
 
 mod picture;
 mod posterior;

@@ -1,4 +1,4 @@
-//! How likely distress of O-rings is at a temperature, by logistic regression, as a Hamiltonian.
+//! Logistic regression of O-ring distress on the temperature, as a Hamiltonian.
 
 #[path = "../support/table.rs"]
 mod table;
@@ -7,16 +7,16 @@ use integrator_core::prelude::*;
 use std::num::ParseFloatError;
 use table::{numbers, rows};
 
-/// What was observed, and what is believed of intercept and slope beforehand.
+/// The observations, and the prior of intercept and slope.
 #[derive(Clone)]
 pub(crate) struct Posterior {
-    /// Temperatures, less their mean and in units of their standard deviation.
+    /// Temperatures minus their mean, in units of their standard deviation.
     scaled: Vec<f64>,
     /// 1 for distress, 0 for none.
     distress: Vec<f64>,
     mean: f64,
     deviation: f64,
-    /// The standard deviation of the normal distribution that both coefficients have beforehand.
+    /// Standard deviation of the normal prior of both coefficients.
     pub(crate) prior: f64,
 }
 
@@ -25,7 +25,7 @@ impl Posterior {
     fn kinetic(&self, p: [f64; 2]) -> f64 {
         0.5 * (p[0] * p[0] + p[1] * p[1])
     }
-    /// The negative logarithm of the posterior density, up to a constant.
+    /// Returns the negative logarithm of the posterior density, up to a constant.
     pub(crate) fn potential(&self, b: [f64; 2]) -> f64 {
         let mut energy = 0.5 * (b[0] * b[0] + b[1] * b[1]) / self.prior.powi(2);
         for i in 0..self.scaled.len() {
@@ -37,7 +37,7 @@ impl Posterior {
 }
 
 impl Posterior {
-    /// The launches of the table.
+    /// Reads the launches from the table.
     pub(crate) fn measured(prior: f64) -> Result<Self, ParseFloatError> {
         let table = include_str!("../data/challenger.csv");
         let launches: Vec<[f64; 2]> = rows(table).map(|row| numbers(&row, 0)).collect::<Result<_, _>>()?;
@@ -48,23 +48,23 @@ impl Posterior {
         Ok(Self { scaled, distress, mean, deviation: variance.sqrt(), prior })
     }
 
-    /// `(temperature, distress)` of every launch.
+    /// Returns `(temperature, distress)` of every launch.
     pub(crate) fn launches(&self) -> impl Iterator<Item = (f64, f64)> {
         let temperature = |scaled: &f64| self.mean + self.deviation * scaled;
         self.scaled.iter().map(temperature).zip(self.distress.iter().copied())
     }
 
-    /// Intercept and slope per degree, of the coefficients of scaled temperatures.
+    /// Converts coefficients of scaled temperatures to an intercept and a slope per degree.
     pub(crate) fn per_degree(&self, b: [f64; 2]) -> [f64; 2] {
         [b[0] - b[1] * self.mean / self.deviation, b[1] / self.deviation]
     }
 
-    /// How likely distress is at a temperature.
+    /// Returns the probability of distress at a temperature.
     pub(crate) fn probability(&self, b: [f64; 2], temperature: f64) -> f64 {
         1.0 / (1.0 + (-b[0] - b[1] * (temperature - self.mean) / self.deviation).exp())
     }
 
-    /// The mean of a function over the posterior, by a sum over a grid of so many points a side.
+    /// Returns the posterior mean of a function by a sum over a grid with `side` points per axis.
     ///
     /// Beyond eight in either direction the density is below 1e-9 of its greatest; a sum over equal distances of a smooth
     /// density that vanishes at the border converges faster than any power.

@@ -1,5 +1,4 @@
-//! Hamiltonian Monte Carlo (Duane, Kennedy, Pendleton and Roweth 1987), for any Hamiltonian of two coordinates whose kinetic
-//! energy is `|p|²/2`.
+//! Hamiltonian Monte Carlo (Duane, Kennedy, Pendleton and Roweth 1987) for Hamiltonians of two coordinates with `T = |p|²/2`.
 
 use integrator_core::prelude::*;
 
@@ -7,10 +6,10 @@ use integrator_core::prelude::*;
 mod normal;
 use normal::normal;
 
-/// Draws from the density `exp(-V)`.
+/// Sampler of the density `exp(-V)`.
 pub(crate) struct Sampler {
     run: Run<[f64; 2]>,
-    /// A trajectory has between one step and so many.
+    /// Largest number of steps of a trajectory; each has a random number from 1 to this one.
     steps: u64,
     random: fastrand::Rng,
     at: [f64; 2],
@@ -50,20 +49,20 @@ impl Sampler {
         Ok(self.at)
     }
 
-    /// The share of trajectories that were accepted.
+    /// Returns the share of accepted trajectories.
     pub(crate) fn acceptance(&self) -> f64 {
         self.accepted as f64 / self.proposed as f64
     }
 }
 
-/// Mean and variance.
+/// Returns mean and variance.
 pub(crate) fn moments(series: &[f64]) -> (f64, f64) {
     let mean = series.iter().sum::<f64>() / series.len() as f64;
     (mean, series.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / series.len() as f64)
 }
 
-/// How many independent draws tell the mean as well as these do: their number over the sum of all autocorrelations, which
-/// ends where two neighbours add up to less than nothing (Geyer 1992).
+/// Returns the effective sample size: the number of draws divided by the sum of autocorrelations, truncated where two
+/// adjacent ones have a negative sum (Geyer 1992).
 pub(crate) fn effective_size(series: &[f64]) -> f64 {
     let (mean, variance) = moments(series);
     let correlation = |lag: usize| {

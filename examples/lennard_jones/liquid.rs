@@ -1,4 +1,4 @@
-//! Argon atoms in a box without walls. Lengths are in ångström, times in picoseconds, masses in atomic units.
+//! Argon atoms in a periodic box. Lengths are in ångström, times in picoseconds, masses in atomic units.
 
 use integrator_core::prelude::*;
 
@@ -6,22 +6,22 @@ use integrator_core::prelude::*;
 mod normal;
 use normal::normal;
 
-/// Boltzmann's constant for a kelvin, in these units.
+/// Boltzmann constant in these units, per kelvin.
 pub(crate) const BOLTZMANN: f64 = 0.831_446_261_815_324;
-/// Depth and diameter, mass and density of Rahman (1964), which are those of the liquid at 94.4 K.
+/// Well depth, diameter, mass and density of Rahman (1964), for the liquid at 94.4 K.
 const DEPTH: f64 = 120.0 * BOLTZMANN;
 const DIAMETER: f64 = 3.4;
 const MASS: f64 = 39.95;
 pub(crate) const DENSITY: f64 = 864.0 / (34.78 * 34.78 * 34.78);
-/// A hundredth of a picosecond, a hundred and twenty-fifth of a vibration of a pair: this has `ω² = 57.1 ε / (m σ²)` for each of its atoms.
+/// Step of 0.01 ps, a 125th of the period of a pair, which has `ω² = 57.1 ε / (m σ²)` per atom.
 pub(crate) const STEP: f64 = 0.01;
 
-/// Atoms that feel the nearest image of one another, up to a distance.
+/// Atoms that interact with the nearest image of each other, up to a cutoff.
 #[derive(Clone, Copy)]
 pub(crate) struct Argon {
-    /// The side of the box.
+    /// Side of the box.
     pub(crate) side: f64,
-    /// Half the side at most.
+    /// Cutoff, at most half the side.
     pub(crate) cutoff: f64,
 }
 
@@ -34,8 +34,8 @@ impl Argon {
         }
         energy
     }
-    /// `4 ε ((σ/r)¹² - (σ/r)⁶)` less its value and slope, over `r²`, at the cutoff, so that neither energy nor force jumps
-    /// there.
+    /// Returns the sum of `4 ε ((σ/r)¹² - (σ/r)⁶)`, minus its value and its slope in `r²` at the cutoff, so that energy and
+    /// force are continuous.
     pub(crate) fn potential(&self, q: &[[f64; 3]]) -> f64 {
         let mut energy = 0.0;
         for i in 0..q.len() {
@@ -52,7 +52,7 @@ impl Argon {
         }
         energy
     }
-    /// The square of a distance along an axis, to the nearest image.
+    /// Returns the squared distance along an axis to the nearest image.
     fn across(&self, difference: f64) -> f64 {
         (difference - self.side * (difference / self.side).round()).powi(2)
     }
@@ -66,14 +66,14 @@ impl Argon {
     }
 }
 
-/// A liquid under way.
+/// A liquid and its state.
 pub(crate) struct Liquid {
     pub(crate) argon: Argon,
     run: Run<Vec<[f64; 3]>>,
 }
 
 impl Liquid {
-    /// Four atoms in each of `cells` cubed cells of a crystal, with normally distributed momenta and a total of zero.
+    /// Creates a crystal of `cells`³ cells of four atoms, with normally distributed momenta of total zero.
     pub(crate) fn crystal(cells: usize, temperature: f64, random: &mut fastrand::Rng) -> Result<Self, Error> {
         let cell = (4.0 / DENSITY).cbrt();
         let corners = [[0.25, 0.25, 0.25], [0.75, 0.75, 0.25], [0.75, 0.25, 0.75], [0.25, 0.75, 0.75]];
@@ -95,19 +95,19 @@ impl Liquid {
         self.run.state()
     }
 
-    /// In kelvin, `2 T / (3 N - 3) k`: a total momentum of zero leaves three degrees of freedom less.
+    /// Returns the temperature in kelvin, `2 T / (3 N - 3) k`. The total momentum of zero removes three degrees of freedom.
     pub(crate) fn temperature(&self) -> f64 {
         let Phase { p, .. } = self.state();
         2.0 * self.argon.kinetic(&p) / ((3 * p.len() - 3) as f64 * BOLTZMANN)
     }
 
-    /// Makes all atoms faster or slower.
+    /// Rescales all momenta to a temperature.
     pub(crate) fn heat_to(&mut self, temperature: f64) -> Result<(), Error> {
         let factor = (temperature / self.temperature()).sqrt();
         self.run.map_state(|state| state.p.iter_mut().for_each(|p| *p = p.map(|p| factor * p)))
     }
 
-    /// The energy of an atom, as a temperature.
+    /// Returns the energy per atom in kelvin.
     pub(crate) fn energy(&self) -> f64 {
         self.run.energy() / (self.state().p.len() as f64 * BOLTZMANN)
     }

@@ -1,4 +1,4 @@
-//! What is measured of a liquid: how its atoms are arranged, and how far they go.
+//! Observables of a liquid: radial distribution and mean square displacement.
 
 use crate::liquid::{Argon, DENSITY};
 use integrator_core::prelude::Phase;
@@ -7,21 +7,21 @@ use std::f64::consts::PI;
 /// Positions and momenta of atoms.
 type State = Phase<Vec<[f64; 3]>>;
 
-/// How many atoms are at which distance from one: the radial distribution function.
+/// Histogram of distances between atoms, for the radial distribution function.
 pub(crate) struct Distances {
     side: f64,
     width: f64,
     counts: Vec<u64>,
-    /// Looks so far, and the atoms that were looked at.
+    /// Number of samples, and of central atoms in them.
     looks: usize,
     atoms: usize,
 }
 
-/// How many atoms are looked at each time, about: enough for a smooth curve, and other ones each time.
+/// Approximate number of central atoms per sample, different ones each time.
 const LOOKED_AT: usize = 500;
 
 impl Distances {
-    /// Distances up to some radius, half the side of the box at most, in so many classes.
+    /// Creates an empty histogram of distances up to `radius`, at most half the side of the box.
     pub(crate) fn new(argon: &Argon, radius: f64, classes: usize) -> Self {
         let width = radius.min(argon.side / 2.0) / classes as f64;
         Self { side: argon.side, width, counts: vec![0; classes], looks: 0, atoms: 0 }
@@ -55,7 +55,7 @@ impl Distances {
         self.looks += 1;
     }
 
-    /// `g(r)` in the middle of each class: atoms for each one of a gas of that density.
+    /// Returns `g(r)` at the centre of each class: the density of atoms relative to the mean density.
     pub(crate) fn distribution(&self) -> Vec<(f64, f64)> {
         let volume = |radius: f64| 4.0 / 3.0 * PI * radius.powi(3);
         let mut distribution = Vec::with_capacity(self.counts.len());
@@ -68,7 +68,7 @@ impl Distances {
     }
 }
 
-/// Where a distribution is greatest and how great, by a parabola through three classes.
+/// Returns position and height of the largest peak, by a parabola through three classes.
 pub(crate) fn peak(distribution: &[(f64, f64)]) -> Option<(f64, f64)> {
     let highest = distribution.windows(3).max_by(|a, b| a[1].1.total_cmp(&b[1].1))?;
     let [(left, a), (middle, b), (_, c)] = [highest[0], highest[1], highest[2]];
@@ -76,13 +76,13 @@ pub(crate) fn peak(distribution: &[(f64, f64)]) -> Option<(f64, f64)> {
     Some((middle + shift * (middle - left), b - 0.25 * (a - c) * shift))
 }
 
-/// The mean of the square of how far atoms have gone.
+/// Returns the mean square displacement.
 pub(crate) fn mean_square(from: &State, to: &State) -> f64 {
     let square = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|axis| (b[axis] - a[axis]).powi(2)).sum::<f64>();
     from.q.iter().zip(&to.q).map(square).sum::<f64>() / from.q.len() as f64
 }
 
-/// The coefficient of diffusion, by Einstein: a sixth of the slope of mean squares over times, by least squares.
+/// Returns the diffusion coefficient, a sixth of the slope of the mean square displacement (Einstein), by least squares.
 pub(crate) fn diffusion(squares: &[(f64, f64)]) -> f64 {
     let mean = |of: fn(&(f64, f64)) -> f64| squares.iter().map(of).sum::<f64>() / squares.len() as f64;
     let (time, square) = (mean(|at| at.0), mean(|at| at.1));

@@ -1,13 +1,19 @@
-//! Liquid argon at 94.4 K: 32,000 atoms, from a crystal to how atoms of the liquid are arranged and how far they go.
+//! Integrates 32,000 argon atoms at 94.4 K and measures the structure and diffusion of the liquid.
 //!
-//! A hot crystal melts, is cooled to the temperature of Rahman (Physical Review 136, A405, 1964), and is then left alone, all in
-//! steps of a hundredth of a picosecond. What atoms feel ends at a distance, which the library recognises: a step takes as
-//! long for each atom as if there were a thousand. Look at the picture, `lennard_jones.png`: neighbours sit at 3.7 Å, the next shells
-//! are at 7.0 and 10.4 Å as in his liquid of 864 atoms, and between them there is no gap as in a crystal. The mean square displacement
-//! begins as a parabola, atoms that fly freely, and goes on as a line: a sixth of its slope is the coefficient of
-//! diffusion, for which he found 2.43e-5 cm²/s. Below them the energy, which does not drift, and the
-//! temperature, which fluctuates. Printed: place and height of the first peak, diffusion, temperature, change of the energy,
-//! total momentum, and the time of a step.
+//! A hot crystal melts, is cooled to the temperature of Rahman (Physical Review 136, A405, 1964), and then evolves without
+//! thermostat, in steps of a hundredth of a picosecond. The library recognises the cutoff of the potential: the time per atom
+//! and step is that of a thousand atoms.
+//!
+//! The picture `lennard_jones.png` shows:
+//!
+//! - the radial distribution function, with neighbours at 3.7 Å and shells at 7.0 and 10.4 Å, as in his liquid of 864 atoms. It
+//!   has no gaps, unlike that of a crystal.
+//! - the mean square displacement: a parabola of free flight, then a line. A sixth of its slope is the diffusion coefficient;
+//!   he found 2.43e-5 cm²/s.
+//! - the energy, which does not drift, and the temperature, which fluctuates.
+//!
+//! The program prints the position and height of the first peak, diffusion, temperature, energy change, total momentum, and the
+//! time per step.
 
 mod liquid;
 mod looks;
@@ -22,18 +28,17 @@ use picture::{Look, picture};
 use std::{error::Error, time::Instant};
 use support::{Watch, folder};
 
-/// Cells of the crystal along each axis, of four atoms each.
+/// Cells of the crystal along each axis, with four atoms per cell.
 const CELLS: usize = 20;
 const TEMPERATURE: f64 = 94.4;
-/// At which the crystal melts at once.
+/// Temperature in K at which the crystal melts immediately.
 const HOT: f64 = 300.0;
-/// Steps between looks; how often the temperature is set, first to the one and then to the other; how many looks there
-/// are in the liquid that is left alone.
+/// Steps between samples; number of rescalings to each of the two temperatures; number of samples without thermostat.
 const INTERVAL: u64 = 20;
 const HEATED: u64 = 6;
 const COOLED: u64 = 24;
 const LOOKS: u64 = 30;
-/// Up to which distance atoms are counted, and in how many classes.
+/// Largest distance and number of classes of the radial distribution.
 const RADIUS: f64 = 18.0;
 const CLASSES: usize = 180;
 

@@ -1,7 +1,7 @@
-//! How chaotic the outer solar system is: deviations over the million years that are given, 20 where none are.
+//! Measures chaos in the outer solar system over a given number of million years, 20 by default.
 //!
-//! Printed: the indicators of chaos with their verdict, and one per line, the mean of MEGNO, the exponent, and the time that all of
-//! it took. A positive exponent shows from some 200 million years on.
+//! The program prints the indicators of chaos with their verdict, then the mean MEGNO, the exponent and the elapsed time, one
+//! per line. A positive exponent appears after some 200 million years.
 
 #[allow(dead_code, reason = "the run of this system reads more of it")]
 mod system;
@@ -10,10 +10,10 @@ use integrator_core::{BlanesMoanSrkn11, chaos};
 use std::{error::Error, time::Instant};
 use system::measured;
 
-/// Days.
+/// Length of a year in days.
 const YEAR: f64 = 365.25;
 
-/// In days: a tenth of Jupiter's revolution, in which eleven forces are computed.
+/// Step in days: a tenth of Jupiter's period, with eleven force evaluations.
 const STEP: f64 = 400.0;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,13 +1,14 @@
-//! The outer solar system over 2,700 years, by a stepper that the compiler derived from two plain functions.
+//! Integrates the outer solar system over 2,700 years by a stepper generated from two plain functions.
 //!
-//! Printed: the distances from the Sun and the errors of what is conserved, over time; the certificate of the stepper;
-//! and last, one per line, the worst errors, the distance from a reference computed in 113-bit arithmetic, and the time
-//! that all of it took. Look at the two columns of errors: they oscillate, but they do not grow with time.
+//! The program prints the distances from the Sun and the errors of conserved quantities over time. Both columns of errors
+//! oscillate and do not grow. The certificate of the stepper follows. The last lines are the largest errors, the distance from
+//! a reference in 113-bit arithmetic, and the elapsed time.
 //!
-//! With `--features pictures`, two pictures go to `target/pictures`, or to the folder after `--out`:
-//! `outer_solar_system_orbits.png`, the paths of the planets in one revolution each, and
-//! `outer_solar_system_energy.png`, the energy error over 1,000 years for several compositions that compute the same
-//! number of forces. None of the curves rises.
+//! With `--features pictures` it saves two pictures to `target/pictures`, or to the folder after `--out`:
+//!
+//! - `outer_solar_system_orbits.png`: one revolution of each planet.
+//! - `outer_solar_system_energy.png`: the energy error over 1,000 years, for compositions with equal numbers of forces. None of
+//!   them grows.
 
 #[cfg(feature = "pictures")]
 mod pictures;
@@ -22,13 +23,13 @@ use system::{Bodies, angular_momentum, measured, norm, reference, relative};
 
 const DAYS: f64 = 999_999.0;
 const STEPS: u64 = 1 << 18;
-/// Days.
+/// Step in days.
 const YEAR: f64 = 365.25;
-/// Steps between looks at what is conserved, and looks between rows of the table.
+/// Steps between samples of the conserved quantities, and samples per row of the table.
 const LOOK: u64 = 64;
 const ROW: u64 = 256;
 
-/// The distances of five planets from the Sun.
+/// Returns the distances of the five planets from the Sun.
 fn distances(q: &Bodies) -> String {
     q[1..].iter().map(|planet| format!("{:9.3}", norm(&[0, 1, 2].map(|axis| planet[axis] - q[0][axis])))).collect()
 }

@@ -1,4 +1,4 @@
-//! Six bodies that attract each other, where they start from, and where they are 999,999 days later.
+//! Six bodies that attract each other, their initial state, and a reference state 999,999 days later.
 
 #[path = "../support/table.rs"]
 mod table;
@@ -7,7 +7,7 @@ use integrator_core::prelude::*;
 use std::num::ParseFloatError;
 use table::{numbers, rows};
 
-/// The gravitational constant, in astronomical units, solar masses and days.
+/// Gravitational constant in astronomical units, solar masses and days.
 pub(crate) const GRAVITY: f64 = 2.95912208286e-4;
 
 /// A position or a momentum of each body, `[body][axis]`.
@@ -15,7 +15,7 @@ pub(crate) type Bodies = [[f64; 3]; 6];
 
 /// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto.
 pub(crate) struct OuterSolarSystem {
-    /// In solar masses.
+    /// Masses in solar masses.
     pub(crate) masses: [f64; 6],
 }
 
@@ -43,7 +43,7 @@ impl OuterSolarSystem {
     }
 }
 
-/// The system and its state on 5 September 1994. The table holds velocities; momenta are these times the mass.
+/// Returns the system and its state on 5 September 1994. The table has velocities, which are multiplied by the masses.
 pub(crate) fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), ParseFloatError> {
     let table = include_str!("../data/outer_solar_system.csv");
     let mut system = OuterSolarSystem { masses: [0.0; 6] };
@@ -57,14 +57,14 @@ pub(crate) fn measured() -> Result<(OuterSolarSystem, Phase<Bodies>), ParseFloat
     Ok((system, start))
 }
 
-/// The positions 999,999 days later, flattened, as 113-bit arithmetic finds them.
+/// Returns the reference positions 999,999 days later, flattened, from 113-bit arithmetic.
 pub(crate) fn reference() -> Result<Vec<f64>, serde_json::Error> {
     let problems: serde_json::Value = serde_json::from_str(include_str!("../data/problems.json"))?;
     let state: Vec<f64> = serde_json::from_value(problems["problems"]["solar"]["reference"]["z"].clone())?;
     Ok(state[..18].to_vec())
 }
 
-/// `Σ qᵢ × pᵢ`
+/// Returns the angular momentum, `Σ qᵢ × pᵢ`.
 pub(crate) fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for ([x, y, z], [px, py, pz]) in state.q.iter().zip(&state.p) {
@@ -75,7 +75,7 @@ pub(crate) fn angular_momentum(state: &Phase<Bodies>) -> [f64; 3] {
     sum
 }
 
-/// The distance of `x` from `reference`, in units of the length of the latter.
+/// Returns the distance of `x` from `reference`, relative to the norm of `reference`.
 pub(crate) fn relative(x: &[f64], reference: &[f64]) -> f64 {
     let difference: Vec<f64> = x.iter().zip(reference).map(|(x, reference)| x - reference).collect();
     norm(&difference) / norm(reference)

@@ -1,9 +1,11 @@
-//! Ions in Paul's trap: a Hamiltonian that reads the clock, and Mathieu's equation.
+//! Integrates ions in a Paul trap, with a time-dependent Hamiltonian, and compares with Mathieu's equation.
 //!
-//! A constant voltage cannot hold an ion; one that alternates can, where its parameters `(a, q)` are in the right region.
-//! Look at the picture, `paul_trap.png`: the region where both directions are stable, from the map of one period for each of
-//! 1.2 million traps; an orbit inside of it, slow with a quick tremble; and one just outside, which grows. Printed: where the
-//! region ends on the axis `a = 0`, which Mathieu's equation says is 0.9080463337, and how far the two orbits go.
+//! A constant voltage cannot confine an ion. An alternating voltage can, if its parameters `(a, q)` are in the stable region.
+//! The picture `paul_trap.png` shows the region where both directions are stable, from the map of one period of each of 1.2
+//! million traps. It also shows a stable orbit, slow with a fast micromotion, and an unstable one, which grows.
+//!
+//! The program prints where the region ends on the axis `a = 0` (0.9080463337 by Mathieu's equation) and the largest distances
+//! of the two orbits.
 
 mod picture;
 #[path = "../support/mod.rs"]
@@ -18,7 +20,7 @@ use trap::{PaulTrap, edge, orbit, traces};
 
 const ROWS: u32 = 1000;
 const COLUMNS: u32 = 1200;
-/// Of the voltage, for each orbit.
+/// Periods of the voltage for each orbit.
 const PERIODS: u64 = 60;
 
 fn main() -> Result<(), Box<dyn Error>> {

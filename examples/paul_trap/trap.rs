@@ -3,12 +3,12 @@
 use integrator_core::prelude::*;
 use std::f64::consts::PI;
 
-/// A constant and an alternating voltage, which focus in `x` while they defocus in `y` and the other way round.
+/// A trap with a constant and an alternating voltage, which focus in one direction and defocus in the other.
 #[derive(Clone, Copy)]
 pub(crate) struct PaulTrap {
-    /// Of the constant voltage.
+    /// Parameter of the constant voltage.
     pub(crate) a: f64,
-    /// Of the alternating one.
+    /// Parameter of the alternating voltage.
     pub(crate) q: f64,
 }
 
@@ -22,13 +22,13 @@ impl PaulTrap {
     }
 }
 
-/// Steps in a period of the voltage, which is π.
+/// Steps per period of the voltage, which is π.
 pub(crate) const STEPS: u64 = 32;
 
-/// The traces of what a period of the voltage does to `x` and to `y`, for each trap. Motion is bounded where a trace is
-/// between -2 and 2: then both eigenvalues are on the unit circle.
+/// Returns the traces of the maps of one period in `x` and in `y`, for each trap. Motion is bounded if a trace is between
+/// -2 and 2, where both eigenvalues are on the unit circle.
 ///
-/// `x` and `y` do not know of each other, so that two starts show both maps: displaced by 1, and with momentum 1.
+/// `x` and `y` are independent, so two initial states give both maps: displaced by 1, and with momentum 1.
 pub(crate) fn traces(traps: impl IntoIterator<Item = PaulTrap>) -> Result<Vec<[f64; 2]>, Error> {
     let starts = |trap| [(trap, Phase::new([1.0; 2], [0.0; 2])), (trap, Phase::new([0.0; 2], [1.0; 2]))];
     let mut ions = Ensemble::new(BlanesMoanSrkn6, traps.into_iter().flat_map(starts), PI / STEPS as f64)?;
@@ -42,19 +42,19 @@ pub(crate) fn traces(traps: impl IntoIterator<Item = PaulTrap>) -> Result<Vec<[f
     Ok(traces.collect())
 }
 
-/// `x` of an ion over so many periods of the voltage, which are the unit of time.
+/// Returns `x` of an ion over some periods of the voltage, which are the unit of time.
 pub(crate) fn orbit(trap: PaulTrap, periods: u64) -> Result<Vec<(f64, f64)>, Error> {
     let run = trap.run(Phase::new([1.0, 1.0], [0.0, 0.0]), PI / STEPS as f64)?;
     let samples = run.samples(1).take((periods * STEPS) as usize + 1);
     samples.map(|sample| sample.map(|sample| (sample.time / PI, sample.state.q[0]))).collect()
 }
 
-/// Whether ions stay, given the traces in both directions.
+/// Returns whether the trap confines ions, from the traces in both directions.
 pub(crate) fn holds([x, y]: [f64; 2]) -> bool {
     x.abs() < 2.0 && y.abs() < 2.0
 }
 
-/// The alternating voltage up to which a trap without a constant one holds ions, by halving intervals.
+/// Returns the largest stable `q` for `a = 0`, by bisection.
 pub(crate) fn edge() -> Result<f64, Error> {
     let (mut held, mut lost) = (0.5, 1.2);
     while lost - held > 1e-12 {

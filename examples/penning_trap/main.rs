@@ -1,16 +1,18 @@
-//! A particle in a Penning trap: a magnetic field and a quadrupole are a quadratic form in q and p, whose motion is known
-//! exactly; an octupole, as real electrodes have it, is the rest.
+//! Integrates a particle in a Penning trap: a magnetic field, a quadrupole and an octupole.
 //!
-//! Printed: how far the particle is from the closed form after a million steps of more than half a cyclotron period each,
-//! in an ideal trap; and by how much the octupole shifts the axial frequency, for growing amplitudes, beside the first
-//! order of perturbation theory, 3/4 C₄ times the square of the amplitude.
+//! The magnetic field and the quadrupole are a quadratic form in `q` and `p`, whose flow is solved exactly. The octupole of
+//! real electrodes is the rest.
+//!
+//! The program prints the distance from the closed form in an ideal trap, after a million steps of more than half a cyclotron
+//! period each. It also prints the shift of the axial frequency by the octupole for growing amplitudes, beside first-order
+//! perturbation theory, 3/4 C₄ times the square of the amplitude.
 
 mod trap;
 
 use integrator_core::prelude::*;
 use trap::{Trap, axial_frequency};
 
-/// The frequencies of a trap for protons with a field of 5 T, in units of the cyclotron frequency (76 MHz and 1 MHz).
+/// A trap for protons in a field of 5 T, in units of the cyclotron frequency (76 MHz cyclotron, 1 MHz axial).
 const TRAP: Trap = Trap { cyclotron: 1.0, axial: 0.0137, octupole: 0.0 };
 
 fn main() -> Result<(), Error> {

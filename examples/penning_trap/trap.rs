@@ -4,13 +4,14 @@
 use integrator_core::prelude::*;
 use std::f64::consts::TAU;
 
-/// A trap, by what a particle does in it. Lengths are in units of the size of the trap, masses in units of the particle's.
+/// A trap, given by the frequencies of a particle. Lengths are in units of the trap size, masses in units of the particle
+/// mass.
 pub(crate) struct Trap {
-    /// The cyclotron frequency of the free particle.
+    /// Cyclotron frequency of the free particle.
     pub(crate) cyclotron: f64,
-    /// The frequency of small oscillations along the axis.
+    /// Frequency of small axial oscillations.
     pub(crate) axial: f64,
-    /// The coefficient of the octupole, C₄.
+    /// Coefficient of the octupole, C₄.
     pub(crate) octupole: f64,
 }
 
@@ -23,7 +24,7 @@ impl Trap {
         0.5 * (vx * vx + vy * vy + pz * pz) + 0.5 * self.axial * self.axial * quadrupole
     }
 
-    /// What keeps the axial frequency from being the same at all amplitudes.
+    /// The octupole, which makes the axial frequency depend on the amplitude.
     fn octupole(&self, q: [f64; 3]) -> f64 {
         let (rho2, z2) = (q[0] * q[0] + q[1] * q[1], q[2] * q[2]);
         0.5 * self.octupole * self.axial * self.axial * (z2 * z2 - 3.0 * z2 * rho2 + 0.375 * rho2 * rho2)
@@ -31,20 +32,20 @@ impl Trap {
 }
 
 impl Trap {
-    /// The modified cyclotron frequency and that of the magnetron motion, in a trap without octupole.
+    /// Returns the modified cyclotron frequency and the magnetron frequency, in a trap without octupole.
     pub(crate) fn radial(&self) -> [f64; 2] {
         let root = (self.cyclotron * self.cyclotron - 2.0 * self.axial * self.axial).sqrt();
         [0.5 * (self.cyclotron + root), 0.5 * (self.cyclotron - root)]
     }
 
-    /// A particle on a modified cyclotron orbit and a magnetron orbit of these radii, at rest at this height.
+    /// Returns the state of a particle with these cyclotron and magnetron radii, at rest axially at this height.
     pub(crate) fn start(&self, radii: [f64; 2], height: f64) -> Phase<[f64; 3]> {
         let (frequencies, x) = (self.radial(), radii[0] + radii[1]);
         let vy = -(frequencies[0] * radii[0] + frequencies[1] * radii[1]);
         Phase::new([x, 0.0, height], [0.0, vy + 0.5 * self.cyclotron * x, 0.0])
     }
 
-    /// Where the radial motion is at a time, without octupole: two circles, one carried by the other.
+    /// Returns the radial position at a time without octupole: the sum of two circular motions.
     pub(crate) fn orbit(&self, radii: [f64; 2], time: f64) -> [f64; 2] {
         let [(fast_sine, fast_cosine), (slow_sine, slow_cosine)] =
             self.radial().map(|frequency| (frequency * time).sin_cos());
@@ -52,10 +53,10 @@ impl Trap {
     }
 }
 
-/// The frequency of the axial motion over so many steps, from the times at which it passes the centre upwards.
+/// Returns the axial frequency over some steps, from the times of upward crossings of the centre.
 ///
 /// # Errors
-/// A run that ends in no number.
+/// The state becomes infinite or NaN.
 pub(crate) fn axial_frequency(trap: &Trap, start: Phase<[f64; 3]>, h: f64, steps: u64) -> Result<f64, Error> {
     let passages = trap.run(start, h)?.crossings(steps, Direction::Rising, |state, _| state.q[2]);
     let times = passages.map(|passage| passage.map(|passage| passage.time)).collect::<Result<Vec<f64>, Error>>()?;

@@ -4,7 +4,7 @@ use integrator_core::prelude::*;
 
 pub(crate) const MASSES: [f64; 3] = [3.0, 4.0, 5.0];
 
-/// Positions or momenta, `[body][axis]`, with the roundings that updates leave.
+/// Positions or momenta, `[body][axis]`, with compensation of rounding errors.
 pub(crate) type Compensation = [[Compensated<f64>; 2]; 3];
 
 pub(crate) struct Pythagorean;
@@ -29,13 +29,14 @@ impl Pythagorean {
     }
 }
 
-/// A run from rest, each body opposite to the side of its length, the centre of mass at the origin.
+/// Returns a run from rest. Each body is opposite to the side whose length is its mass, and the centre of mass is at the
+/// origin.
 pub(crate) fn run(h: f64) -> Result<Run<Compensation>, Error> {
     let start = Phase::compensated([[1.0, 3.0], [-2.0, -1.0], [1.0, -1.0]], [[0.0; 2]; 3]);
     Pythagorean.run_with(Logarithmic(SofroniouSpaletta10), start, h)
 }
 
-/// The run at t = 70, and by how much the energy has changed.
+/// Returns the run at t = 70 and its energy change.
 pub(crate) fn end(h: f64) -> Result<(Run<Compensation>, f64), Error> {
     let mut run = run(h)?;
     let energy = run.energy();
@@ -44,12 +45,12 @@ pub(crate) fn end(h: f64) -> Result<(Run<Compensation>, f64), Error> {
     Ok((run, change))
 }
 
-/// The distance between two bodies.
+/// Returns the distance between two bodies.
 pub(crate) fn distance(q: &Compensation, a: usize, b: usize) -> f64 {
     f64::hypot(q[a][0].value - q[b][0].value, q[a][1].value - q[b][1].value)
 }
 
-/// The smallest distance of two bodies at the end of a step until t = 70, and when that is.
+/// Returns the smallest distance of two bodies at the end of a step until t = 70, and its time.
 pub(crate) fn closest_approach(h: f64) -> Result<(f64, f64), Error> {
     let mut closest = (f64::INFINITY, 0.0);
     for sample in run(h)?.samples(1) {

@@ -1,9 +1,11 @@
-//! Three bodies of masses 3, 4 and 5 that fall from rest at the corners of a triangle with sides 3, 4 and 5 (Burrau 1913):
-//! close encounters, the closest of 4e-4, until one of them leaves the others for good (Szebehely and Peters 1967, Astron. J.
-//! 72, 876).
+//! Integrates the Pythagorean problem: three bodies that fall from rest, through close encounters, until one is ejected.
 //!
-//! Fixed steps fail at the first encounter; those of the logarithmic Hamiltonian shorten there. Printed: where the bodies are
-//! at t = 70 for ever shorter steps, the change of the energy, and the closest approach. Look at the picture, `pythagorean.png`.
+//! Bodies of masses 3, 4 and 5 start at the corners of a triangle with sides 3, 4 and 5 (Burrau 1913). The closest encounter is
+//! at 4e-4, and one body leaves the others (Szebehely and Peters 1967, Astron. J. 72, 876). Fixed steps fail at the first
+//! encounter; those of the logarithmic Hamiltonian shorten there.
+//!
+//! The program prints the positions at t = 70 for shorter and shorter steps, the energy change, and the closest approach. The
+//! picture is `pythagorean.png`.
 
 mod bodies;
 mod picture;

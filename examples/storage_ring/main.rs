@@ -1,8 +1,8 @@
-//! A storage ring of FODO cells: the tune of small oscillations beside that of the textbook's matrices, and the amplitude
-//! beyond which the sextupoles lose a particle, the dynamic aperture.
+//! Computes the tune and the dynamic aperture of a storage ring of FODO cells.
 //!
-//! The elements of a cell are the parts of H. Look at the last table: a particle at a small amplitude stays for ever, one
-//! at a large amplitude is lost after some turns, and the border between them is sharp.
+//! The elements of a cell are the parts of H. The program compares the tune of small oscillations with that of the matrices of
+//! the textbook. The last table shows the amplitude beyond which the sextupoles lose a particle. Smaller amplitudes stay,
+//! larger ones are lost after some turns, and the border is sharp.
 
 mod ring;
 

@@ -6,15 +6,15 @@
 
 use integrator_core::prelude::*;
 
-/// A cell, in metres, and in the units of a reference particle.
+/// A FODO cell. Lengths are in metres, momenta in units of the reference momentum.
 pub(crate) struct Cell {
-    /// The length of each quadrupole.
+    /// Length of each quadrupole.
     pub(crate) quadrupole: f64,
-    /// The gradient of the quadrupoles over the rigidity, 1/m².
+    /// Gradient of the quadrupoles divided by the rigidity, 1/m².
     pub(crate) gradient: f64,
-    /// The length of each drift.
+    /// Length of each drift.
     pub(crate) drift: f64,
-    /// The integrated strength of the sextupole, 1/m².
+    /// Integrated strength of the sextupole, 1/m².
     pub(crate) sextupole: f64,
 }
 
@@ -38,7 +38,7 @@ impl Cell {
 }
 
 impl Cell {
-    /// The phase advance of a cell in x and in y, by the textbook matrices of its elements, for small amplitudes.
+    /// Returns the phase advance of a cell in x and y for small amplitudes, by the matrices of its elements.
     pub(crate) fn phase_advances(&self) -> [f64; 2] {
         let (k, l) = (self.gradient.sqrt(), self.quadrupole);
         let (sine, cosine) = (k * l).sin_cos();
@@ -52,10 +52,10 @@ impl Cell {
         [advance(focusing, defocusing), advance(defocusing, focusing)]
     }
 
-    /// The number of cells that a particle stays for, up to a limit: it is lost where it leaves a pipe of this radius.
+    /// Returns the number of cells after which a particle leaves a pipe of this radius, at most `limit`.
     ///
     /// # Errors
-    /// A start that is not finite.
+    /// The initial state is not finite.
     pub(crate) fn survives(&self, start: Phase<[f64; 2]>, cells: u64, pipe: f64) -> Result<u64, Error> {
         let mut run = self.run(start, 1.0)?;
         for cell in 0..cells {
@@ -68,10 +68,10 @@ impl Cell {
     }
 }
 
-/// The phase advance of a small oscillation, from the trace of the map of a cell, which two starts give.
+/// Returns the phase advance of a small oscillation, from the trace of the map of a cell by two initial states.
 ///
 /// # Errors
-/// A cell that is no number.
+/// The state becomes infinite or NaN.
 pub(crate) fn tracked_advance(cell: &Cell, axis: usize) -> Result<f64, Error> {
     let size = 1e-9;
     let image = |position: f64, momentum: f64| {

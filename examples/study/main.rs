@@ -1,7 +1,8 @@
-//! The shape of a study: parameters from TOML, starts from CSV, a sweep, NPZ files for Python.
+//! Runs a parameter study: parameters from TOML, initial states from CSV, a sweep, NPZ files for Python.
 //!
-//! `cargo run --release --features study --example study -- [FROM] [TO]`. Stop or kill it and start it again: it goes on in the
-//! middle of an orbit, with the same files, bit for bit. `np.load("orbit_0.6_0_0.npz")["q"]` are positions in Python.
+//! Run `cargo run --release --features study --example study -- [FROM] [TO]`. If it is stopped or killed, the next start
+//! resumes in the middle of an orbit and writes bitwise identical files. In Python, `np.load("orbit_0.6_0_0.npz")["q"]` are the
+//! positions.
 
 mod sweep;
 

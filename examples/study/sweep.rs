@@ -20,7 +20,7 @@ impl Galaxy {
     }
 }
 
-/// The file `study.toml`.
+/// Parameters in the file `study.toml`.
 #[derive(Deserialize)]
 pub(crate) struct Study {
     pub(crate) flattening: Vec<f64>,
@@ -31,7 +31,7 @@ pub(crate) struct Study {
     interval: u64,
 }
 
-/// Where an orbit ends, and the error of the energy there, relative to the energy.
+/// Final state of an orbit, and its relative energy error.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Outcome {
     pub(crate) flattening: f64,
@@ -40,8 +40,8 @@ pub(crate) struct Outcome {
     pub(crate) end: Phase<[f64; 2]>,
 }
 
-/// Carries out what is left of a study; `told` hears of each piece, and may break it off. Called again, it goes on from there:
-/// whole files are all that is ever seen, and a piece that was not finished is made anew with the same bits.
+/// Runs the remaining pieces of a study. `told` is called for each piece and may stop the study. Another call resumes it:
+/// files are complete or absent, and an unfinished piece is repeated with bitwise identical results.
 pub(crate) fn sweep(
     from: &Path,
     to: &Path,
@@ -75,7 +75,7 @@ pub(crate) fn sweep(
     Ok(Some(outcomes))
 }
 
-/// Writes the samples of a piece; the first one of a later piece was the last of that before.
+/// Writes the samples of a piece. Later pieces omit their first sample, the last one of the previous piece.
 fn write(run: Run<[f64; 2]>, study: &Study, path: &Path) -> Result<Run<[f64; 2]>, Box<dyn AnyError>> {
     let skipped = usize::from(run.steps() > 0);
     let mut samples = run.samples(study.interval);

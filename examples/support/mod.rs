@@ -10,23 +10,23 @@ use std::{
     },
 };
 
-/// Whether Ctrl-C was pressed.
+/// Set when Ctrl-C is pressed.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 static HANDLER: Once = Once::new();
 
-/// Where pictures go: the folder after `--out`, or `target/pictures`.
+/// Returns the folder of pictures: the one after `--out`, or `target/pictures`.
 #[cfg(feature = "pictures")]
 pub(crate) fn folder() -> std::path::PathBuf {
     let mut arguments = std::env::args().skip_while(|argument| argument != "--out");
     arguments.nth(1).map_or_else(|| "target/pictures".into(), std::path::PathBuf::from)
 }
 
-/// How far a long computation is: a bar with rate and remaining time where someone is watching. With Ctrl-C it is asked to
-/// end with what there is; pressed again, the program ends at once.
+/// Progress of a long computation: a bar with rate and remaining time on a terminal. Ctrl-C ends the computation with the
+/// results so far; pressed again, it ends the program.
 pub(crate) struct Watch(ProgressBar);
 
 impl Watch {
-    /// For so many `things`, which is what they are called.
+    /// Creates the progress of `count` items with the name `things`.
     pub(crate) fn new(total: u64, things: &'static str) -> Self {
         HANDLER.call_once(|| {
             let pressed = || {
@@ -46,7 +46,7 @@ impl Watch {
         })
     }
 
-    /// So many are done. Returns whether to go on.
+    /// Reports the number of finished items. Returns whether to continue.
     pub(crate) fn done(&self, count: u64) -> bool {
         self.0.set_position(count);
         !STOPPED.load(Ordering::Relaxed)
@@ -59,13 +59,13 @@ impl Watch {
 }
 
 impl Drop for Watch {
-    /// Takes the bar away.
+    /// Removes the bar.
     fn drop(&mut self) {
         self.0.finish_and_clear();
     }
 }
 
-/// How many are done in a second, to two places.
+/// Returns the rate per second with two digits.
 fn rate(state: &ProgressState, text: &mut dyn Write) {
     // Text in memory takes whatever is written.
     let _ = match state.per_sec() {

@@ -2,12 +2,12 @@
 
 use std::num::ParseFloatError;
 
-/// The fields of each row.
+/// Returns the fields of each row.
 pub(crate) fn rows(table: &str) -> impl Iterator<Item = Vec<&str>> {
     table.lines().filter(|line| !line.starts_with('#')).skip(1).map(|line| line.split(',').collect())
 }
 
-/// So many numbers from a field on; a row that is shorter ends in zeros.
+/// Parses `N` numbers beginning with a field. Missing fields are zero.
 pub(crate) fn numbers<const N: usize>(row: &[&str], first: usize) -> Result<[f64; N], ParseFloatError> {
     let mut numbers = [0.0; N];
     for (number, field) in numbers.iter_mut().zip(&row[first.min(row.len())..]) {

@@ -1,11 +1,12 @@
-//! A soliton on Toda's lattice: a wave that goes around a ring for ever and keeps its shape.
+//! Integrates a soliton on the Toda lattice, a wave that travels around a ring and keeps its shape.
 //!
-//! Look at the picture, `toda_soliton.png`. On the left the momenta of all sites at several times in the first period,
-//! one above the other, with the closed form as dots; on the right the distance from the closed form over a hundred
-//! periods: it grows like the time, since the step changes the speed by a little, and the shape stays. Positions grow
-//! by 2κ in every period and round ever more coarsely, which would hide this; hence the run carries its rounding errors
-//! along. Printed: the speed, `sinh κ / κ`, and the distances after the first period and at the end, in units of the
-//! height of the wave.
+//! The picture `toda_soliton.png` shows the momenta of all sites at several times in the first period, one above the other,
+//! with the closed form as dots. On the right it shows the distance from the closed form over a hundred periods. The distance
+//! grows linearly with time, because the step changes the speed slightly; the shape stays. Positions grow by 2κ per period and
+//! lose digits, so the run compensates rounding errors.
+//!
+//! The program prints the speed, `sinh κ / κ`, and the distances after the first and the last period, in units of the height of
+//! the wave.
 
 mod picture;
 mod ring;
@@ -20,10 +21,10 @@ use std::error::Error;
 use support::{Watch, folder};
 
 const SOLITON: Soliton = Soliton { sites: 64, kappa: 1.0 };
-/// A period takes so many steps, of 0.053 each.
+/// Steps per period, of 0.053 each.
 const STEPS: u64 = 1020;
 const PERIODS: u64 = 100;
-/// Looks in the first period.
+/// Samples in the first period.
 const LOOKS: u64 = 6;
 
 fn main() -> Result<(), Box<dyn Error>> {

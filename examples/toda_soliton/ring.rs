@@ -2,9 +2,9 @@
 
 use integrator_core::prelude::*;
 
-/// Sites around a ring, with springs that are exponential where they are compressed.
+/// A Toda lattice on a ring, whose springs are exponentially stiff in compression.
 pub(crate) struct Ring {
-    /// How much longer the ring is than its sites have room, if each is displaced by nothing: negative in compression.
+    /// Excess of the length of the ring over that of the undisplaced lattice; negative in compression.
     pub(crate) length: f64,
 }
 
@@ -27,21 +27,21 @@ impl Ring {
     }
 }
 
-/// A soliton on a ring so large that its tails do not meet.
+/// A soliton on a ring so large that its tails do not overlap.
 #[derive(Clone, Copy)]
 pub(crate) struct Soliton {
     pub(crate) sites: usize,
-    /// The inverse width: `exp(q[n-1] - q[n]) - 1 = sinh²κ / cosh²(κ n - t sinh κ)`.
+    /// Inverse width κ: `exp(q[n-1] - q[n]) - 1 = sinh²κ / cosh²(κ n - t sinh κ)`.
     pub(crate) kappa: f64,
 }
 
 impl Soliton {
-    /// Sites per unit of time.
+    /// Returns the speed in sites per unit of time.
     pub(crate) fn speed(&self) -> f64 {
         self.kappa.sinh() / self.kappa
     }
 
-    /// How long it takes around the ring.
+    /// Returns the time of one revolution around the ring.
     pub(crate) fn period(&self) -> f64 {
         self.sites as f64 / self.speed()
     }
@@ -50,8 +50,8 @@ impl Soliton {
         Ring { length: -2.0 * self.kappa }
     }
 
-    /// The closed form at time `t`, with the soliton in the middle of the sites at time 0: `q[n]` is the logarithm of
-    /// `cosh θ[n-1] / cosh θ[n]`, where `θ[n] = κ n - t sinh κ`.
+    /// Returns the closed form at time `t`, with the soliton at the middle site at time 0: `q[n]` is the logarithm of `cosh
+    /// θ[n-1] / cosh θ[n]`, where `θ[n] = κ n - t sinh κ`.
     pub(crate) fn state(&self, t: f64) -> Phase<Vec<f64>> {
         let Self { sites, kappa } = *self;
         let (mut q, mut p) = (Vec::with_capacity(sites), Vec::with_capacity(sites));
@@ -66,7 +66,7 @@ impl Soliton {
         Phase::new(q, p)
     }
 
-    /// How far a state is from the closed form, in momenta and in positions, in units of what the soliton moves.
+    /// Returns the distances from the closed form in momenta and in positions, relative to the amplitudes of the soliton.
     pub(crate) fn distance(&self, state: &Phase<Vec<f64>>, t: f64) -> [f64; 2] {
         let expected = self.state(t);
         let greatest = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -75,13 +75,13 @@ impl Soliton {
     }
 }
 
-/// The numbers of a state, without what they carry.
+/// Returns the values of a state without their compensations.
 pub(crate) fn values(state: &Phase<Vec<Compensated<f64>>>) -> Phase<Vec<f64>> {
     let values = |leaves: &[Compensated<f64>]| leaves.iter().map(|leaf| leaf.value).collect();
     Phase::new(values(&state.q), values(&state.p))
 }
 
-/// `ln cosh x` for any `x`.
+/// Returns `ln cosh x` without overflow.
 fn ln_cosh(x: f64) -> f64 {
     x.abs() + (-2.0 * x.abs()).exp().ln_1p() - std::f64::consts::LN_2
 }

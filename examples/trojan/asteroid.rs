@@ -2,13 +2,13 @@
 
 use integrator_core::prelude::*;
 
-/// Jupiter's part of the mass of Sun and Jupiter: the Sun is 1047.3486 times heavier (IAU 2009).
+/// Mass of Jupiter over that of Sun and Jupiter; the Sun is 1047.3486 times heavier (IAU 2009).
 pub(crate) const JUPITER: f64 = 1.0 / 1048.3486;
 
-/// Jupiter's year in years.
+/// Period of Jupiter in years.
 pub(crate) const YEAR: f64 = 11.862;
 
-/// An asteroid without a mass of its own. Units: the distance of Jupiter, and its year over 2π.
+/// A massless asteroid. Units: the distance of Jupiter, and its period divided by 2π.
 pub(crate) struct Asteroid;
 
 #[hamiltonian(split = quadratic + rest, compose = Aba864)]
@@ -20,25 +20,25 @@ impl Asteroid {
     }
 }
 
-/// At rest in the turning frame, so many degrees ahead of the point that makes a triangle of equal sides.
+/// Returns a state at rest in the rotating frame, some degrees ahead of the triangular Lagrange point.
 pub(crate) fn start(ahead: f64) -> Phase<[f64; 2]> {
     let (y, x) = (60.0 + ahead).to_radians().sin_cos();
     let x = x - JUPITER;
     Phase::new([x, y], [-y, x])
 }
 
-/// How many degrees it is ahead of the triangle's corner, as seen from the Sun.
+/// Returns the angle ahead of the triangular Lagrange point in degrees, as seen from the Sun.
 pub(crate) fn ahead(q: [f64; 2]) -> f64 {
     q[1].atan2(q[0] + JUPITER).to_degrees() - 60.0
 }
 
-/// The slow frequency of small motions about the corner: w⁴ - w² + 27/4 m (1 - m) = 0.
+/// Returns the slow frequency of infinitesimal librations: w⁴ - w² + 27/4 m (1 - m) = 0.
 pub(crate) fn slow_frequency() -> f64 {
     (0.5 - (0.25 - 6.75 * JUPITER * (1.0 - JUPITER)).sqrt()).sqrt()
 }
 
-/// The frequency at which looks at equal distances go to and fro most, near a given one: the greatest Fourier amplitude
-/// under a window that leaves the ends out (Hann).
+/// Returns the dominant frequency of equidistant samples near a given one: the largest Fourier amplitude under a Hann
+/// window.
 pub(crate) fn strongest(looks: &[f64], apart: f64, near: f64) -> f64 {
     let amplitude = |frequency: f64| {
         let [mut re, mut im] = [0.0, 0.0];

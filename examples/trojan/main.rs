@@ -1,11 +1,10 @@
-//! An asteroid of Jupiter's, ahead of it by 60 degrees: the restricted problem of three bodies in a frame that turns.
+//! Integrates an asteroid 60 degrees ahead of Jupiter: the restricted three-body problem in a rotating frame.
 //!
-//! The frame adds `y p_x - x p_y` to H, which mixes q and p. `split = quadratic + rest` puts it with the kinetic energy in
-//! one part, whose flow is a matrix, and attraction in the other one.
+//! The frame adds `y p_x - x p_y` to H, which mixes `q` and `p`. `split = quadratic + rest` puts this term and the kinetic
+//! energy into one part, whose flow is a matrix. The attraction is the other part.
 //!
-//! Printed: how far the asteroid goes to and fro over 3,000 years for three starts, the change of its energy, and how
-//! long it takes there and back, beside the period of very small motions. Look at the last start: motions that are not
-//! small take longer.
+//! The program prints the range of the libration over 3,000 years for three initial states, the energy change, and the period,
+//! beside that of infinitesimal librations. Large librations, in the last row, take longer.
 
 mod asteroid;
 
@@ -13,7 +12,7 @@ use asteroid::{Asteroid, YEAR, ahead, slow_frequency, start, strongest};
 use integrator_core::prelude::*;
 
 const STEP: f64 = 0.1;
-/// Steps between looks, and looks.
+/// Steps between samples, and number of samples.
 const LOOK: u64 = 10;
 const LOOKS: usize = 1600;
 

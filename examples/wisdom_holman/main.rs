@@ -1,9 +1,10 @@
-//! The outer solar system by the splitting of Wisdom and Holman (1991), beside `T + V`.
+//! Integrates the outer solar system by the splitting of Wisdom and Holman (1991) and by `T + V`.
 //!
-//! The same two functions, once with `coordinates = jacobi(self.masses)`: the stepper then moves each planet on its exact
-//! Kepler orbit and kicks it by what is left of the forces, which is as small as the planets are. Printed: for steps of
-//! two years and less, the distance from a reference that was computed in 113-bit arithmetic, 999,999 days later, and the
-//! time, beside a composition for `T + V` that computes as many forces.
+//! With `coordinates = jacobi(self.masses)` on the same two functions, each planet moves on its exact Kepler orbit. Kicks apply
+//! the remaining forces, which are smaller by the ratio of the masses.
+//!
+//! For steps of two years and less, the program prints the time and the distance from a reference in 113-bit arithmetic, 999,999
+//! days later. It prints the same for a composition of `T + V` with as many forces.
 
 mod planets;
 

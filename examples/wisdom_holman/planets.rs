@@ -8,7 +8,7 @@ use integrator_core::prelude::*;
 use std::{error::Error, time::Instant};
 use system::{Bodies, GRAVITY, OuterSolarSystem, reference, relative};
 
-/// From the start to the reference.
+/// Time from the initial state to the reference.
 const DAYS: f64 = 999_999.0;
 
 /// The outer solar system in Jacobi coordinates: each body relative to the centre of mass of those before it.
@@ -34,8 +34,8 @@ impl Planets {
     }
 }
 
-/// The distance from the reference after so many steps, in units of the length of all positions, and the seconds that
-/// they took.
+/// Returns the distance from the reference after some steps, relative to the norm of all positions, and the elapsed
+/// seconds.
 pub(crate) fn end<H, X>(
     system: &H,
     composition: X,
