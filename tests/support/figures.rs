@@ -306,7 +306,7 @@ fn figures_of_devices_are_stored() {
         compare(section(&page, "Devices"), name, &columns.map(|column| devices.number(&[key], column)));
     }
     let million = devices.number(&["1000000"], columns[0]);
-    assert!(text("docs/guide/src/beyond_one_machine.md").contains(&format!("take {million:.1e} steps per second")));
+    assert!(text("docs/guide/src/gpus.md").contains(&format!("take {million:.1e} steps per second")));
     let notes = text("docs/contributing/performance-notes.md");
     for row in &devices.0[1..] {
         let quoted = row_of(section(&notes, "Devices"), &format!("{:<13}", row[0]));
@@ -318,7 +318,7 @@ fn figures_of_devices_are_stored() {
 #[test]
 fn figures_of_time_transformations_are_stored() {
     let (page, pace) = (text("docs/performance.md"), Stored::of("pace"));
-    let page = section(&page, "Adaptive steps by time transformation");
+    let page = section(&page, "Time transformations");
     // The least time of all methods of a kind.
     let kind = |method: &str| {
         ["Logarithmic", "Paced", "Taylor"].into_iter().find(|kind| method.starts_with(kind)).unwrap_or("fixed steps")
