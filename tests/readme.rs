@@ -88,15 +88,72 @@ fn every_feature_of_the_comparison_is_shown() {
     }
 }
 
-/// The methods of the laboratory are counted, not typed.
+/// The numbers in front of a word of a page, such as 24 in `24 methods`.
+fn counts(page: &str, word: &str) -> Vec<usize> {
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let word = format!(" {word}");
+    let before = page.match_indices(&word).map(|(place, _)| &page[..place]);
+    before.filter_map(|text| text.rsplit([' ', '[']).next()?.parse().ok()).collect()
+}
+
 #[test]
 fn pages_count_the_methods_of_the_laboratory() {
     let source = text("integrator-laboratory/src/rows.rs");
     let table = source.split_once("\nrows! {").and_then(|(_, rest)| rest.split_once("\n}")).expect("the table").0;
     let row = |line: &&str| line.starts_with("    ") && line[4..].starts_with(|first: char| first.is_ascii_uppercase());
     let count = table.lines().filter(row).count();
-    for page in ["README.md", "docs/examples.md"] {
-        assert!(text(page).contains(&format!(" {count} methods")), "{page}: there are {count} methods");
+    for page in ["README.md", "docs/examples.md", "docs/guide/src/reference_methods.md"] {
+        let found = counts(&text(page), "methods");
+        assert!(
+            found.contains(&count) && found.iter().all(|number| *number == count),
+            "{page}: {found:?}, not {count}"
+        );
+    }
+}
+
+/// The cookbook lists every Hamiltonian of `examples/cookbook`, in the words of its source.
+#[test]
+fn the_cookbook_is_complete() {
+    let page = text("docs/guide/src/cookbook.md");
+    let mut rows = 0;
+    for section in page.split("\n## [").skip(1) {
+        let file = section.split_once("](../../../").and_then(|(_, rest)| rest.split_once(')')).expect("a file").0;
+        let source = text(file);
+        for row in section.lines().filter_map(|line| line.strip_prefix("| `")) {
+            let (name, rest) = row.split_once("` | ").expect("a name");
+            let described = rest.split(" | ").next().expect("a description");
+            let (before, _) = source.split_once(&format!("struct {name} ")).unwrap_or_else(|| {
+                source.split_once(&format!("struct {name};")).unwrap_or_else(|| panic!("{file} has no `{name}`"))
+            });
+            let comment = before.lines().rev().skip(1).skip_while(|line| line.starts_with('#'));
+            let mut comment: Vec<_> = comment.map_while(|line| line.strip_prefix("/// ")).collect();
+            comment.reverse();
+            assert_eq!(comment.join(" "), without_links(described), "{file}: `{name}`");
+            rows += 1;
+        }
+    }
+    let folder = fs::read_dir(root().join("examples/cookbook")).expect("the cookbook");
+    let sources = folder.map(|file| text(file.expect("a file").path()));
+    let count: usize = sources.map(|source| source.matches("\n#[hamiltonian").count()).sum();
+    assert_eq!((rows, counts(&page, "Hamiltonians")), (count, vec![count]));
+}
+
+/// A text whose links are replaced by their words.
+fn without_links(text: &str) -> String {
+    let mut parts = text.split("](");
+    let first = parts.next().unwrap_or_default().to_owned();
+    let text = parts.fold(first, |text, part| text + part.split_once(')').map_or(part, |(_, rest)| rest));
+    text.replace('[', "")
+}
+
+#[test]
+fn every_example_is_listed() {
+    let manifest: toml::Table = text("examples/Cargo.toml").parse().expect("a manifest");
+    let page = text("docs/examples.md");
+    for example in manifest["example"].as_array().expect("examples") {
+        let name = example["name"].as_str().expect("a name");
+        let listed = page.contains(&format!("\n| `{name}` |")) || page.contains(&format!("--example {name} "));
+        assert!(listed, "docs/examples.md leaves out `{name}`");
     }
 }
 

@@ -2,8 +2,8 @@
 
 use integrator_core::prelude::*;
 
-/// A sextupole beside the focusing of a ring, at the difference resonance of third order, `νx = 2 νy` (Lee, Accelerator Physics,
-/// chapter 2).
+/// A sextupole with the linear focusing of a ring, at the third-order difference resonance, `νx = 2 νy` (Lee, Accelerator
+/// Physics, chapter 2).
 pub(crate) struct Sextupole {
     pub(crate) strength: f64,
 }
@@ -18,7 +18,7 @@ impl Sextupole {
     }
 }
 
-/// The phase of a particle in an accelerating bucket (Lee, Accelerator Physics, chapter 3).
+/// The longitudinal phase of a particle in an accelerating bucket (Lee, Accelerator Physics, chapter 3).
 pub(crate) struct Bucket {
     pub(crate) slip: f64,
     pub(crate) synchronous: f64,
@@ -34,8 +34,8 @@ impl Bucket {
     }
 }
 
-/// A relativistic particle in a periodic potential; T is no quadratic form (Landau and Lifshitz, The Classical Theory of Fields,
-/// § 9).
+/// A relativistic particle in a periodic potential; `T` is not quadratic (Landau and Lifshitz, The Classical Theory of
+/// Fields, § 9).
 pub(crate) struct PeriodicPotential {
     pub(crate) amplitude: f64,
 }

@@ -2,8 +2,8 @@
 
 use integrator_core::prelude::*;
 
-/// A comet that nearly falls into its star, for `Logarithmic(Yoshida4)`, whose steps shrink there (Mikkola and Tanikawa, Celestial
-/// Mechanics and Dynamical Astronomy 74, 1999).
+/// A comet that nearly hits its star, for `Logarithmic(Yoshida4)`, whose steps shrink there (Mikkola and
+/// Tanikawa, Celestial Mechanics and Dynamical Astronomy 74, 1999).
 pub(crate) struct Comet;
 
 #[hamiltonian]
@@ -20,7 +20,8 @@ impl Comet {
     }
 }
 
-/// A force that is switched on and off: a step has the force of its middle (Landau and Lifshitz, Mechanics, § 22).
+/// A force that is switched on and off; conditions on time use the middle of a step (Landau and
+/// Lifshitz, Mechanics, § 22).
 pub(crate) struct Pulse {
     pub(crate) strength: f64,
     pub(crate) on: f64,
@@ -38,8 +39,8 @@ impl Pulse {
     }
 }
 
-/// Soft bodies that push each other up to a distance, where two derivatives of the force end with it (Groot and Warren, Journal of
-/// Chemical Physics 107, 1997, with a smoother force).
+/// Soft repulsive bodies with a cutoff at which the force and two of its derivatives vanish (Groot and
+/// Warren, Journal of Chemical Physics 107, 1997, with a smoother force).
 pub(crate) struct Soft {
     pub(crate) cutoff: f64,
 }
@@ -63,7 +64,7 @@ impl Soft {
     }
 }
 
-/// The same in a periodic box: each pair by its nearest images (Allen and Tildesley, Computer Simulation of Liquids, section 1.6).
+/// The same in a periodic box, with nearest images (Allen and Tildesley, Computer Simulation of Liquids, section 1.6).
 pub(crate) struct Periodic {
     pub(crate) side: f64,
     pub(crate) cutoff: f64,

@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// The third integral (Hénon and Heiles, Astronomical Journal 69, 1964).
+/// The Hénon–Heiles potential, of the third integral (Hénon and Heiles, Astronomical Journal 69, 1964).
 pub(crate) struct HenonHeiles {
     pub(crate) coupling: f64,
 }
@@ -17,7 +17,7 @@ impl HenonHeiles {
     }
 }
 
-/// A flattened galaxy with flat curves of rotation (Binney and Tremaine, Galactic Dynamics, section 3.3.1).
+/// A flattened galaxy with a flat rotation curve (Binney and Tremaine, Galactic Dynamics, section 3.3.1).
 pub(crate) struct Logarithmic {
     pub(crate) core: f64,
     pub(crate) flattening: f64,
@@ -33,7 +33,7 @@ impl Logarithmic {
     }
 }
 
-/// A disk (Miyamoto and Nagai, Publications of the Astronomical Society of Japan 27, 1975).
+/// A galactic disk (Miyamoto and Nagai, Publications of the Astronomical Society of Japan 27, 1975).
 pub(crate) struct Disk {
     pub(crate) length: f64,
     pub(crate) height: f64,
@@ -54,7 +54,7 @@ impl Disk {
     }
 }
 
-/// A cluster whose orbits all have periods of their energy alone (Hénon, Annales d'Astrophysique 22, 1959).
+/// The isochrone cluster, in which the radial period depends on the energy alone (Hénon, Annales d'Astrophysique 22, 1959).
 pub(crate) struct Isochrone {
     pub(crate) length: f64,
 }

@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// Springs with a quadratic force beside the linear one (Fermi, Pasta, Ulam and Tsingou, Los Alamos report LA-1940, 1955).
+/// Springs with a linear and a quadratic force (Fermi, Pasta, Ulam and Tsingou, Los Alamos report LA-1940, 1955).
 pub(crate) struct Fput {
     pub(crate) cubic: f64,
 }
@@ -26,7 +26,7 @@ impl Fput {
     }
 }
 
-/// The lattice whose solitons are exact (Toda, Journal of the Physical Society of Japan 22, 1967).
+/// The Toda lattice, which has exact solitons (Toda, Journal of the Physical Society of Japan 22, 1967).
 pub(crate) struct Toda;
 
 #[hamiltonian]
@@ -48,7 +48,7 @@ impl Toda {
     }
 }
 
-/// Atoms over a periodic ground (Frenkel and Kontorova, Physikalische Zeitschrift der Sowjetunion 13, 1938).
+/// Atoms in a periodic substrate potential (Frenkel and Kontorova, Physikalische Zeitschrift der Sowjetunion 13, 1938).
 pub(crate) struct FrenkelKontorova {
     pub(crate) ground: f64,
 }
@@ -86,7 +86,7 @@ impl PhiFour {
     }
 }
 
-/// Rotors that turn each other (Livi, Pettini, Ruffo and Vulpiani, Journal of Statistical Physics 48, 1987).
+/// Coupled rotors (Livi, Pettini, Ruffo and Vulpiani, Journal of Statistical Physics 48, 1987).
 pub(crate) struct Rotors {
     pub(crate) coupling: f64,
 }

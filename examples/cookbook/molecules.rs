@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// A bond that can break (Morse, Physical Review 34, 1929).
+/// A bond that can break: the Morse potential (Morse, Physical Review 34, 1929).
 pub(crate) struct Morse {
     pub(crate) depth: f64,
     pub(crate) width: f64,
@@ -18,7 +18,8 @@ impl Morse {
     }
 }
 
-/// The bonds of water, which share an atom: two oscillators of Morse, coupled by their momenta (Child and Halonen, Advances in Chemical Physics 57, 1984).
+/// The two bonds of water: Morse oscillators coupled by their momenta (Child and Halonen, Advances in Chemical Physics 57,
+/// 1984).
 pub(crate) struct Stretches {
     pub(crate) coupling: f64,
 }
@@ -49,7 +50,7 @@ impl Butane {
     }
 }
 
-/// Three atoms of argon, in units of the pair (Lennard-Jones, Proceedings of the Royal Society A 106, 1924).
+/// Three argon atoms in Lennard-Jones units (Lennard-Jones, Proceedings of the Royal Society A 106, 1924).
 pub(crate) struct Trimer;
 
 #[hamiltonian]

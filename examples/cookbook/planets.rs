@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// A planet about a star, in units in which its orbit takes 2π (Goldstein, Classical Mechanics, section 3.7).
+/// A planet orbiting a star, in units with the period 2π (Goldstein, Classical Mechanics, section 3.7).
 pub(crate) struct Kepler {
     pub(crate) strength: f64,
 }
@@ -21,7 +21,7 @@ impl Kepler {
     }
 }
 
-/// A satellite about a flattened planet, with the second zonal harmonic J₂ (Brouwer, Astronomical Journal 64, 1959).
+/// A satellite of a flattened planet, with the second zonal harmonic J₂ (Brouwer, Astronomical Journal 64, 1959).
 pub(crate) struct Satellite {
     pub(crate) flattening: f64,
 }
@@ -41,7 +41,8 @@ impl Satellite {
     }
 }
 
-/// A particle about a black hole, by the potential of Paczyński and Wiita (Astronomy and Astrophysics 88, 1980).
+/// A particle near a black hole, with the pseudo-Newtonian potential of Paczyński and Wiita (Astronomy and Astrophysics 88,
+/// 1980).
 pub(crate) struct BlackHole {
     pub(crate) radius: f64,
 }
@@ -60,8 +61,8 @@ impl BlackHole {
     }
 }
 
-/// The rotation of a moon of this asphericity on an orbit of small eccentricity, in mean anomalies (Goldreich and Peale, Astronomical Journal 71,
-/// 1966).
+/// The rotation of an aspherical moon on an orbit of small eccentricity; time is the mean anomaly (Goldreich and Peale,
+/// Astronomical Journal 71, 1966).
 pub(crate) struct SpinOrbit {
     pub(crate) asphericity: f64,
     pub(crate) eccentricity: f64,
@@ -79,7 +80,7 @@ impl SpinOrbit {
     }
 }
 
-/// Three equal masses on a figure of eight (Chenciner and Montgomery, Annals of Mathematics 152, 2000).
+/// Three equal masses on the figure-eight orbit (Chenciner and Montgomery, Annals of Mathematics 152, 2000).
 pub(crate) struct FigureEight;
 
 #[hamiltonian]

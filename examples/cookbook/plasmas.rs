@@ -18,7 +18,7 @@ impl TwoWaves {
     }
 }
 
-/// An ion in the quadrupole of Paul, in units of half the drive (Paul, Reviews of Modern Physics 62, 1990).
+/// An ion in a Paul trap; time is half the phase of the drive (Paul, Reviews of Modern Physics 62, 1990).
 pub(crate) struct PaulTrap {
     pub(crate) a: f64,
     pub(crate) q: f64,

@@ -2,7 +2,7 @@
 
 use integrator_core::prelude::*;
 
-/// A normal distribution with a correlation (Neal, Handbook of Markov Chain Monte Carlo, chapter 5).
+/// A correlated normal distribution (Neal, Handbook of Markov Chain Monte Carlo, chapter 5).
 pub(crate) struct Correlated {
     pub(crate) correlation: f64,
 }
@@ -17,7 +17,7 @@ impl Correlated {
     }
 }
 
-/// A banana (Haario, Saksman and Tamminen, Computational Statistics 14, 1999).
+/// A banana-shaped distribution (Haario, Saksman and Tamminen, Computational Statistics 14, 1999).
 pub(crate) struct Banana {
     pub(crate) bend: f64,
 }
@@ -32,7 +32,7 @@ impl Banana {
     }
 }
 
-/// A funnel of two variables (Neal, Annals of Statistics 31, 2003).
+/// Neal's funnel in two variables (Neal, Annals of Statistics 31, 2003).
 pub(crate) struct Funnel {
     pub(crate) width: f64,
 }

@@ -17,7 +17,7 @@ impl Pendulum {
     }
 }
 
-/// A spring that stiffens (Duffing, Erzwungene Schwingungen, 1918).
+/// A spring that stiffens with its extension (Duffing, Erzwungene Schwingungen, 1918).
 pub(crate) struct Duffing {
     pub(crate) stiffening: f64,
 }

@@ -201,7 +201,7 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "brackets_stay_one_at_every_step",
-        says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of what rounding may have made of it",
+        says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of the rounding bound",
         of_energy: false,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symplectic);
@@ -213,14 +213,14 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "forward_euler_bracket_leaves_one",
-        says: "The bracket of forward Euler leaves one for good: |{q₁, p₁} − 1| after four periods, or where it leaves the finite numbers",
+        says: "The bracket of forward Euler departs from one: |{q₁, p₁} − 1| after four periods, or when it overflows",
         of_energy: false,
         value: |study| Some((study.method("forward Euler")?.deviations.last()?.bracket - 1.0).abs()),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "maps_tell_symplectic_methods",
-        says: "Methods that claim to be symplectic are, for every step, and no other method is: how many are on the wrong side after eight steps, when methods with a memory have left their starter",
+        says: "Exactly the symplectic methods have symplectic maps, for every step: the number of exceptions after eight steps, when multistep methods have left their starter",
         of_energy: false,
         value: |study| {
             let wrong = study.methods.iter().filter(|measured| measured.symplectic != measured.keeps_areas());
@@ -230,7 +230,7 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "symplectic_methods_preserve_areas",
-        says: "Symplectic methods preserve the area of a set of starts: the largest relative change",
+        says: "Symplectic methods preserve the area of a set of initial states: the largest relative change",
         of_energy: false,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symplectic);
@@ -240,14 +240,14 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "forward_euler_area_is_not_preserved",
-        says: "Forward Euler does not preserve the area of a set of starts: the relative change",
+        says: "Forward Euler does not preserve the area of a set of initial states: the relative change",
         of_energy: false,
         value: |study| Some((study.method("forward Euler")?.blob.area() - 1.0).abs()),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "symmetric_methods_come_back",
-        says: "Symmetric methods come back when the momenta are turned around: the farthest distance from the start",
+        says: "Symmetric methods return when the momenta are reversed: the largest distance from the start",
         of_energy: true,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symmetric);
@@ -257,28 +257,28 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "forward_euler_does_not_come_back",
-        says: "Forward Euler does not come back: the distance from the start",
+        says: "Forward Euler does not return: the distance from the start",
         of_energy: true,
         value: |study| Some(study.method("forward Euler")?.reversal.apart.unwrap_or(f64::INFINITY)),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "symplectic_euler_does_not_come_back",
-        says: "Symplectic Euler does not come back either, since it kicks first both ways: the distance from the start",
+        says: "Symplectic Euler does not return either, since it kicks first in both directions: the distance from the start",
         of_energy: true,
         value: |study| study.method("symplectic Euler")?.reversal.apart,
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "runge_kutta_4_does_not_come_back",
-        says: "Runge–Kutta 4 does not come back: the distance from the start, which rounding would make a billionth",
+        says: "Runge–Kutta 4 does not return: the distance from the start, a billionth by rounding alone",
         of_energy: true,
         value: |study| study.method("Runge–Kutta 4")?.reversal.apart,
         within: [1e3 * BACK, f64::INFINITY],
     },
     Claim {
         name: "each_column_of_the_extrapolation_gains_two_orders",
-        says: "Each column of the extrapolation gains two orders: by how much the exponents of its errors exceed 3, 5, 7, 9, at least",
+        says: "Each column of the extrapolation gains two orders: the least excess of the exponents of its errors over 3, 5, 7, 9",
         of_energy: false,
         value: |study| study.extrapolation.as_ref()?.least_excess(),
         within: [-COLUMN, f64::INFINITY],
@@ -292,7 +292,7 @@ const CLAIMS: [Claim; 17] = [
     },
     Claim {
         name: "verlet_equals_shifted_leapfrog",
-        says: "Verlet's inner half steps are the leapfrog, shifted by half a step: the largest relative distance",
+        says: "Verlet is the leapfrog shifted by half a step: the largest relative distance",
         of_energy: false,
         value: |study| Some(study.shifted),
         within: [0.0, SHIFTED],
@@ -313,13 +313,13 @@ fn of_portrait(measured: &Measured) -> Verdict {
     let word = measured.word();
     if measured.symplectic {
         let says = format!(
-            "The energy of {name} swings and does not drift, in {steps} steps to a period: its largest error in the second half over that in the first"
+            "The energy of {name} oscillates and does not drift, in {steps} steps per period: its largest error in the second half over that in the first"
         );
         return Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
     }
     let periods = plain(portrait.periods);
     let says = format!(
-        "{name} gains or loses energy, in {steps} steps to a period: the size of the change after {periods} periods, in units of the largest kinetic energy"
+        "{name} gains or loses energy, in {steps} steps per period: the size of the change after {periods} periods, in units of the largest kinetic energy"
     );
     Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()))
 }

@@ -233,11 +233,11 @@ const SHOWN: [(&str, [&str; 3], bool); 11] = [
     ("modified", ["Modified Hamiltonians", "with further terms h⁴, h⁶", "Yoshida 4"], false),
     ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
     ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
-    ("tangents", ["How long a deviation gets", "{q₁, p₁} − 1", "at every step of a symplectic method"], true),
+    ("tangents", ["Length of a deviation", "{q₁, p₁} − 1", "Deviations evolved by"], true),
     ("reversal", ["Reversibility", "distance from the start: ", "Verlet"], false),
     ("limits", ["Energy error against step", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
-    ("work_precision", ["Work and precision", "evaluations of the force", "Dormand–Prince 8"], true),
+    ("work_precision", ["Work and precision", "force evaluations", "Dormand–Prince 8"], true),
 ];
 
 #[test]

@@ -69,8 +69,8 @@ mod tests {
         for word in ["Errors", "pendulum", "solar", "steps", ">10⁵<"] {
             assert!(text.contains(word), "{word} is missing in {text}");
         }
-        let (curves, points) = (text.matches("<polyline").count(), text.matches("<circle").count());
-        assert_eq!(points, 16, "a dot for every look");
+        let [curves, discs, squares] = ["<polyline", "<circle", "<polygon"].map(|shape| text.matches(shape).count());
+        assert_eq!((discs, squares), (8, 8), "a marker for every point");
         assert!(curves >= 4, "{curves} lines: a curve and a walk for each problem");
         for extension in ["svg", "png"] {
             fs::remove_file(file.with_extension(extension)).expect("a file");
