@@ -76,7 +76,7 @@ fn order_gives_way_to_chaos_in_the_galaxy() {
     let sections = [section("1/12", 1.0 / 12.0), section("1/6", 1.0 / 6.0)];
     let [low, at_escape] = [0, 1].map(|i| sections[i].regular());
     assert!(low == 1.0 && at_escape < 0.25, "{low} and {at_escape} of the sections are regular");
-    let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "ẏ"];
+    let words = ["Energy 1/12", "100 % of the section", "Energy 1/6", "p_y"];
     let text = drawn("sections", &section_picture::picture(&sections), &words);
     assert_eq!(text.matches("<image").count(), 2, "the points of a section are one bitmap");
 }
@@ -157,7 +157,7 @@ fn the_energy_of_the_chain_comes_back() {
     assert!(energy_error < 1e-8, "the energy changes by {energy_error:e}");
     let theirs: Vec<_> = theirs.into_iter().map(|(time, [first, ..])| (time, [first])).collect();
     let picture = chain_picture::picture(&looks, &theirs, (periods, share));
-    let text = drawn("chain", &picture, &["mode 3", "their step", "after 146", "share of the energy"]);
+    let text = drawn("chain", &picture, &["mode 3", "original step", "after 146", "share of the energy"]);
     // Each curve and its place in the legend; dashes are lines of their own.
     assert!(text.matches("<polyline").count() >= 6, "three modes");
     assert_eq!(chain::recurrence(&looks[..looks.len() / 2]), None, "no energy has come back by then");
@@ -182,7 +182,11 @@ fn the_soliton_passes_around_the_ring() {
     let looks = [0.0, 0.5, 1.0].map(|periods| (periods * soliton.period(), soliton.state(periods * soliton.period())));
     let picture = ring_picture::picture(&soliton, &looks, &[(1.0, [coarse, coarse]), (1.5, [momenta, positions])]);
     let text = drawn("ring", &picture, &["Toda", "site", "after 2 periods", "distance"]);
-    assert_eq!(text.matches("<circle").count(), 3 * 64 + 4, "a dot for each site at each look, and two distances");
+    assert_eq!(
+        text.matches("<circle").count(),
+        3 * 64 + 2,
+        "a dot for each site at each time, and the distances of momenta"
+    );
 }
 
 /// The numbers are Mathieu's: where the characteristic curves `a₀(q)` and `b₁(-q)` meet the axis and one another.
@@ -270,7 +274,7 @@ fn argon_keeps_its_energy_and_its_neighbours() {
     drawn(
         "liquid",
         &picture,
-        &["Radial distribution function", "Mean square displacement", "distance in Å", "Temperature"],
+        &["Radial distribution function", "Mean square displacement", "distance r in Å", "Temperature"],
     );
 }
 

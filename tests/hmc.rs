@@ -57,7 +57,8 @@ fn draws_have_the_mean_of_the_posterior() {
         assert!((mean - reference).abs() < 4.0 * (variance / size).sqrt(), "{mean} for {reference}");
     }
     let drawing = picture::picture(&posterior, &draws, [reference[0], reference[1]], sampler.acceptance());
-    let words = ["Draws from the posterior", "at 31 °F: 99 %", "temperature in °F", "slope per degree", "accepted"];
+    let words =
+        ["Draws from the posterior", "probability at 31 °F: 99 %", "temperature in °F", "slope per °F", "accepted"];
     let text = drawn::drawn("posterior", &drawing, &words);
     assert_eq!(text.matches("<circle").count(), 1 + 23, "the mean, and a dot for each launch");
 }

@@ -19,7 +19,7 @@ pub(crate) fn orbit(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Resu
     let path: Vec<Bodies> = samples.map(|sample| sample.map(|sample| sample.state.q)).collect::<Result<_, _>>()?;
     let of = |body: usize| path.iter().map(move |q| (q[body][0] - q[0][0], q[body][1] - q[0][1]));
     let chart = Chart::new("Halley's comet")
-        .claim("A dot every 0.1 years: decades far out, and around the Sun within months")
+        .claim("One dot every 0.1 years: decades at the aphelion, months at the perihelion")
         .along(Axis::linear("x in AU"))
         .up(Axis::linear("y in AU"))
         .with_equal_units()
@@ -38,7 +38,7 @@ pub(crate) fn elements(system: &Solar, start: Phase<Bodies>, folder: &Path) -> R
     let states: Vec<_> = samples.collect::<Result<_, _>>()?;
     let axis = states.iter().map(|sample| (year(sample.time), axis_and_eccentricity(system, &sample.state)[0]));
     let chart = Chart::new("The semi-major axis of Halley's comet")
-        .claim(format!("From {:.0} back: Jupiter changes it at each perihelion", year(BEGIN)))
+        .claim(format!("Backwards from {:.0}: Jupiter changes it at each perihelion passage", year(BEGIN)))
         .along(Axis::linear("year"))
         .up(Axis::linear("semi-major axis in AU"))
         .sized(1000, 500)

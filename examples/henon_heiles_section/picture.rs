@@ -25,7 +25,7 @@ impl Section {
         Chart::new(format!("Energy {}", self.name))
             .measured(format!("{:.0} % of the section is regular", 100.0 * self.regular()))
             .along(Axis::linear("y"))
-            .up(Axis::linear("ẏ"))
+            .up(Axis::linear("p_y"))
             .line("", border(self.energy))
             .coloured(colour::GREY)
             .cloud("", points(false))
@@ -36,7 +36,9 @@ impl Section {
 }
 
 pub(crate) fn picture(sections: &[Section]) -> Panels {
-    let panels =
-        Panels::new("Sections of Hénon and Heiles", "Blue: regular orbits, on curves. Orange: chaotic ones, all over.");
+    let panels = Panels::new(
+        "Poincaré sections of the Hénon–Heiles system",
+        "Blue: regular orbits, on curves. Orange: chaotic orbits, which fill areas.",
+    );
     sections.iter().fold(panels.panel(520, 520), |panels, section| panels.chart(section.chart()))
 }

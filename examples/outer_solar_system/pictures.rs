@@ -19,7 +19,7 @@ pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &P
         system.run_with(BlanesMoanSrkn11, start, step)?.samples(1).take((1.02 * PLANETS[4].1 / step) as usize);
     let path: Vec<Bodies> = samples.map(|sample| sample.map(|sample| sample.state.q)).collect::<Result<_, _>>()?;
     let chart = Chart::new("The outer solar system")
-        .claim("One revolution of each planet; Pluto is nearer to the Sun than Neptune for a part of it")
+        .claim("One revolution of each planet; Pluto is closer to the Sun than Neptune for part of its orbit")
         .along(Axis::linear("x in AU"))
         .up(Axis::linear("y in AU"))
         .with_equal_units()
@@ -77,10 +77,10 @@ pub(crate) fn energies(
         )*};
     }
     follow! { Verlet Yoshida4 BlanesMoanSrkn6 BlanesMoanSrkn11 KahanLi8 Teloy8C }
-    let chart = Chart::new("The energy of the outer solar system")
-        .claim(format!("The largest error in each decade; every composition computes a force in {DAYS_PER_FORCE} days"))
-        .along(Axis::linear("years"))
-        .up(Axis::logarithmic("relative error of the energy"));
+    let chart = Chart::new("Energy error of the outer solar system")
+        .claim(format!("Largest error in each decade; every composition evaluates one force per {DAYS_PER_FORCE} days"))
+        .along(Axis::linear("time in years"))
+        .up(Axis::logarithmic("relative energy error"));
     let chart = curves.iter().fold(chart, |chart, (name, curve)| chart.line(name.as_str(), curve.iter().copied()));
     write(&folder.join("outer_solar_system_energy"), &chart)?;
     Ok(curves)

@@ -17,10 +17,10 @@ pub(crate) fn picture(traps: &[(PaulTrap, [f64; 2])], orbits: &[Orbit; 2], edge:
     let those = |chosen: fn([f64; 2]) -> bool| {
         traps.iter().filter(move |(_, traces)| chosen(*traces)).map(move |(trap, _)| place(trap))
     };
-    let mut region = Chart::new("Which traps hold ions")
-        .claim("Blue: both directions are stable. Light: one is. Dots: the two traps beside")
-        .along(Axis::linear("q, alternating voltage"))
-        .up(Axis::linear("a, constant voltage"))
+    let mut region = Chart::new("Stability of traps")
+        .claim("Dark blue: stable in both directions. Light blue: in one. Dots: the two traps on the right")
+        .along(Axis::linear("q (alternating voltage)"))
+        .up(Axis::linear("a (constant voltage)"))
         .cloud("", those(|traces| !holds(traces) && traces.iter().any(|trace| trace.abs() < 2.0)))
         .coloured(colour::COLOURS[1])
         .cloud("", those(holds))
@@ -29,14 +29,14 @@ pub(crate) fn picture(traps: &[(PaulTrap, [f64; 2])], orbits: &[Orbit; 2], edge:
     for (orbit, colour) in orbits.iter().zip(colours) {
         region = region.dots("", [place(&orbit.trap)]).coloured(colour);
     }
-    let panels = Panels::new("Paul's trap", "An alternating voltage holds ions where Mathieu's equation is stable")
-        .measured(format!("without a constant voltage, up to q = {edge:.8}"))
+    let panels = Panels::new("Paul trap", "An alternating voltage confines ions where Mathieu's equation is stable")
+        .measured(format!("stable for a = 0 up to q = {edge:.8}"))
         .panel(520, 480)
         .chart(region);
     orbits.iter().zip(colours).fold(panels, |panels, (orbit, colour)| {
         let PaulTrap { a, q } = orbit.trap;
         let chart = Chart::new(format!("{}: a = {a}, q = {q}", orbit.name))
-            .along(Axis::linear("periods of the voltage"))
+            .along(Axis::linear("time in periods of the voltage"))
             .up(Axis::linear("x"))
             .line("", orbit.points.iter().copied())
             .coloured(colour);

@@ -9,7 +9,7 @@ pub(crate) fn paths(file: &Path) -> Result<(), Box<dyn Error>> {
     let path: Vec<Compensation> =
         samples.map(|sample| sample.map(|sample| sample.state.q)).collect::<Result<_, _>>()?;
     let chart = Chart::new("The Pythagorean problem until t = 70")
-        .claim("After many encounters the lightest body leaves, and the other two go round each other")
+        .claim("After many encounters the lightest body is ejected, and the other two form a binary")
         .along(Axis::linear("x"))
         .up(Axis::linear("y"))
         .with_equal_units()

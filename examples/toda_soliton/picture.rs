@@ -2,7 +2,7 @@
 
 use crate::ring::Soliton;
 use integrator_core::prelude::*;
-use integrator_plot::{Axis, Chart, Mark, Panels, colour};
+use integrator_plot::{Axis, Chart, Mark, Marker, Panels, colour};
 
 /// Draws samples `(time, state)` of the first period, and distances `(periods, [of momenta, of positions])` after each
 /// period.
@@ -12,24 +12,25 @@ pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], dista
         sites
     };
     let mut waves = Chart::new("One period around the ring")
-        .claim("Lines: computed, upwards in time. Dots: closed form")
+        .claim("Lines: computed, later times above. Dots: closed form")
         .along(Axis::linear("site"))
-        .up(Axis::linear("momentum, each look 1 higher"));
+        .up(Axis::linear("momentum, each time shifted by 1"));
     for (number, (_, state)) in looks.iter().enumerate() {
         waves = waves.line("", wave(number, state)).coloured(colour::COLOURS[6]);
     }
     let closed_form = looks.iter().enumerate().flat_map(|(number, (time, _))| wave(number, &soliton.state(*time)));
     let of = |which: usize| distances.iter().map(move |(periods, distance)| (*periods, distance[which]));
     let growth = Chart::new("Distance from the closed form")
-        .claim("Black: momenta, relative to the height of the wave. Blue: positions")
+        .claim("Black discs: momenta, relative to the height of the wave. Blue squares: positions")
         .along(Axis::logarithmic("periods"))
         .up(Axis::logarithmic("distance"))
         .series(Mark::Dotted, "", of(0))
-        .series(Mark::Dotted, "", of(1));
+        .series(Mark::Dotted, "", of(1))
+        .marked(Marker::Square);
     let measured = distances.last().map(|(periods, [momenta, _])| {
-        format!("after {periods:.0} periods the momenta are off by {momenta:.1e} of the height")
+        format!("after {periods:.0} periods the momenta deviate by {momenta:.1e} of the height")
     });
-    Panels::new("A soliton on Toda's lattice", "It keeps its shape and its speed")
+    Panels::new("A soliton on the Toda lattice", "It keeps its shape and its speed")
         .measured(measured.unwrap_or_default())
         .columns(2)
         .panel(620, 640)
