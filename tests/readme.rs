@@ -210,6 +210,46 @@ fn the_tests_that_take_longest_are_run_as_well() {
 }
 
 #[test]
+fn the_public_ci_runs_the_commands_of_the_readme() {
+    let (workflow, readme) = (text(".github/workflows/ci.yml"), text("README.md"));
+    let commands: Vec<&str> = workflow.lines().filter_map(|line| line.trim_start().strip_prefix("- run: ")).collect();
+    assert!(commands.contains(&".ci/run"), "{commands:?}");
+    for command in commands.iter().filter(|command| command.starts_with("cargo ")) {
+        assert!(readme.lines().any(|line| line == *command), "the README has no `{command}`");
+    }
+    assert_eq!(commands.iter().filter(|command| command.starts_with("cargo ")).count(), 2);
+}
+
+/// Manifest, changelog and citation name the same release, and published crates can be found and read.
+#[test]
+fn the_release_is_named_alike_everywhere() {
+    let table = |path: &str| text(path).parse::<toml::Table>().expect("a manifest");
+    let manifest = table("Cargo.toml");
+    let version = manifest["workspace"]["package"]["version"].as_str().expect("a version").to_owned();
+    let changelog = text("CHANGELOG.md");
+    let release = changelog.lines().find_map(|line| line.strip_prefix("## [").filter(|line| line.contains("] - ")));
+    let (released, date) = release.and_then(|line| line.split_once("] - ")).expect("a release with a date");
+    assert_eq!(released, version);
+    let citation = text("CITATION.cff");
+    for line in [format!("version: {version}"), format!("date-released: {date}")] {
+        assert!(citation.lines().any(|known| known == line), "CITATION.cff has no `{line}`");
+    }
+    for name in ["integrator-core", "integrator-macros", "integrator-symbolic"] {
+        let package = &table(&format!("{name}/Cargo.toml"))["package"];
+        for key in ["description", "license", "keywords", "categories", "readme", "include"] {
+            assert!(package.get(key).is_some(), "{name} has no {key}");
+        }
+        let described = [package["description"].to_string(), package["keywords"].to_string()].concat().to_lowercase();
+        for word in ["symplectic", "hamiltonian", "integrator", "splitting"] {
+            assert!(described.contains(word), "{name} is not found by `{word}`: {described}");
+        }
+        assert!(root().join(name).join(package["readme"].as_str().expect("a file")).exists());
+        let dependency = &manifest["workspace"]["dependencies"][name];
+        assert_eq!(dependency["version"].as_str(), Some(&version[..]), "{name}");
+    }
+}
+
+#[test]
 fn the_first_command_names_an_example() {
     assert!(text("README.md").contains("\ncargo run --release --example outer_solar_system\n"));
     assert!(text("examples/outer_solar_system/main.rs").contains("fn main"));

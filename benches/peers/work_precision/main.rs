@@ -82,15 +82,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let table = Table::new("work_precision", &["problem", "method", "ms", "energy", "global"]);
     let mut report = Report { runs: table, choices: Vec::new(), lines: Vec::new() };
     let problems = Problems::default();
-    let title = "Pendulum, 120 large swings";
+    let title = "Pendulum, 120 large oscillations";
     report.problem::<_, _, 1, 2>(title, &problems.pendulum(), &fields::pendulum(&problems), 1 << 10)?;
-    let title = "Hénon-Heiles, E = 0.13, t = 999";
+    let title = "Hénon–Heiles, E = 0.13, t = 999";
     report.problem::<_, _, 2, 4>(title, &problems.henon_heiles(), &fields::henon_heiles(&problems), 1 << 10)?;
     let title = "Kepler, e = 0.6, 1000 periods";
     report.problem::<_, _, 2, 4>(title, &problems.kepler(), &fields::kepler(&problems), 1 << 16)?;
     let title = "Outer solar system, 2738 years";
     report.problem::<_, _, 18, 36>(title, &problems.solar(), &fields::solar(&problems), 1 << 10)?;
-    let title = "FPUT chain of 32, t = 9999";
+    let title = "FPUT chain of 32 sites, t = 9999";
     report.problem::<_, _, 32, 64>(title, &problems.chain(), &fields::chain(&problems), 1 << 14)?;
     report.runs.write()?;
     println!("\nThe fastest to each error, and the fastest of the peers:");

@@ -22,19 +22,18 @@ struct WorkPrecision<'c> {
     kind: Kind,
 }
 
-/// How a curve is drawn: those of other crates are thin and pale, each with a sign and a colour of its own.
+/// Style of a curve. Curves of other crates are thin and pale, each with its own marker and colour.
 struct Look {
     stroke: Stroke,
     marker: Marker,
 }
 
-/// The room for the legend on the right, and a line of it.
+/// Width of the legend on the right, and height of its lines.
 const LEGEND: f64 = 350.0;
 const LINE: f64 = 25.0;
 
 impl WorkPrecision<'_> {
-    /// Curves in the order of the legend: ours first. One that carries rounding errors along has the colour of the same
-    /// method without.
+    /// Returns the styles of the curves. A compensated method has the colour of the same method without compensation.
     fn looks(&self) -> Vec<Look> {
         let plain = |method: &str| method.split(',').next().unwrap_or_default().to_owned();
         let mut methods: Vec<String> = Vec::new();
@@ -58,7 +57,7 @@ impl WorkPrecision<'_> {
         self.curves.iter().map(look).collect()
     }
 
-    /// The points of a curve, none of them below what doubles hold.
+    /// Returns the points of a curve; errors below 1e-16 are drawn there.
     fn points(&self, curve: &Curve) -> Vec<(f64, f64)> {
         let points = curve.points.iter().filter(|point| point.error(self.kind) < 1.0);
         points.map(|point| (point.milliseconds, point.error(self.kind).max(1e-16))).collect()
@@ -87,16 +86,16 @@ impl Picture for WorkPrecision<'_> {
     fn draw(&self, canvas: &mut Canvas) {
         let looks = self.looks();
         let error = match self.kind {
-            Kind::Energy => "largest relative error of the energy",
-            Kind::Global => "relative error of the positions at the end",
+            Kind::Energy => "largest relative energy error",
+            Kind::Global => "relative position error at the end",
         };
-        let claim = "CPU time of a run against its error: further down and to the left is better";
+        let claim = "CPU time of a run against its error; lower left is better";
         let below = head(canvas, self.title, claim);
         let [across, down] = [self.size().0, self.size().1].map(f64::from);
         self.legend(canvas, (across - LEGEND + 8.0, below + 24.0), &looks);
 
         let all: Vec<(f64, f64)> = self.curves.iter().flat_map(|curve| self.points(curve)).collect();
-        let names = ["CPU time, ms", error];
+        let names = ["CPU time in ms", error];
         let [along, up] = names.map(Axis::logarithmic);
         let scales = [along.fit(all.iter().map(|point| point.0)), up.fit(all.iter().map(|point| point.1))];
         let margins = Margins { top: below + 12.0, right: LEGEND, text: 16.0 };
