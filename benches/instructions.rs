@@ -1,8 +1,9 @@
-//! Instructions per step, held against those kept in `benches/instruction_counts.csv`: `cargo bench -p integrator --bench instructions`.
+//! Counts instructions per step and compares them with `benches/instruction_counts.csv`: `cargo bench -p integrator --bench
+//! instructions`.
 //!
-//! The program runs itself under callgrind with two numbers of steps; the difference is that of the steps alone. Callgrind
-//! of Valgrind 3.19 knows no AVX-512, so the clone for AVX2 is counted. More than two per cent above what is kept is an
-//! error; `.ci/bless counts` keeps the new numbers. Where Valgrind is missing, nothing is counted, and the output says so.
+//! The program runs itself under callgrind with two numbers of steps; the difference is the cost of the steps alone. Callgrind
+//! of Valgrind 3.19 does not support AVX-512, so it counts the code for AVX2. A count more than two per cent above the stored
+//! one is an error; `.ci/bless counts` stores new counts. Without Valgrind, the program prints that nothing is counted.
 
 use integrator_bench::{
     counts::{Counts, compare, read, total, write},

@@ -1,8 +1,8 @@
-//! The time of a stage along Kepler orbits, generated against written by hand: `cargo bench -p integrator --bench kepler`.
+//! Benchmarks a stage along Kepler orbits, generated and hand-written: `cargo bench -p integrator --bench kepler`.
 //!
-//! The outer planets about a star at rest, and a weak spring as the second part, in Verlet: a step is one solution of
-//! Kepler's equation for five planets, and next to nothing else. The last line, `ratio_kepler=`, is the generated time over that of the hand-written
-//! stepper, medians of interleaved rounds: 1.1 is asked.
+//! The system is the outer planets orbiting a fixed star, with a weak spring as the second part, by `Verlet`. A step is one
+//! solution of Kepler's equation for five planets and little else. The last line, `ratio_kepler=`, is the generated time
+//! divided by that of the hand-written stepper, the median of interleaved rounds. The target is 1.1.
 
 use integrator_bench::{
     by_hand::orbits,

@@ -1,10 +1,9 @@
-//! Liquid argon in a box, from thousands of atoms on: `cargo bench -p integrator --bench liquid`.
+//! Benchmarks liquid argon in a periodic box, from a thousand atoms on: `cargo bench -p integrator --bench liquid`.
 //!
-//! The generated stepper, which recognises the cutoff, against lists of neighbours written by hand for AVX-512. Times are
-//! for each atom and step, lists included; rates count the pairs that
-//! are within the cutoff at this density. The last lines are times over those of
-//! the lists by hand in the same rounds (`ratio_<scene>_to_hand=`), and what a second thread brings. `docs/performance.md`
-//! has the results; `--large` adds a million atoms. The picture has the times against the number of atoms.
+//! The generated stepper recognises the cutoff. It is compared with hand-written neighbour lists for AVX-512. Times are per
+//! atom and step, lists included; rates count the pairs within the cutoff at this density. The last lines are times divided by
+//! those of the hand-written lists in the same rounds (`ratio_<scene>_to_hand=`), and the gain from a second thread. `--large`
+//! adds a million atoms. The picture shows the times against the number of atoms, and `docs/performance.md` the results.
 
 #[cfg(target_arch = "x86_64")]
 use integrator_bench::by_hand::liquid::Liquid;

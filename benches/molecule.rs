@@ -1,9 +1,9 @@
-//! A random molecule of bonds, angles and dihedrals in lists: `cargo bench -p integrator --bench molecule`.
+//! Benchmarks a random molecule of bonds, angles and dihedrals in lists: `cargo bench -p integrator --bench molecule`.
 //!
-//! The generated stepper, which finds the lists, against one written by hand for the same instructions: it gathers the atoms
-//! of a vector of terms, computes their forces side by side, and scatters them. Times are for each step, over the number of
-//! bonds. The last line, `ratio_molecule_to_hand=`, is the median of the ratios of interleaved rounds: 1.1 is asked.
-//! `docs/performance.md` has the results.
+//! The generated stepper, which recognises the lists, is compared with a hand-written one for the same instructions. That one
+//! gathers the atoms of a vector of terms, computes their forces in lanes, and scatters them. Times are per step, divided by
+//! the number of bonds. The last line, `ratio_molecule_to_hand=`, is the median of the ratios of interleaved rounds; the target
+//! is 1.1. `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand,

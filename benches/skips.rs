@@ -1,8 +1,8 @@
-//! What a scene does not need costs nothing: `cargo bench -p integrator --bench skips`.
+//! Measures the work that generated code saves: `cargo bench -p integrator --bench skips`.
 //!
-//! One row or two for each point of what the generator does: the same scene with something and without it, in
-//! interleaved rounds, and the operations of a drift and a kick as the macro counts them. Where a person could write the slower form
-//! only by hand, it is written by hand. The last lines, `ratio_<point>=`, are the time without over the time with.
+//! Each row compares two variants of a scene in interleaved rounds, and the operations of a drift and a kick as the macro
+//! counts them. The slower variant is hand-written where the macro cannot produce it. The last lines, `ratio_<point>=`, are the
+//! time of the first variant divided by that of the second.
 
 use integrator_bench::{
     by_hand::{chain::Chain, law::Law},
@@ -209,7 +209,7 @@ fn loops(report: &mut Report) {
     report.add("loops", "5 one chain of 1600 sites, or ten of 160", 1.6e6, racers, [f64::NAN; 2]);
 }
 
-/// The chain that a person types first: every bond adds to both of its ends.
+/// The naive hand-written chain: every bond adds to both of its ends.
 fn scatter(q: &mut [f64], p: &mut [f64], alpha: f64, h: f64) {
     let bond = |stretch: f64| stretch + alpha * stretch * stretch;
     let last = q.len() - 1;
@@ -269,7 +269,7 @@ fn large(report: &mut Report) {
     report.add("branch", "8 cutoff at 2.5, or none", 8.0 * pairs, [drop_of(2.5), drop_of(1e9)], [f64::NAN; 2]);
 }
 
-/// Stars, as a person types them first.
+/// Naive hand-written gravity, pair by pair.
 fn pair_by_pair(state: &mut Phase<Vec<[f64; 3]>>, masses: &[f64], h: f64) {
     for i in 0..masses.len() {
         for j in 0..i {

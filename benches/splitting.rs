@@ -1,20 +1,25 @@
-//! CPU time to a global error, by splittings of the same Hamiltonian: `cargo bench -p integrator --bench splitting`.
+//! Benchmarks the CPU time to a position error by splittings of the same Hamiltonian: `cargo bench -p integrator --bench
+//! splitting`.
 //!
-//! The outer solar system of `examples/data/problems.json` in T + V, and in Kepler parts and interaction with Jacobi
-//! coordinates. Hénon and Heiles's potential, at the energy of that file and near the rest, and two oscillators with a
-//! coupling of 1e-2 and of 1e-4, in T + V and with what is quadratic in one part. By T + V those compositions that are the
-//! best at some error; by the others all for a small second part, and some of the former. Compensated states get to errors
-//! that plain ones do not.
+//! The systems are:
 //!
-//! The error is that of the positions at the end, relative to their length, against 113-bit arithmetic where the file has
-//! it, and else against compensated steps of order 10 in T + V. Steps get shorter by half an octave; times in between are
-//! interpolated on logarithmic scales. All runs are timed in turn, and the median of the rounds counts. A row is a
-//! composition with milliseconds to errors of 1e-4, 1e-6, 1e-8, 1e-10 and 1e-12, nothing where it does not get there.
+//! - the outer solar system of `examples/data/problems.json`, by `T + V` and by Kepler parts and interaction in Jacobi
+//!   coordinates;
+//! - the Hénon–Heiles system, at the energy of that file and near the minimum, by `T + V` and by `quadratic + rest`;
+//! - two oscillators with a coupling of 1e-2 and of 1e-4, by the same two splittings.
 //!
-//! The last lines, `ratio_solar_1e-4=`, are those of the best row by the other splitting over the best row by T + V. Asked
-//! for on the outer solar system: 0.35, 0.35, 0.6 and 0.5 from 1e-4 to 1e-10.
+//! `T + V` uses the compositions that are best at some error. The others use all compositions for a small second part, and some
+//! of the former. Compensated states reach errors that plain states do not.
 //!
-//! All compositions of a system go through one loop (`check::candidates`), since a run compiled for each of them would take ten
+//! The error is that of the positions at the end, relative to their norm. The reference is 113-bit arithmetic if the file has
+//! one, else compensated steps of order 10 by `T + V`. Steps shrink by half an octave; times between are interpolated on
+//! logarithmic scales. All runs are interleaved, and the median of the rounds counts. A row is a composition with its
+//! milliseconds to errors of 1e-4, 1e-6, 1e-8, 1e-10 and 1e-12, empty where it does not reach the error.
+//!
+//! The last lines, `ratio_solar_1e-4=`, are the best row of the other splitting divided by the best row of `T + V`. Targets on
+//! the outer solar system are 0.35, 0.35, 0.6 and 0.5 from 1e-4 to 1e-10.
+//!
+//! All compositions of a system share one loop (`check::candidates`), because a run compiled for each of them would take ten
 //! seconds. Steps take as long as those of runs within 4 per cent, and 13 for `Verlet`, whose steps have one stage.
 
 use integrator_bench::{

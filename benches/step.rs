@@ -1,9 +1,9 @@
-//! The time of a step, generated against written by hand: `cargo bench -p integrator --bench step`.
+//! Benchmarks a step, generated and hand-written: `cargo bench -p integrator --bench step`.
 //!
-//! Small systems in Verlet and in two long compositions, large ones in Verlet. The hand-written steppers are plain safe
-//! Rust, and where that is not the limit, vectors of `std::arch`; both get the instructions that the generated code
-//! gets. The last lines, `ratio_<problem>_<what>=`, are the generated time over that of the best hand-written stepper
-//! in the same round, medians of interleaved rounds: 1.05 is asked. `docs/performance.md` has the results.
+//! Small systems use `Verlet` and two long compositions, large ones `Verlet`. The hand-written steppers are plain safe Rust
+//! and, where that is not the limit, vectors of `std::arch`. Both use the same instructions as the generated code. The last
+//! lines, `ratio_<problem>_<composition>=`, are the generated time divided by that of the best hand-written stepper in the same
+//! round, medians of interleaved rounds. The target is 1.05. `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand::{

@@ -1,12 +1,15 @@
-//! The time of a step with deviation vectors: `cargo bench -p integrator --bench tangent`.
+//! Benchmarks a step with deviation vectors: `cargo bench -p integrator --bench tangent`.
 //!
-//! A run with one vector and one with four against the run alone, and that with one against a hand-written stepper that
-//! moves a state and a vector, with the instructions that the generated code gets. The last lines are medians over
-//! interleaved rounds: `ratio_tangent_<problem>_one=` and `_four=` are times over that of the run alone, where with one
-//! vector 1.9 is asked of Hénon-Heiles and the outer solar system and 2.2 of the others;
-//! `ratio_tangent_<problem>_by_hand=` is the time with one vector over that of the hand-written stepper, where 1.1 is
-//! asked. `ratio_tangent_map_<composition>_<steps>=` is the time of a map of orbits of Hénon–Heiles over that of the
-//! ensemble without vectors, where 2.2 is asked: short orbits are sampled every few steps, long ones every 64.
+//! Runs with one and with four vectors are compared with the run alone. The run with one vector is also compared with a
+//! hand-written stepper that evolves a state and a vector, with the same instructions. The last lines are medians over
+//! interleaved rounds:
+//!
+//! - `ratio_tangent_<problem>_one=` and `_four=` are times divided by that of the run alone. Targets with one vector are 1.9
+//!   for Hénon–Heiles and the outer solar system, and 2.2 for the others.
+//! - `ratio_tangent_<problem>_by_hand=` is the time with one vector divided by that of the hand-written stepper; the target is
+//!   1.1.
+//! - `ratio_tangent_map_<composition>_<steps>=` is the time of a chaos map of Hénon–Heiles orbits divided by that of the
+//!   ensemble without vectors; the target is 2.2. Short orbits are sampled every few steps, long ones every 64.
 
 use integrator_bench::{
     by_hand::{oscillators, tangent},

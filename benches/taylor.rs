@@ -1,15 +1,16 @@
-//! Taylor's method, generated against written by hand: `cargo bench -p integrator --bench taylor`.
+//! Benchmarks Taylor's method, generated and hand-written: `cargo bench -p integrator --bench taylor`.
 //!
-//! Both sides take the same orders and tolerances, carry the rounding of their states and choose their steps by the
-//! same rule, so that they take as many and err as much. A row tells the milliseconds of both for the problem's whole
-//! span, medians of interleaved rounds, nanoseconds of the hand-written stepper per polynomial, and the largest
-//! relative deviations of the energies at 256 looks. The last lines, `ratio_taylor_over_hand_<problem>_<error>=`, are
-//! the least time to an energy error over that of the hand-written stepper, each the best of the same orders and
-//! tolerances: 1.1 is asked. They are written for AVX2 and AVX-512; elsewhere there are none.
-//! `ratio_taylor_by_tolerance_over_best_<problem>_<error>=` is the least time to an energy error by a tolerance alone over that of
-//! the best of the even orders from 10 to 28.
-//! `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one thread over that of its members one
-//! after the other.
+//! Both sides use the same orders and tolerances, compensated states and the same rule for steps, so they take the same steps
+//! with the same errors. A row has the milliseconds of both for the whole span of the problem (medians of interleaved rounds),
+//! the nanoseconds of the hand-written stepper per polynomial, and the largest relative energy errors of 256 samples.
+//! Hand-written steppers need AVX2 or AVX-512. The last lines:
+//!
+//! - `ratio_taylor_over_hand_<problem>_<error>=` is the least time to an energy error divided by that of the hand-written
+//!   stepper, each the best of the same orders and tolerances. The target is 1.1.
+//! - `ratio_taylor_by_tolerance_over_best_<problem>_<error>=` is the least time to an energy error by a tolerance alone,
+//!   divided by that of the best even order from 10 to 28.
+//! - `ratio_taylor_lanes_over_alone_<problem>=` is the time of an ensemble in one thread divided by that of its members one
+//!   after the other.
 
 use integrator_bench::{
     Instructions,

@@ -1,10 +1,10 @@
-//! How the energy of Taylor runs drifts: `cargo bench -p integrator --bench taylor_drift`.
+//! Measures the energy drift of Taylor runs: `cargo bench -p integrator --bench taylor_drift`.
 //!
-//! Two dozen trajectories of the pendulum, of Hénon and Heiles's star and of Kepler's ellipse run for 10^5 times 2π
-//! (divided by `DRIFT_DIVISOR` in the environment). A line for each kind of start and tolerance tells the root of the
-//! mean squared change of the energies on the way, in units of their mean size, the exponent of its growth with the time,
-//! the mean change in units of its standard error, and the mean change. An exponent of 0.5 and a mean within a few of its
-//! errors are a random walk; an exponent of 1 and a mean of dozens are a bias.
+//! Two dozen trajectories each of the pendulum, the Hénon–Heiles system and a Kepler orbit are integrated for 10^5 times 2π,
+//! divided by the environment variable `DRIFT_DIVISOR`. Each kind of initial state and tolerance has a line with four numbers:
+//! the root mean square of the energy changes relative to their mean size, the exponent of their growth with time, the mean
+//! change in units of its standard error, and the mean change. An exponent of 0.5 and a mean of a few standard errors are a
+//! random walk; an exponent of 1 and a mean of dozens are a bias.
 
 use integrator_bench::problems::{HenonHeiles, Kepler, Pendulum};
 use integrator_core::{

@@ -1,9 +1,9 @@
-//! How much gets done per second when there is much to do: `cargo bench -p integrator --bench throughput`.
+//! Benchmarks the throughput of ensembles, chains, lattices and many bodies: `cargo bench -p integrator --bench throughput`.
 //!
-//! Ensembles against groups of vectors written by hand, with a sine of the same accuracy; chains against two plain
-//! loops and against time-skewed tiles; bodies against tiles that use the third law. The last lines are rates over
-//! those of the best hand-written stepper in the same round (`ratio_<scene>_to_hand=`, 0.9 is asked), and what a second
-//! thread brings (`speedup_<scene>_two_threads=`). `docs/performance.md` has the results.
+//! Ensembles are compared with hand-written groups of vectors, whose sine has the same accuracy. Chains are compared with two
+//! plain loops and with time-skewed tiles, and bodies with tiles that use the third law. The last lines are rates divided by
+//! those of the best hand-written stepper in the same round (`ratio_<scene>_to_hand=`; the target is 0.9), and the gain from a
+//! second thread (`speedup_<scene>_two_threads=`). `docs/performance.md` has the results.
 
 use integrator_bench::{
     by_hand::{

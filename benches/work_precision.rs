@@ -1,7 +1,7 @@
-//! CPU time against error, beside other crates: `cargo bench -p integrator --bench work_precision`.
+//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator --bench work_precision`.
 //!
-//! The other crates belong to a workspace member of their own, `benches/peers`, and there to a feature that is off: nobody
-//! compiles them who only builds or tests. This program asks cargo for that member.
+//! The other crates belong to the workspace member `benches/peers` and to a feature that is off by default, so tests and builds
+//! do not compile them. This program calls cargo for that member.
 
 use std::process::{Command, ExitCode};
 

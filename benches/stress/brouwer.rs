@@ -1,7 +1,7 @@
-//! How rounding adds up over a long time: the energies of many members of an ensemble.
+//! Growth of rounding errors in the energies of many ensemble members over a long time.
 //!
-//! Rounding that is unbiased changes the energy by a random walk, so that its error grows like the root of the number of
-//! steps (Brouwer 1937); a bias, however small, shows as a growth in proportion to it in the end.
+//! Unbiased rounding changes the energy by a random walk, so the error grows with the root of the number of steps (Brouwer
+//! 1937). Any bias finally grows in proportion to the number of steps.
 
 use integrator_core::{Coords, prelude::*};
 

@@ -1,4 +1,4 @@
-//! A chaotic orbit, on which the smallest difference would show: the same bits where they are promised.
+//! Bitwise identical results on a chaotic orbit, which amplifies the smallest difference.
 
 use integrator_bench::problems::HenonHeiles;
 use integrator_core::{InstructionSet, prelude::*};

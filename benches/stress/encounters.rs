@@ -1,5 +1,4 @@
-//! Orbits that come close to what no step survives, and numbers close to those that are none: the answer is right, or
-//! the user is told.
+//! Close encounters and extreme numbers: the result is correct, or the user gets an error or a warning.
 
 use integrator_bench::problems::Kepler;
 use integrator_core::{

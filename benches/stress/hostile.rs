@@ -1,4 +1,4 @@
-//! Input that makes no sense: errors, and never a panic.
+//! Invalid input: errors and no panics.
 
 use integrator_bench::problems::{HenonHeiles, Kepler, Pendulum};
 use integrator_core::{Coords, check, prelude::*};

@@ -1,4 +1,4 @@
-//! Runs that are killed and files that are damaged.
+//! Killed runs and damaged files.
 
 use integrator_bench::problems::HenonHeiles;
 use integrator_core::{CheckpointError, prelude::*};

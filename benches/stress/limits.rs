@@ -1,4 +1,4 @@
-//! Steps through the stability limit of each composition, on a chain whose stiffest mode is known.
+//! Steps across the stability limit of each composition, on a chain with a known highest frequency.
 
 use integrator_core::{Visitor, check::stability, prelude::*};
 use std::f64::consts::PI;

@@ -1,11 +1,11 @@
-//! Long runs, hard cases and ill treatment: `cargo bench -p integrator --bench stress`.
+//! Runs long and hard cases and invalid input: `cargo bench -p integrator --bench stress`.
 //!
-//! In full it takes about two hours on two cores. With `STRESS_DIVISOR=1000` in the environment all runs are that much
-//! shorter, and exponents that much less certain.
-//! Tables and a picture of how rounding grows go to `target/bench`. The last lines say whether what is promised held: `brouwer_exponent_<problem>=` (of the
-//! growth of the energy error with the number of steps; 0.4 to 0.6 is asked), `brouwer_bias_<problem>=` (the mean error in
-//! units of its standard error; within ±4), and numbers of failures, all of which have to be zero. Every promise stands
-//! in `docs/reliability.md`.
+//! The full bench takes about two hours on two cores. The environment variable `STRESS_DIVISOR=1000` shortens all runs by this
+//! factor; exponents become less certain. Tables and a picture of the growth of rounding errors go to `target/bench`.
+//!
+//! The last lines are `brouwer_exponent_<problem>=` (growth of the energy error with the number of steps; 0.4 to 0.6 is
+//! expected), `brouwer_bias_<problem>=` (mean error in units of its standard error; within ±4), and numbers of failures, which
+//! have to be zero. `docs/reliability.md` lists every promise.
 
 mod brouwer;
 mod chaos;

@@ -1,4 +1,4 @@
-//! There and back: on a grid to the very bits, in floating point as far as rounding allows.
+//! Reversed runs: bitwise exact on a grid, up to rounding in floating point.
 
 use integrator_bench::problems::HenonHeiles;
 use integrator_core::{Coords, Visitor, prelude::*};

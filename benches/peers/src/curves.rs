@@ -1,4 +1,4 @@
-//! The other crates, each used as its documentation says, and without output where they are timed.
+//! Work–precision curves of the other crates, each used as its documentation says, and without output while timed.
 
 use crate::fields::{Case, Field};
 use differential_equations::{

@@ -1,4 +1,4 @@
-//! The five problems as peers take them: accelerations and energies of flat arrays, by hand.
+//! The five problems for other crates: hand-written accelerations and energies of flat arrays.
 
 use integrator_bench::{
     problems::GRAVITY,

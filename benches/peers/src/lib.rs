@@ -1,5 +1,5 @@
-//! Other crates on the problems of the benches, each used as its documentation says: `curves` are their runs, `fields` what they
-//! integrate. Nothing without the feature `peers`.
+//! Other crates on the problems of the benches: `curves` has their runs, `fields` the systems. Empty without the feature
+//! `peers`.
 
 #[cfg(feature = "peers")]
 pub mod curves;

@@ -1,11 +1,15 @@
-//! CPU time against error, this library beside other crates: `cargo bench -p integrator --bench work_precision`.
+//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator --bench work_precision`.
 //!
-//! A run of each of the five problems by each method with ever shorter steps (or tighter tolerances): its CPU time, the
-//! largest relative deviation of its energy at 256 looks, and the distance of its end from the reference. The last lines
-//! are milliseconds to an error, on the lines between neighbouring runs, for the best of this library's methods
-//! (`time_ms_<problem>_<kind>_<error>=`) and over those of the best peer (`ratio_to_best_peer_...=`): at most 0.5 is asked
-//! at energy errors of 1e-6 and 1e-8. `ratio_taylor_to_best_composition_...=` is the time of the Taylor method over that of the
-//! best composition. Pictures go to `target/bench`.
+//! Each method integrates each of the five problems with decreasing steps or tolerances. A run gives its CPU time, the largest
+//! relative energy error of 256 samples, and the distance of the end from the reference. Times to an error are interpolated
+//! between runs. The last lines:
+//!
+//! - `time_ms_<problem>_<kind>_<error>=` is the time of the best method of this library.
+//! - `ratio_to_best_peer_...=` is this time divided by that of the best peer. The target is 0.5 at energy errors of 1e-6 and
+//!   1e-8.
+//! - `ratio_taylor_to_best_composition_...=` is the time of Taylor's method divided by that of the best composition.
+//!
+//! Pictures go to `target/bench`.
 
 mod ours;
 

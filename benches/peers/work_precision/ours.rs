@@ -1,4 +1,4 @@
-//! This library's curves.
+//! Work–precision curves of this library.
 
 use integrator_bench::{precision::Curve, starts::Problem};
 use integrator_core::{

@@ -1,6 +1,6 @@
-//! Instructions per step: what is kept in the repository against what was just counted.
+//! Instructions per step: stored counts and measured counts.
 //!
-//! A machine that is busy with other things changes a time and no count, so a count can be held to two per cent.
+//! Load on the machine changes times and no counts, so counts are compared to two per cent.
 
 use std::{collections::BTreeMap, fmt};
 

@@ -1,4 +1,4 @@
-//! The way into code compiled for the best instructions of the machine.
+//! Entry into code compiled for the best instruction set of the machine.
 
 use crate::vector::{Many, Row, Two, Vector};
 #[cfg(target_arch = "x86_64")]

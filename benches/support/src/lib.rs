@@ -1,16 +1,15 @@
-//! What the benches share: the systems that are measured, hand-written steppers, races between the
-//! two, tables and pictures.
+//! Shared code of the benches: systems, hand-written steppers, interleaved timing, tables and pictures.
 //!
-//! | module | holds |
+//! | module | contents |
 //! |---|---|
-//! | [`problems`], [`starts`] | the systems and where they begin |
+//! | [`problems`], [`starts`] | systems and initial states |
 //! | [`by_hand`] | hand-written steppers, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
 //! | [`plan`] | a composition as numbers, for hand-written steppers |
 //! | [`race`] | interleaved computations, medians and ratios |
 //! | [`precision`] | work against error |
 //! | [`plot`] | pictures |
 //! | [`table`] | plain tables and CSV |
-//! | [`counts`] | instructions per step, kept and counted |
+//! | [`counts`] | instructions per step, stored and measured |
 
 #![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
 

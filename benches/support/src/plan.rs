@@ -1,4 +1,4 @@
-//! A composition as hand-written steppers go through it: numbers with the step folded in.
+//! A composition as an array of numbers with the step folded in, for hand-written steppers.
 
 use integrator_core::{Lead, Scheme, Stage};
 

@@ -1,4 +1,4 @@
-//! The pictures of the benches, each as SVG and as PNG.
+//! Pictures of the benches, each as SVG and as PNG.
 
 mod dots;
 mod growth;

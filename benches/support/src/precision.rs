@@ -1,4 +1,4 @@
-//! Work and precision: what a method takes to reach an error, from runs with ever shorter steps.
+//! Work and precision: the work of a method to an error, from runs with decreasing steps.
 
 use cpu_time::ThreadTime;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! The systems that are measured: five small ones with references in `examples/data/problems.json`, and large ones.
+//! The benchmarked systems: five small ones with references in `examples/data/problems.json`, and large ones.
 
 pub mod molecule;
 

@@ -1,4 +1,4 @@
-//! Ratios on a noisy machine: computations are interleaved, and the median of the ratios of each round is what counts.
+//! Ratios of times on a noisy machine: computations are interleaved, and the median of the ratios of the rounds counts.
 
 use cpu_time::ThreadTime;
 use std::{

@@ -1,4 +1,4 @@
-//! Where the systems start, how long they are followed, and where they arrive.
+//! Initial states, time spans and reference states of the systems.
 
 use crate::problems::{
     Argon, ArgonInBox, Chain32, Cluster, CoupledOscillators, GRAVITY, HenonHeiles, Kepler, Pendulum, Planets, Solar,

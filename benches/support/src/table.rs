@@ -1,4 +1,4 @@
-//! What is measured: printed as a plain table, and kept under `target/bench`.
+//! Tables of results, printed as text and written to `target/bench` as CSV.
 
 use std::{fs, path::PathBuf};
 

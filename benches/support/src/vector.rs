@@ -1,7 +1,7 @@
-//! Numbers side by side, as a person writes them with `std::arch`: the arithmetic of the hand-written steppers.
+//! Vectors of numbers with `std::arch`: the arithmetic of the hand-written steppers.
 //!
-//! Always true: the types of [`x86`](super::x86) are named inside [`enter`](crate::enter::enter) alone, after their
-//! instructions were detected.
+//! The types of [`x86`](super::x86) are named only inside [`enter`](crate::enter::enter), after their instructions are
+//! detected.
 
 use std::ops::{Add, Div, Mul, Sub};
 

@@ -1,4 +1,4 @@
-//! Registers of AVX-512 and AVX2.
+//! AVX-512 and AVX2 registers.
 
 use crate::vector::{Row, Two, Vector};
 use std::{
