@@ -312,6 +312,42 @@ fn every_link_leads_somewhere() {
     assert!(local > 50, "the links are found: {local}");
 }
 
+/// The texts of all files below a folder with this extension.
+fn texts_below(folder: &Path, extension: &str, found: &mut String) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            texts_below(&path, extension, found);
+        } else if path.extension().is_some_and(|known| known == extension) {
+            found.push_str(&text(&path));
+        }
+    }
+}
+
+/// Each picture is on a page, and has the title that the code gives it.
+#[test]
+fn pictures_are_shown_and_have_the_titles_of_the_code() {
+    let mut sources = text("docs/guide/src/first_hamiltonian.md");
+    for folder in ["benches", "examples", "integrator-gpu/tests", "integrator-laboratory/src"] {
+        texts_below(&root().join(folder), "rs", &mut sources);
+    }
+    let pages: String = pages().iter().map(text).collect();
+    for entry in fs::read_dir(root().join("docs/pictures")).expect("pictures") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().expect("a name").to_string_lossy();
+        assert!(pages.contains(&format!("pictures/{name}")), "no page shows {name}");
+        if path.extension().is_some_and(|extension| extension == "svg") {
+            let svg = text(&path);
+            let title = svg.lines().find(|line| line.contains("font-weight=\"bold\">")).expect("a title");
+            let title = title.split_once("\">").and_then(|(_, rest)| rest.strip_suffix("</text>")).expect("a title");
+            // The laboratory adds the name of the system.
+            let general = title.rsplit_once(": ").map_or(String::new(), |(general, _)| format!("{general}: {{}}\""));
+            let is_known = sources.contains(title) || !general.is_empty() && sources.contains(&general);
+            assert!(is_known, "{name} is drawn again with another title than {title:?}");
+        }
+    }
+}
+
 /// Every page with programs is among the documentation tests of a library: of `integrator-core`, or of `integrator-plot` where
 /// they draw. Those of the guide are held to their list in `integrator-cli/tests/guide.rs`.
 #[test]
