@@ -34,7 +34,7 @@ pub(crate) fn disc(border: usize, inside: usize) -> impl Iterator<Item = State> 
     let at = |radius: f64, angle: f64| {
         Phase::new([CENTRE + radius * angle.cos()], [2.0 * (CENTRE / 2.0).cos() + radius * angle.sin()])
     };
-    // Turned by the golden angle from one to the next, as the seeds of a sunflower.
+    // Successive points are rotated by the golden angle, as the seeds of a sunflower.
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     let border = (0..border).map(move |i| at(RADIUS, TAU * i as f64 / border as f64));
     let radius = move |i: usize| RADIUS * ((i as f64 + 0.5) / inside as f64).sqrt();

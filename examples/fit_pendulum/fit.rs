@@ -72,11 +72,11 @@ pub(crate) fn fit(series: &[f64], guess: Unknown) -> Result<Fit, Error> {
     loop {
         iterations += 1;
         let Equations { normal, right, residual } = equations(series, unknown)?;
-        // Angles at three times tell all three numbers, so that only a pendulum at rest has no inverse.
+        // Three angles determine the three parameters; the matrix is singular only for a pendulum at rest.
         let covariance = normal.try_inverse().unwrap_or_default();
         let change = covariance * right;
         unknown += change;
-        // A change that is this small against the error of a number does not count.
+        // Converged: the change is small compared with the standard error.
         let counts = (0..3).any(|i| change[i].abs() > 1e-6 * NOISE * covariance[(i, i)].sqrt());
         if !counts || iterations == MOST {
             return Ok(Fit { unknown, covariance: covariance * NOISE * NOISE, residual, iterations });

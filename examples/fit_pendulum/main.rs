@@ -19,13 +19,13 @@ fn main() -> Result<(), Error> {
     let mut random = fastrand::Rng::with_seed(1);
     let seen = series(hidden, 200, || normal(&mut random))?;
     let found: Fit = fit(&seen, Unknown::new(1.03, 1.0, 0.0))?;
-    println!("{:>18} {:>10} {:>10} {:>10}", "", "hidden", "found", "error");
+    println!("{:>18} {:>10} {:>10} {:>10}", "", "true", "fitted", "error");
     for (i, name) in ["length", "angle", "angular momentum"].into_iter().enumerate() {
         let error = found.covariance[(i, i)].sqrt();
         println!("{name:>18} {:>10.5} {:>10.5} {error:>10.5}", hidden[i], found.unknown[i]);
     }
     let (period, error) = found.small_period();
-    println!("small swings take {period:.5} ± {error:.5}; {} iterations", found.iterations);
-    println!("a look is off by {:.4}, and by {NOISE} was made", found.residual);
+    println!("period of small oscillations: {period:.5} ± {error:.5}; {} iterations", found.iterations);
+    println!("residual {:.4}, for noise of {NOISE}", found.residual);
     Ok(())
 }

@@ -145,7 +145,7 @@ pub(crate) fn perihelia(
     [first, last]: [f64; 2],
 ) -> Result<Vec<f64>, Box<dyn Error>> {
     let mut days = Vec::new();
-    // Seen backwards in time, what grows falls.
+    // Backwards in time, a minimum has the opposite direction of crossing.
     for (h, direction, until) in [(1.0, Direction::Rising, last), (-1.0, Direction::Falling, first)] {
         let approach = |state: &Phase<Bodies>, _: f64| {
             let [q, v] = relative(system, state);

@@ -45,7 +45,7 @@ pub(crate) fn border(energy: f64) -> Vec<(f64, f64)> {
 /// Returns initial points on the section: those of a grid of `side` × `side` that the energy allows.
 pub(crate) fn starts(energy: f64, side: u32) -> Vec<(f64, f64)> {
     let half = (2.0 * energy).sqrt();
-    // The middle of each cell; in y, the section reaches farther up than down, to 1 at the energy of escape.
+    // Centres of cells. In y, the section extends farther up than down, to 1 at the escape energy.
     let place = |i: u32, least: f64, most: f64| least + (most - least) * (f64::from(i) + 0.5) / f64::from(side);
     let all = (0..side).flat_map(|i| (0..side).map(move |j| (place(i, -half, 1.75 * half), place(j, -half, half))));
     all.filter(|(y, py)| *y < 1.0 && square_across(energy, *y, *py) > 1e-6).collect()
@@ -67,7 +67,7 @@ fn passages(
     count: usize,
 ) -> Result<impl Iterator<Item = Result<Sample<[f64; 2]>, Error>>, Error> {
     let px = square_across(energy, y, py).max(0.0).sqrt();
-    // A period takes 6 to 20 units of time; where it takes longer, there are fewer points.
+    // A period takes 6 to 20 units of time; longer periods give fewer points.
     let steps = count as u64 * (25.0 / STEP) as u64;
     let run = HenonHeiles.run(Phase::new([0.0, y], [px, py]), STEP)?;
     Ok(run.crossings(steps, Direction::Rising, |state, _| state.q[0]).take(count))

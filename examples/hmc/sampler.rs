@@ -42,7 +42,7 @@ impl Sampler {
                 *at = run.state().q;
                 self.accepted += 1;
             }
-            // A trajectory that is lost has an infinite energy: as good as rejected.
+            // A diverged trajectory has infinite energy and is rejected.
             Ok(()) | Err(Error::Diverged(_)) => {}
             Err(error) => return Err(error),
         }

@@ -28,7 +28,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let asked = |name: &str| arguments.get_one::<String>(name).map_or("", String::as_str);
     let system = SYSTEMS.iter().find(|system| system.name == asked("SYSTEM")).ok_or("no such system")?;
     let report = (system.report)(&Plan::WHOLE, asked("DIR").as_ref())?;
-    // Whoever reads may have seen enough.
+    // A closed pipe is not an error.
     match write!(io::stdout(), "{report}") {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.into()),
         _ if report.holds() => Ok(ExitCode::SUCCESS),

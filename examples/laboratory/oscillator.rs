@@ -93,7 +93,7 @@ pub(crate) const CLOSED_FORMS: [ClosedForm; 10] = [
         matrix: [[1.0 - H * H / 2.0, H], [-H + H * H * H / 4.0, 1.0 - H * H / 2.0]],
         arrives: |steps| arrives(VelocityVerlet, steps),
     },
-    // The leapfrog starts with half a kick and is shown after another one.
+    // The leapfrog starts with half a kick, and half a kick completes its last step.
     ClosedForm {
         name: "leapfrog",
         matrix: [[1.0 - H * H / 2.0, H], [-H + H * H * H / 4.0, 1.0 - H * H / 2.0]],

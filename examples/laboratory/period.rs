@@ -60,7 +60,7 @@ pub(crate) fn all(rungs: u32) -> Vec<Periods> {
 /// Returns the claim about the period of the pendulum.
 pub(crate) fn claim(periods: &[Periods]) -> Verdict {
     let says = "The period of the pendulum is an elliptic integral: the least relative distance of Kahan–Li 8";
-    // Some hundreds of roundings, spread over four swings.
+    // Some hundreds of rounding errors over four periods.
     Verdict::new(
         "pendulum_period",
         says,

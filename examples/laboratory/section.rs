@@ -66,7 +66,7 @@ pub(crate) fn all(crossings: usize) -> Result<Vec<Section>, Box<dyn Error>> {
 /// Returns the claim about the sections.
 pub(crate) fn claim(sections: &[Section]) -> Verdict {
     let says = "Crossings lie on the section: the largest |x| of one";
-    // Time and position of a crossing are rounded a few times.
+    // A few rounding errors of the time and the position of a crossing.
     Verdict::new(
         "crossings_lie_on_the_section",
         says,

@@ -41,7 +41,7 @@ struct Ladder {
 }
 
 fn start() -> Phase<[f64; 2]> {
-    // The spring begins where the pendulum pushes it.
+    // The spring starts in equilibrium with the force of the pendulum.
     Phase::new([1.0, -1.0 / OMEGA.powi(2)], [0.0, 0.0])
 }
 

@@ -47,7 +47,7 @@ pub(crate) const SYSTEMS: [System; 6] = [
     System {
         name: "henon_heiles",
         report: |plan, folder| {
-            // Crossings in proportion to the periods of portraits.
+            // As many crossings as the portraits have periods, up to a factor.
             let sections = section::all((60.0 * plan.periods) as usize)?;
             Laboratory::new(&HenonHeiles, Phase::new([0.1, 0.1], [0.3, 0.25]), 6.5)
                 .called("henon_heiles")

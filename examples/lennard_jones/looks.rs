@@ -28,7 +28,7 @@ impl Distances {
     }
 
     pub(crate) fn look(&mut self, state: &State) {
-        // Back into the box, where the nearest image is one box away at most.
+        // Wrapped into the box, so that the nearest image is at most one box away.
         let (side, all) = (self.side, state.q.len());
         let in_box = |axis: usize| state.q.iter().map(move |q| q[axis].rem_euclid(side)).collect();
         let (places, stride): ([Vec<f64>; 3], usize) = ([0, 1, 2].map(in_box), (all / LOOKED_AT).max(1));

@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let distribution = distances.distribution();
     let (place, height) = peak(&distribution).ok_or("no distances")?;
-    // In the first picosecond atoms still remember how they flew.
+    // In the first picosecond the motion is still ballistic.
     let squares: Vec<_> = looks.iter().map(|look| (look.time, look.square)).filter(|(time, _)| *time > 1.0).collect();
     let diffusion = diffusion(&squares);
     let mean = looks.iter().map(|look| look.temperature).sum::<f64>() / looks.len() as f64;

@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{report}\n");
     println!("million_years={}", report.time / YEAR / 1e6);
     println!("mean_megno={}", report.mean_megno);
-    // On a chaotic orbit the mean of MEGNO is half of the exponent times the time; what grows like the time alone is not in it.
+    // On a chaotic orbit the mean MEGNO is half the exponent times the time. Linear growth of deviations does not contribute.
     println!("exponent_per_year={:e}", 2.0 * report.mean_megno / (report.time / YEAR));
     println!("seconds={}", clock.elapsed().as_secs_f64());
     Ok(())

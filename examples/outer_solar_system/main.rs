@@ -56,7 +56,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         end = sample.state;
         if !watch.done(sample.step) {
-            println!("stopped after {} of {STEPS} steps: what follows is of these", sample.step);
+            println!("stopped after {} of {STEPS} steps; the results below are for these", sample.step);
             break;
         }
     }

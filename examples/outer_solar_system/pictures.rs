@@ -25,7 +25,7 @@ pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &P
         .with_equal_units()
         .sized(1000, 900);
     let chart = PLANETS.iter().zip(1..).fold(chart, |chart, ((name, days), planet)| {
-        // A hundred points and one, or where these are less than a step apart, all that there are.
+        // About a hundred points per orbit, or all of them if there are fewer.
         let looks = (days / step) as usize + 1;
         let stride = (looks / 100).max(1);
         let points = path.iter().take(looks + stride).step_by(stride);

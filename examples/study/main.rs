@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let outcomes = sweep(&from, &to, told)?;
     if outcomes.is_none() {
-        println!("stopped; start it again to go on");
+        println!("stopped; run it again to resume");
     }
     for outcome in outcomes.into_iter().flatten() {
         println!("flattening {}, start {}: energy {:+.1e}", outcome.flattening, outcome.start, outcome.error);

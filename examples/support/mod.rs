@@ -67,7 +67,7 @@ impl Drop for Watch {
 
 /// Returns the rate per second with two digits.
 fn rate(state: &ProgressState, text: &mut dyn Write) {
-    // Text in memory takes whatever is written.
+    // Writing to a string does not fail.
     let _ = match state.per_sec() {
         rate if rate < 1e4 => write!(text, "{rate:.0}/s"),
         rate => write!(text, "{rate:.1e}/s"),

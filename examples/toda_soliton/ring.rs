@@ -18,7 +18,7 @@ impl Ring {
         energy
     }
     fn potential(&self, q: &[f64]) -> f64 {
-        // The linear part of Toda's springs adds up to the length of the ring, which is constant.
+        // The linear terms of the springs sum to the length of the ring, a constant.
         let mut energy = (q[q.len() - 1] - q[0] - self.length).exp();
         for i in 0..q.len() - 1 {
             energy += (q[i] - q[i + 1]).exp();
@@ -57,7 +57,7 @@ impl Soliton {
         let (mut q, mut p) = (Vec::with_capacity(sites), Vec::with_capacity(sites));
         for site in 0..sites {
             let apart = site as f64 - (sites / 2) as f64 - self.speed() * t;
-            // Every time the soliton passes, a site is displaced by as much as the ring is shortened.
+            // Each passage of the soliton displaces a site by the shortening of the ring.
             let passes = -(apart / sites as f64).round();
             let (theta, displaced) = (kappa * (apart + passes * sites as f64), 2.0 * kappa * passes);
             q.push(displaced + ln_cosh(theta - kappa) - ln_cosh(theta));

@@ -17,7 +17,7 @@ const LOOK: u64 = 10;
 const LOOKS: usize = 1600;
 
 fn main() -> Result<(), Error> {
-    println!("small motions take {:.1} years", YEAR / slow_frequency());
+    println!("period of infinitesimal librations: {:.1} years", YEAR / slow_frequency());
     println!("{:>8} {:>8} {:>8} {:>14} {:>8}", "start", "least", "most", "energy change", "years");
     for degrees in [0.1, 5.0, 15.0] {
         let run = Asteroid.run(start(degrees), STEP)?;
