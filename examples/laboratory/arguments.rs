@@ -7,7 +7,7 @@ use clap::{Arg, Command, builder::PossibleValuesParser};
 pub(crate) fn command() -> Command {
     let names = PossibleValuesParser::new(SYSTEMS.map(|system| system.name));
     Command::new("laboratory")
-        .about("What a course in numerical integration claims, measured and drawn on one page")
-        .arg(Arg::new("SYSTEM").help("What is integrated").default_value(SYSTEMS[0].name).value_parser(names))
-        .arg(Arg::new("DIR").long("out").help("Where the page goes").default_value("target/laboratory"))
+        .about("Compares the claims of a course in numerical integration with numbers and pictures, on one page")
+        .arg(Arg::new("SYSTEM").help("System to integrate").default_value(SYSTEMS[0].name).value_parser(names))
+        .arg(Arg::new("DIR").long("out").help("Folder of the page").default_value("target/laboratory"))
 }

@@ -34,8 +34,8 @@ pub(crate) fn page(
     let rows: String = verdicts.iter().map(row).collect();
     let failed = verdicts.iter().filter(|verdict| !verdict.holds()).count();
     let summary = match failed {
-        0 => format!("All {} hold.", verdicts.len()),
-        failed => format!("{failed} of {} do not hold, which is a finding.", verdicts.len()),
+        0 => format!("All {} claims hold.", verdicts.len()),
+        failed => format!("{failed} of {} claims fail for this system.", verdicts.len()),
     };
     let pictures: String = figures.iter().map(figure).collect();
     format!(
@@ -74,9 +74,9 @@ fn extrapolation(extrapolation: &Extrapolation) -> String {
         .collect();
     let orders: String = (1..=DIVISIONS.len()).map(|column| format!("<th>order {}</th>", 2 * column)).collect();
     format!(
-        "<h2>Extrapolation</h2>\n<p>One step of {step}, taken as {n} midpoint steps, and continued to no step: \
-         {formula}. Each entry is the error of the state at its end: from left to right two orders are gained, from above to below steps \
-         are finer. The last entry is the step of Gragg, Bulirsch and Stoer.</p>\n\
+        "<h2>Extrapolation</h2>\n<p>One step of {step} by {n} midpoint steps, extrapolated to step size zero: \
+         {formula}. Each entry is the error of the final state. Each column raises the order by two, and each row has finer steps. \
+         The last entry is the step of the Gragg–Bulirsch–Stoer method.</p>\n\
          <table id=\"extrapolation\">\n<tr><th>midpoint steps</th>{orders}</tr>\n{rows}</table>\n",
         step = plain(extrapolation.step),
         n = math("n_j"),
@@ -94,10 +94,10 @@ fn methods(study: &Study) -> String {
     });
     format!(
         "<h2>Methods</h2>\n<p>{z}, \
-         and <i>f</i> is its derivative. Each method has one colour on the whole page. Whole lines are of symplectic methods, \
-         dashes of the others. Energies are those after {periods} periods in steps of {step}. Also in the pictures, with \
-         dashes: {adaptive}.</p>\n\
-         <table>\n<tr><th>method</th><th>a step</th><th>order (measured)</th><th>conserves areas</th><th>comes back</th><th>energy</th></tr>\n{rows}</table>\n",
+         and <i>f</i> is its time derivative. Each method has the same colour in all pictures. Solid lines are symplectic methods, \
+         dashed lines are others. Energy changes are those of {periods} periods in steps of {step}. The pictures also have the \
+         adaptive methods: {adaptive}.</p>\n\
+         <table>\n<tr><th>method</th><th>a step</th><th>order (measured)</th><th>preserves areas</th><th>reversible</th><th>energy</th></tr>\n{rows}</table>\n",
         z = math("z = (q, p)"),
         step = plain(study.step),
         adaptive = adaptive.collect::<Vec<_>>().join(", "),
