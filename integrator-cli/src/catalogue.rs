@@ -1,4 +1,4 @@
-//! The compositions of `integrator-core`, from the text of their declarations: each is proved anew, in milliseconds.
+//! The compositions of `integrator-core`, from the text of their declarations: each is proved again, in milliseconds.
 
 use crate::source::Source;
 use integrator_symbolic::{Proved, declared};
@@ -15,7 +15,7 @@ pub(crate) const FILES: [(&str, &str); 7] = [
     ("symmetric", include_str!("../../integrator-core/src/composition/catalogue/symmetric.rs")),
 ];
 
-/// All of them, lowest order first, and in each order the cheapest step; proved when the first one is asked for.
+/// All of them, lowest order first, and in each order the cheapest step; proved when the first one is requested.
 pub(crate) type Catalogue = LazyCell<Vec<Proved>>;
 
 pub(crate) fn catalogue() -> Catalogue {

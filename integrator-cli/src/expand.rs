@@ -22,7 +22,7 @@ pub(crate) fn expand(source: &Source) -> Result<Answer, Mistake> {
     Ok(Answer { text: texts.join("\n"), json: json!({ "file": source.name, "systems": values }) })
 }
 
-/// The impl and what the macro writes behind it, formatted.
+/// The impl and what the macro writes after it, formatted.
 fn written(annotated: &Annotated) -> String {
     let tokens = hamiltonian(annotated.arguments.clone(), annotated.item.clone());
     let Ok(file) = syn::parse2(tokens.clone()) else { return tokens.to_string() };

@@ -1,4 +1,4 @@
-//! A look at any Hamiltonian from the command line: `show`, `expand` and `prove`.
+//! Inspects any Hamiltonian from the command line: `show`, `expand` and `prove`.
 //!
 //! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
 //! wrong, 2 if the command is.
@@ -21,7 +21,7 @@ use std::{
     process::ExitCode,
 };
 
-/// A look at Hamiltonians and compositions without running them
+/// Inspects Hamiltonians and compositions without running them
 ///
 /// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the
 /// command is.

@@ -1,4 +1,4 @@
-//! `prove`: what holds of a sequence of stages that was typed by hand, or of a composition of the catalogue.
+//! `prove`: the proved properties of a typed sequence of stages, or of a composition of the catalogue.
 
 use crate::{answer::Answer, catalogue::catalogue, mistake::Mistake, source::Source};
 use integrator_symbolic::{Proved, ProvedStage, nearest, sequence};

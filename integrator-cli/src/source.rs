@@ -21,7 +21,7 @@ pub(crate) struct Source {
 pub(crate) struct Annotated {
     /// What is in the parentheses of the annotation.
     pub(crate) arguments: TokenStream,
-    /// What is behind it.
+    /// What is after it.
     pub(crate) item: TokenStream,
     /// The annotation.
     pub(crate) span: Span,

@@ -17,7 +17,7 @@ use integrator_core::{
 };
 use std::error::Error;
 
-/// A system, which of its methods are asked for, and what was found of them.
+/// A system, the requested methods, and their results.
 struct Asked<'a, 's, H: Hamiltonian, Found> {
     problem: &'a Problem<'s, H>,
     plan: &'a Plan,

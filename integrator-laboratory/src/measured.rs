@@ -36,7 +36,7 @@ pub(crate) struct Measured {
     pub(crate) steps: usize,
     pub(crate) portrait: Portrait,
     pub(crate) reversal: Reversal,
-    /// The largest change of the energy for one step after the other, of those methods for which it tells something.
+    /// The largest change of the energy for one step after the other, of those methods for which it is meaningful.
     pub(crate) limits: Vec<(f64, f64)>,
     /// The blob of starts.
     pub(crate) blob: Blob,
@@ -44,7 +44,7 @@ pub(crate) struct Measured {
     pub(crate) errors: Vec<Rung>,
 }
 
-/// The steps after which a map is held against a symplectic one: a method with a memory has left its starter by then.
+/// The steps after which a map is compared with a symplectic one: a method with a memory has left its starter by then.
 pub(crate) const STEPS: u64 = 8;
 
 /// By how much a Poisson bracket that is one may be off by rounding: a step has less than two hundred flows, each

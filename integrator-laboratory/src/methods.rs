@@ -31,7 +31,7 @@ pub(crate) struct Adaptive {
 /// The tolerance with which energies of methods that choose their steps are followed.
 pub(crate) const LOOSE: f64 = 1e-4;
 
-/// Measures the methods that choose their own steps: over the whole time in one go, for all they begin anew with each step
+/// Measures the methods that choose their own steps: over the whole time in one go, for all they begin again with each step
 /// of a run.
 pub(crate) fn adaptive<H: Hamiltonian>(
     problem: &Problem<'_, H>,

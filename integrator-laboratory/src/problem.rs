@@ -6,7 +6,7 @@ use integrator_core::{
     prelude::*,
 };
 
-/// What the laboratory is told of a system.
+/// The description of a system for the laboratory.
 pub(crate) struct Problem<'s, H: Hamiltonian> {
     pub(crate) system: &'s H,
     pub(crate) start: Phase<H::Coords>,

@@ -12,7 +12,7 @@ pub(crate) struct Row {
     pub(crate) says: &'static str,
     /// The colour of all its curves.
     pub(crate) colour: Colour,
-    /// Whether the page asks for the longest steps that it can take.
+    /// Whether the page requests the longest steps that it can take.
     pub(crate) limit: bool,
 }
 

@@ -35,7 +35,7 @@ impl Deviation {
     }
 }
 
-/// Follows deviations by a method, up to where they leave the finite numbers.
+/// Follows deviations by a method, until they diverge.
 pub(crate) fn deviations<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,

@@ -3,7 +3,7 @@
 use crate::colour::Colour;
 
 /// How much of its colour the first point on a pixel leaves there. Each further point covers as much of what is left
-/// white, so that densities up to some ten points per pixel can be told apart.
+/// white, so that densities up to some ten points per pixel can be distinguished.
 const COVER: f64 = 0.45;
 
 /// Where there are fewer points than one for so many pixels, a point takes two pixels each way, so that it is seen.

@@ -5,7 +5,7 @@ use crate::canvas::Place;
 /// A rectangle of pixels: left, top, right, bottom.
 pub(crate) type Border = [f64; 4];
 
-/// The pieces of a curve within a border. The curve ends and begins anew where a point is missing.
+/// The pieces of a curve within a border. The curve ends and begins again where a point is missing.
 pub(crate) fn pieces(points: impl Iterator<Item = Option<Place>>, border: Border) -> Vec<Vec<Place>> {
     let mut pieces: Vec<Vec<Place>> = Vec::new();
     let mut before: Option<Place> = None;
@@ -111,7 +111,7 @@ fn inside(from: Place, to: Place, [left, top, right, bottom]: Border) -> Option<
         }
     }
     let at = |part: f64| (from.0 + part * dx, from.1 + part * dy);
-    // The ends themselves stay what they are, so that one piece goes on where the other ends.
+    // The ends themselves stay what they are, so that one piece continues where the other ends.
     let begin = if entry > 0.0 { at(entry) } else { from };
     let end = if exit < 1.0 { at(exit) } else { to };
     (entry <= exit).then_some((begin, end))

@@ -59,7 +59,7 @@ struct Cover {
     covered: Vec<u8>,
 }
 
-/// How many points of a line are rasterised at once: the time for a row grows with the square of the edges that cross it.
+/// How many points of a line are rasterised together: the time for a row grows with the square of the edges that cross it.
 const CHUNK: usize = 64;
 
 impl Sheet {
@@ -116,7 +116,7 @@ impl Sheet {
             if let Some(cover) = self.covered(&path(chunk, false), style.into()) {
                 all.most_of(&cover);
             }
-            // Where dashes stand goes on from chunk to chunk, and need not be known beyond their own length.
+            // The phase of the dashes continues from chunk to chunk, modulo their length.
             length += chunk.windows(2).map(|ends| (ends[1].0 - ends[0].0).hypot(ends[1].1 - ends[0].1)).sum::<f64>();
             let period = f64::from(dashes.iter().sum::<f32>());
             if period > 0.0 {

@@ -7,7 +7,7 @@ use crate::{
 };
 use std::fmt::Write;
 
-/// The families that are asked for: that of the PNG, then one of the same widths, then any.
+/// The families that are requested: that of the PNG, then one of the same widths, then any.
 const FAMILIES: &str = "DejaVu Sans, Verdana, sans-serif";
 
 /// The text of the file.

@@ -520,7 +520,7 @@ fn branches(graph: &mut Graph, condition: NodeId) -> Vec<Scope> {
     }
 }
 
-/// The length of the `context` that stays around the adjoint of a node: up to the first loop behind all those it
+/// The length of the `context` that stays around the adjoint of a node: up to the first loop after all those it
 /// depends on.
 fn common_depth(graph: &Graph, id: NodeId, context: &[Scope]) -> usize {
     let own = graph.loops_of(id);

@@ -49,7 +49,7 @@ pub fn hamiltonian(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let stepper = stepper(arguments, item.clone(), &mut errors);
     let item = model::strip(item, &errors.places());
     let errors = errors.into_tokens();
-    // Formulas number their bodies, and so may the loops in H: no lint should ask for iterators instead.
+    // Loops in H may use indices, as formulas do, so no lint should suggest iterators.
     let lints = stepper.is_some().then(|| quote!(#[allow(clippy::needless_range_loop, reason = "the language of H")]));
     quote!(#lints #item #stepper #errors)
 }
@@ -119,7 +119,7 @@ fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Op
     if let Some(model) = valid_model(&input, errors) {
         return Some(emit::stepper(&input, model));
     }
-    // A sequence in place may be what is wrong; a name is held against the stub, so that the type checker speaks too.
+    // A sequence in place may be the mistake. A name is kept, so that rustc checks it against the stub.
     input.compose = input.compose.filter(|compose| matches!(compose, Compose::Named(_)));
     model::stub(&input).map(|model| emit::stepper(&input, model))
 }
@@ -159,7 +159,7 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
     model.filter(|_| errors.is_empty())
 }
 
-/// What is joined by a loop otherwise than by adding has no recurrence of its coefficients.
+/// Rejects loops that join items by another operation than addition, which have no recurrence of Taylor coefficients.
 fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
     let energies = [model.kinetic, model.potential];
     if let (Some(span), Some(fold)) = (input.taylor, model.graph.first_fold(energies)) {
@@ -172,7 +172,7 @@ fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
     }
 }
 
-/// What is differentiated by a stated method alone has one derivative, and a series asks for all.
+/// A method with a stated derivative has only this one, and a series requires derivatives of every order.
 fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
     if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
         let message = format!(
@@ -183,7 +183,7 @@ fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
     }
 }
 
-/// Derivatives by parameters go through flows that read these as they are, and not through what is solved with them.
+/// Rejects derivatives by parameters that exact flows solve with, instead of reading them.
 fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
     let Some(first) = input.sensitive.first() else { return };
     if let Some(coordinates) = &input.coordinates {
@@ -213,8 +213,7 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
     }
 }
 
-/// Whoever asks for text for devices gets it, or hears why there is none. A model of its own is printed to see that, since
-/// a printer adds to its graph.
+/// Reports why there is no device code, if it is requested. This prints a second model, since a printer adds to its graph.
 fn check_device(input: &Input, errors: &mut Errors) {
     let Some(gpu) = &input.gpu else { return };
     let Some(mut model) = model::model(input, &mut Errors::default()) else { return };
@@ -266,7 +265,7 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
     }
 }
 
-/// A sequence in place has to fit this very Hamiltonian; a named one is held against it by the type checker.
+/// Checks a sequence in place against this Hamiltonian; rustc checks a named one.
 fn check_composition(input: &Input, model: &Model, errors: &mut Errors) {
     if let Some(Compose::InPlace(sequence, span)) = &input.compose
         && let Some(refusal) = emit::refusal(sequence, model)

@@ -44,7 +44,7 @@ fn too_deep(tokens: TokenStream) -> Option<Span> {
     None
 }
 
-/// What nests without brackets: signs in front of an expression, and calls behind one.
+/// What nests without brackets: signs in front of an expression, and calls after one.
 #[derive(Default)]
 struct Run {
     signs: usize,

@@ -12,7 +12,7 @@
 use crate::graph::{Graph, Node, NodeId};
 use std::collections::{HashMap, HashSet};
 
-/// Lowers `roots` together. `leaf` tells which nodes are computed elsewhere and are left as they are.
+/// Lowers `roots` together. `leaf` decides which nodes are computed elsewhere and are left as they are.
 pub(crate) fn lower(graph: &mut Graph, roots: &[NodeId], leaf: impl Fn(&Graph, NodeId) -> bool) -> Vec<NodeId> {
     let used = used(graph, roots, &leaf);
     let mut lowering = Lowering::new(graph, roots, &used, &leaf);

@@ -47,7 +47,7 @@ pub(crate) enum Sink {
     Watch(Watched),
 }
 
-/// What a value tells of an edge.
+/// What a value contributes to an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Watched {
     /// It is a comparison, which is shown where it is computed.
@@ -107,7 +107,7 @@ pub(crate) struct Program {
     pub(crate) named: BTreeSet<NodeId>,
     /// Whether a line reads the explicit time.
     pub(crate) reads_time: bool,
-    /// Whether a line divides by a root cubed at once.
+    /// Whether a line divides by a root cubed in one operation.
     pub(crate) divides_by_root_cubed: bool,
     /// What conditions compare: each of its operations is rounded by itself, and none is fused with another.
     pub(crate) compared: HashSet<NodeId>,
@@ -143,7 +143,7 @@ pub(crate) struct Constraints {
     pub(crate) beside: BTreeMap<NodeId, BTreeSet<NodeId>>,
 }
 
-/// Schedules what stores need. `leaf` tells which nodes are read, not computed.
+/// Schedules what stores need. `leaf` decides which nodes are read, not computed.
 pub(crate) fn schedule(graph: &Graph, stores: &[Store], leaf: impl Fn(&Graph, NodeId) -> bool) -> Program {
     schedule_with(graph, stores, leaf, &Constraints::default())
 }

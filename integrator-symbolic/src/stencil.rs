@@ -46,7 +46,7 @@ pub(crate) enum Lattice {
     Line,
     /// Rows, one below the other.
     Plane,
-    /// Planes, one behind the other.
+    /// Planes, one after the other.
     Volume,
 }
 
@@ -59,7 +59,7 @@ pub(crate) struct SiteContribution {
 }
 
 impl SiteContribution {
-    /// How many places further on the contribution goes in every direction.
+    /// How many places ahead the contribution goes in every direction.
     pub(crate) fn onward(&self) -> Vec<usize> {
         self.along.iter().map(|along| along.onward).collect()
     }
@@ -89,7 +89,7 @@ impl Stencil {
         handed_on.peek().is_some() && handed_on.all(is_cheap)
     }
 
-    /// How many places further on the farthest contribution goes in each direction.
+    /// How many places ahead the farthest contribution goes in each direction.
     pub(crate) fn onward(&self) -> Vec<usize> {
         let farthest =
             |direction: usize| self.contributions.iter().map(|contribution| contribution.along[direction].onward).max();
@@ -134,7 +134,7 @@ pub(crate) enum Components {
     Unknown,
 }
 
-/// The stencil of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` tells which
+/// The stencil of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` decides which
 /// nodes are read, not computed.
 pub(crate) fn stencil(
     graph: &mut Graph,
@@ -212,7 +212,7 @@ fn stencil_of(
     (!may_be_points || is_row).then_some(stencil)
 }
 
-/// What is computed of a value and what it reads, children first; `leaf` tells what is read.
+/// What is computed of a value and what it reads, children first; `leaf` decides what is read.
 fn computed(graph: &Graph, value: NodeId, leaf: impl Fn(&Graph, NodeId) -> bool) -> BTreeSet<NodeId> {
     let (mut nodes, mut open) = (BTreeSet::new(), vec![value]);
     while let Some(id) = open.pop() {

@@ -18,7 +18,7 @@ use syn::{
     token::Paren,
 };
 
-/// The composition that the annotation asks for.
+/// The composition that the annotation requests.
 pub(crate) enum Compose {
     /// A name.
     Named(Path),
@@ -64,16 +64,16 @@ pub(crate) struct Input {
     pub(crate) paired: Option<Span>,
     /// The coordinates of the motion, where they are not those of states.
     pub(crate) coordinates: Option<Coordinates>,
-    /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` asks for them.
+    /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` requests them.
     pub(crate) coupling: Option<Expr>,
     /// Where H stays in one piece, `split = none`.
     pub(crate) unsplit: Option<Span>,
     pub(crate) functions: Functions,
-    /// Whether recurrences for Taylor series are asked for, and where.
+    /// Whether recurrences for Taylor series are requested, and where.
     pub(crate) taylor: Option<Span>,
     /// The parameters that derivatives are taken by, fields of the system.
     pub(crate) sensitive: Vec<Ident>,
-    /// Whether flows are also asked for as text for devices.
+    /// Whether flows are also requested as text for devices.
     pub(crate) gpu: Option<Gpu>,
     /// The runtime crate.
     pub(crate) root: Path,
@@ -118,7 +118,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         );
         return None;
     }
-    // Wrong arguments are noted; what the functions hold is read all the same, so that all mistakes come at once.
+    // Wrong arguments are noted; the functions are read all the same, so that all mistakes are reported together.
     let is_read = |name: &str| item.items.iter().any(|item| matches!(item, ImplItem::Fn(own) if own.sig.ident == name));
     if arguments.is_none() && !["kinetic", "potential", "hamiltonian"].into_iter().any(is_read) {
         // Which functions are the parts of H was to be read from what is wrong.
@@ -288,7 +288,7 @@ const FIRST_IN_PARENTHESES: &str = "parts in parentheses have to be the second p
                                     `split = kepler + (jump + interaction)`\nnote: a composition treats the second \
                                     part as the small one";
 
-/// The first part with those in parentheses behind it.
+/// The first part with those in parentheses after it.
 fn paired(input: ParseStream<'_>, mut names: Vec<Ident>) -> syn::Result<Split> {
     let content;
     let span = parenthesized!(content in input).span.join();
@@ -331,7 +331,7 @@ fn coupling_of(input: ParseStream<'_>) -> syn::Result<syn::Result<Expr>> {
 const UNCOUPLED: &str = "`split = symmetric` lacks its coupling\nhelp: write, for example, `split = symmetric(omega = \
                          20.0)`\nnote: omega is one to several times the largest angular frequency of the system";
 
-/// The number behind `omega =`.
+/// The number after `omega =`.
 fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
     let uncoupled = |error: syn::Error| syn::Error::new(error.span(), UNCOUPLED);
     let key: Ident = content.parse().map_err(uncoupled)?;

@@ -140,7 +140,7 @@ pub(crate) fn is_power(function: Function) -> bool {
     function.name() == "powf"
 }
 
-/// A contribution as addends. What these multiply anew is found by whoever asks for the products afterwards.
+/// A contribution as addends. Repeated products are found later, where the products are collected.
 fn addends(graph: &mut Graph, Contribution { context, element, value }: Contribution) -> Vec<Contribution> {
     let addends = addends_within(graph, context, value).into_iter();
     addends.map(|(context, value)| Contribution { context, element, value }).collect()

@@ -58,7 +58,7 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
         .coloured(GREY)
         .wide(1.0);
     let shades = if measured.symplectic { &SHADES[4..] } else { &SHADES };
-    // Behind the last point that is seen there is nothing to tell apart.
+    // After the last point that is seen there is nothing to tell apart.
     let count = portrait.points.iter().rposition(inside).map_or(0, |last| portrait.points.len().min(last + 2));
     let points = &portrait.points[..count];
     shades.iter().enumerate().fold(chart, |chart, (index, shade)| {

@@ -42,7 +42,7 @@ use taylor::{
     orders::{Orders, orders},
 };
 
-/// What in a sequence asks for a quadratic `T` that this Hamiltonian does not have: the message for it.
+/// What in a sequence requests a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
     if model.paired {
         return refusal_of_pairs(sequence);
@@ -147,14 +147,14 @@ struct Stepper<'i> {
     /// The text of methods that are called as they are.
     called: Option<TokenStream>,
     flows: Flows,
-    /// The vector field of H, where flows of `T` and of `V` do not tell it.
+    /// The vector field of H, where flows of `T` and of `V` do not determine it.
     field: Option<TokenStream>,
     energies: TokenStream,
     /// The user's own energies.
     stated: TokenStream,
     /// What is said to be conserved.
     invariants: Option<TokenStream>,
-    /// What the runtime is told of parts with names.
+    /// The items for the runtime about named parts.
     parts: Option<TokenStream>,
     /// Shows the compositions that it admits, where the runtime cannot know which.
     visit: Option<TokenStream>,
@@ -166,7 +166,7 @@ struct Stepper<'i> {
     transformed: Option<TokenStream>,
     /// The pace that the user gives.
     rated: Option<TokenStream>,
-    /// What Jacobi coordinates ask of the prepared constants.
+    /// What Jacobi coordinates require of the prepared constants.
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
     device: Option<DeviceText>,
@@ -205,7 +205,7 @@ impl<'i> Stepper<'i> {
         let rate = emitter.model.rate.take().filter(|_| is_plain);
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
-        // Why there is none was told before.
+        // The reason was reported before.
         let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions).ok();
         let device = input.gpu.as_ref().and_then(text);
         let read = ReadByMethods::of(input, emitter.model, &names);

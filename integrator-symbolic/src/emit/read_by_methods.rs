@@ -173,7 +173,7 @@ fn first_is_self(group: &Group) -> bool {
     is_self && trees.get(1).is_none_or(|tree| is_mark(tree, ','))
 }
 
-/// The arguments behind the first.
+/// The arguments after the first.
 fn behind_self(group: &Group) -> TokenStream {
     group.stream().into_iter().skip_while(|tree| !is_mark(tree, ',')).collect()
 }

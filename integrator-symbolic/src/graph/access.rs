@@ -141,7 +141,7 @@ impl Graph {
     }
 
     /// The loops in all of whose iterations alone a node is read that is not read anywhere, given what its children
-    /// say: what stands behind a condition that protects it stays there.
+    /// say: what stands after a condition that protects it stays there.
     pub(super) fn read_in(&self, node: Node, own: LoopSet) -> LoopSet {
         let is_behind = |child: NodeId| match node {
             Node::Select(condition, ..) if child != condition => self.protects(Scope::Branch(condition, true), child),

@@ -148,7 +148,7 @@ impl Graph {
         })
     }
 
-    /// Whether a condition asks if a loop has an iteration, as [`Graph::happens`] does.
+    /// Whether a condition tests if a loop has an iteration, as [`Graph::happens`] does.
     pub(crate) fn asks_for_iterations(&self, condition: NodeId, by: LoopId) -> bool {
         let is_one = |id| self.as_constant(id) == Some(1.0);
         match self.node(condition) {

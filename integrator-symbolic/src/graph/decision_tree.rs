@@ -92,7 +92,7 @@ impl Graph {
         reads
     }
 
-    /// The choice between the cases of the conditions `from..to` and the one behind them.
+    /// The choice between the cases of the conditions `from..to` and the one after them.
     fn first_that_holds(&mut self, cases: &Cases, from: usize, to: usize) -> NodeId {
         if from == to {
             return cases.values[from];

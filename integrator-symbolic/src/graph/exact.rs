@@ -54,7 +54,7 @@ impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.
     ///
     /// `extents` is the number of numbers or points of the coordinates, and that of the components of a point;
-    /// `factors_of` tells the factors of parameters.
+    /// `factors_of` returns the factors of parameters.
     pub(crate) fn exact(
         &mut self,
         energy: NodeId,

@@ -5,7 +5,7 @@ use super::{ExternalId, Graph, Node, NodeId};
 /// The arguments of a method of the user, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Arguments {
-    /// Elements behind the last argument repeat the first one.
+    /// Elements after the last argument repeat the first one.
     ids: [NodeId; Self::MOST],
     count: u8,
 }

@@ -108,7 +108,7 @@ impl Graph {
         (self.as_constant(addend) == Some(0.0)).then_some(factor)
     }
 
-    /// The item that a step of a loop holds against the largest one so far, or the smallest, if that is all it does:
+    /// The item that a step of a loop compares with the largest one so far, or the smallest, if that is all it does:
     /// `largest.max(x)`, or `x` where it is larger. Several items, one after the other, are the largest one of them.
     pub(crate) fn compared_to(&mut self, so_far: NodeId, next: NodeId, is_largest: bool) -> Option<NodeId> {
         let name = if is_largest { "max" } else { "min" };

@@ -72,8 +72,8 @@ struct Found {
 
 impl Graph {
     /// The orbits that an energy is the sum of. `extents` is the number of numbers or points of the coordinates, and that
-    /// of the components of a point; `factors_of` tells the factors of parameters. Nothing but `None` stands in the way
-    /// of an energy without a term `k/|q|`; of others, the terms are told that are to blame, where these are known.
+    /// of the components of a point; `factors_of` returns the factors of parameters. Nothing but `None` stands in the way
+    /// of an energy without a term `k/|q|`; of others, the terms that prevent it are returned, where these are known.
     pub(crate) fn orbits(
         &mut self,
         energy: NodeId,

@@ -59,7 +59,7 @@ struct Values {
     known: HashMap<NodeId, NodeId>,
     /// Those that are products, or sums with some.
     with_products: HashSet<NodeId>,
-    /// Those that one other value is made of, or that are asked for,
+    /// Those that one other value is made of, or that are requested,
     used_once: HashSet<NodeId>,
     /// and those that are used again.
     used_again: HashSet<NodeId>,
@@ -184,7 +184,7 @@ fn is_whole(halves: i32) -> bool {
     halves > 0 && halves % 2 == 0 && halves / 2 <= LARGEST
 }
 
-/// What a value is the product of, down to what is no product or no part of it alone; of more factors than are asked for, one more.
+/// What a value is the product of, down to what is no product or no part of it alone; of more factors than are requested, one more.
 fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool, most: usize) -> Factors {
     let mut found = Factors::default();
     let mut open = vec![(value, 1)];

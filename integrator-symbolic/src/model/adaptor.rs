@@ -254,13 +254,13 @@ impl Reader<'_> {
     }
 }
 
-/// What may be asked of a sequence, for messages.
+/// The methods of sequences, for messages.
 pub(super) const ADAPTED: &str =
     "iter, map, filter, enumerate, zip, rev, skip, take, step_by, windows, array_windows and chunks_exact";
 
 /// A sequence without an end.
 enum Endless<'e> {
-    /// `items.cycle()`, behind some of its items.
+    /// `items.cycle()`, after some of its items.
     Cycle { items: &'e Expr, skipped: Option<&'e Expr> },
     /// `start..`
     From(&'e Expr),

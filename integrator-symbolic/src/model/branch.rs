@@ -169,7 +169,7 @@ impl Reader<'_> {
         condition.is_some_and(|condition| self.graph.as_truth(condition) == Some(holds))
     }
 
-    /// What is known behind a branch: of its sides, the first one whose condition holds was taken, else the last.
+    /// What is known after a branch: of its sides, the first one whose condition holds was taken, else the last.
     pub(super) fn joined(&mut self, fork: Fork, sides: Sides<'_>, last: Side) -> Option<Outcome> {
         let depth = self.conditions.len();
         sides.iter().filter_map(|(condition, ..)| *condition).for_each(|condition| self.past(condition));
@@ -280,7 +280,7 @@ impl Reader<'_> {
         Some(Outcome { value: self.either(condition, first.value, second.value, place)?, returned })
     }
 
-    /// Whether nothing behind a side is reached from it.
+    /// Whether nothing after a side is reached from it.
     fn leaves(&self, side: &Side) -> bool {
         side.outcome.as_ref().is_some_and(|outcome| outcome.leaves(&self.graph))
     }

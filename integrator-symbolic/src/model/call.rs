@@ -288,7 +288,7 @@ impl Reader<'_> {
         (binding.mutable && matches!(binding.value, Value::Opaque(_))).then_some(name)
     }
 
-    /// The values of arguments, whose types a method of the impl tells.
+    /// The values of arguments, whose types a method of the impl declares.
     fn arguments<'e>(
         &mut self,
         arguments: impl IntoIterator<Item = &'e Expr>,
@@ -317,7 +317,7 @@ impl Reader<'_> {
         Some((quote!(#(#texts),*), loops))
     }
 
-    /// The text of an argument, if it is a parameter. That of a parameter tells whether it is a reference; of integers and
+    /// The text of an argument, if it is a parameter. That of a parameter shows whether it is a reference; of integers and
     /// numbers their place does.
     pub(super) fn argument(&self, value: &Value, place: &Expr) -> Option<Opaque> {
         let Opaque { text, loops } = self.opaque(value)?;
@@ -461,7 +461,7 @@ fn where_some(call: &ExprMethodCall) -> Option<Expr> {
     Some(parse_quote_spanned!(at=> if let Some(#item) = #value { #found } else { #otherwise }))
 }
 
-/// Whether a method leaves its receiver as it is: those of numbers do, and those that only look at a list.
+/// Whether a method leaves its receiver unchanged: those of numbers do, and those that only read a list.
 fn is_harmless(method: &Ident) -> bool {
     const LOOKS: [&str; 9] = ["len", "is_empty", "iter", "get", "first", "last", "contains", "max", "min"];
     let name = method.to_string();

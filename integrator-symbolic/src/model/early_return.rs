@@ -68,7 +68,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// The branches of `if ... else if ...`, and what is behind the last `else`.
+/// The branches of `if ... else if ...`, and what is after the last `else`.
 fn chain(first: &ExprIf) -> (Vec<&ExprIf>, Body<'_>) {
     let mut branches = vec![first];
     loop {
@@ -167,7 +167,7 @@ impl Reader<'_> {
         self.first_of(&arms, &matched, integer, flow, branch)
     }
 
-    /// `if a && let Some(x) = y && b { ... } else { ... }`: what stands behind a pattern knows its names, and is asked where
+    /// `if a && let Some(x) = y && b { ... } else { ... }`: the conditions after a pattern know its names, and are tested where
     /// it fits alone.
     fn let_chain(&mut self, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
         let mut conditions = Vec::new();
@@ -246,7 +246,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Statements of a function's own body. What is behind one that may return is read where it did not.
+    /// Statements of a function's own body. What is after one that may return is read where it did not.
     fn run(&mut self, statements: &[Stmt]) -> Option<Outcome> {
         let depth = self.conditions.len();
         let outcome = self.run_on(statements);
@@ -294,7 +294,7 @@ impl Reader<'_> {
         Some(whole)
     }
 
-    /// `let pattern = value else { ... };`, which leaves here, and what is behind it, which knows the names of the pattern.
+    /// `let pattern = value else { ... };`, which leaves here, and what is after it, which knows the names of the pattern.
     pub(super) fn let_else(
         &mut self,
         pattern: &Pat,

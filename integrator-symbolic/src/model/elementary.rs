@@ -33,7 +33,7 @@ const ARITHMETIC: [&str; 12] = [
     "clone",
 ];
 
-/// Names of the tables that nobody writes as a function of coordinates: an operator, and what changes nothing.
+/// Names of the tables that are not written as a function of coordinates: an operator, and what changes nothing.
 const UNSPELLED: [&str; 2] = ["remainder", "clone"];
 
 impl Reader<'_> {

@@ -21,7 +21,7 @@ pub(super) fn continue_further_inside(body: &Block) -> Option<Expr> {
     further_inside(&body.stmts, true)
 }
 
-/// The same in a list of statements; `ends` tells whether the iteration ends after them.
+/// The same in a list of statements; `ends` is whether the iteration ends after them.
 fn further_inside(statements: &[Stmt], ends: bool) -> Option<Expr> {
     let (last, _) = statements.split_last()?;
     statements.iter().find_map(|statement| {

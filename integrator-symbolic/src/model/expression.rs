@@ -40,7 +40,7 @@ impl Reader<'_> {
     pub(super) fn expression(&mut self, expression: &Expr) -> Option<Value> {
         self.readings += 1;
         if self.readings > READINGS || self.graph.len() > OPERATIONS {
-            // Noted once: from here on every reading ends at once.
+            // Noted once: from here on every reading ends immediately.
             if self.readings <= READINGS + 1 {
                 self.readings = READINGS + 1;
                 let message =
@@ -275,7 +275,7 @@ impl Reader<'_> {
         }
     }
 
-    /// An element of a list or of a map of the system: maps are asked by a reference to anything.
+    /// An element of a list or of a map of the system: maps are read by a reference to any type.
     fn element_at(&mut self, list: &Opaque, at: &Value, index: &ExprIndex) -> Option<Value> {
         let found = match is_reference(&index.index) {
             true => self.argument(at, &index.index),
@@ -291,7 +291,7 @@ impl Reader<'_> {
         }))
     }
 
-    /// An index into coordinates, held against their bounds where both are known.
+    /// An index into coordinates, compared with their bounds where both are known.
     fn coordinate(&mut self, view: View, position: IndexId, place: &ExprIndex) -> Option<Value> {
         let shape = self.shape.clone()?;
         let Some(extent) = shape.extent(view.at.len()) else {
@@ -394,7 +394,7 @@ impl Reader<'_> {
         Some(Value::Opaque(Opaque { text: with_variables(operand(text), &variables), loops }))
     }
 
-    /// Notes an expression that is not understood.
+    /// Notes an expression that is not supported.
     pub(super) fn refused(&mut self, expression: &Expr) -> Option<Value> {
         let escape = escape(expression);
         let expression = escape.as_ref().unwrap_or(expression);

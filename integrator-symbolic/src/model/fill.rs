@@ -44,7 +44,7 @@ impl Reader<'_> {
         let captured = self.captured_by(repeat.to_token_stream());
         let (pattern, sequence) = ((*repeat.pat).clone(), sequence.clone());
         let fill = Rc::new(Fill { pattern, sequence, body, arrays, captured });
-        // What the body adds to other variables is summed; its mistakes are found here, whoever reads the arrays.
+        // What the body adds to other variables is summed; its mistakes are found here, even if nothing reads the arrays.
         let read = self.sums(repeat, &fill.sequence, &|reader, index| {
             reader.elements(&fill, index)?;
             Some(Value::Unit)
@@ -213,7 +213,7 @@ impl Reader<'_> {
     }
 }
 
-/// The list that an array is behind a loop that fills it.
+/// The list that an array is after a loop that fills it.
 fn filled(fill: &Rc<Fill>, place: usize) -> Sequence {
     let (fill, list) = (Rc::clone(fill), fill.arrays[place].1.clone());
     let (from, to) = (list.from, list.to);
@@ -285,7 +285,7 @@ impl Elements<'_> {
         written
     }
 
-    /// Notes the index in brackets behind an array.
+    /// Notes the index in brackets after an array.
     fn read(&mut self, array: Ident, at: Option<TokenTree>) {
         let index = match at {
             Some(TokenTree::Group(group)) => syn::parse2::<Ident>(group.stream()).ok(),
@@ -375,7 +375,8 @@ pub(super) fn declared_array(local: &Local) -> Option<Expr> {
     }
 }
 
-/// `std::array::from_fn(|i| ...)` where an array is asked for, which alone tells its length, written as a list that is collected.
+/// `std::array::from_fn(|i| ...)` where the context is an array and determines the length,
+/// written as a list that is collected.
 pub(super) fn array_from_function(expression: &Expr, kind: &Type) -> Option<Expr> {
     match (expression, kind) {
         (Expr::Paren(inner), kind) => array_from_function(&inner.expr, kind),

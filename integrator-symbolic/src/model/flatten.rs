@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use quote::format_ident;
 use syn::{Block, Expr, ExprClosure, ExprForLoop, ExprMethodCall, parse_quote};
 
-/// What may stand between the flattened lists and the end, since it looks at one item at a time.
+/// What may stand between the flattened lists and the end, since it reads one item at a time.
 const ITEM_BY_ITEM: [&str; 4] = ["map", "filter", "copied", "cloned"];
 
 /// `lists.flatten().map(f).sum()` as `lists.map(|list| list.iter().map(f).sum()).sum()`.

@@ -38,7 +38,7 @@ impl Reader<'_> {
 
     /// The text of a parameter, evaluated under those loops and conditions around it that may keep it from being so.
     ///
-    /// Whether a condition on coordinates holds is not known then: a number behind one is looked up where it is there.
+    /// Whether a condition on coordinates holds is not known then: a number after one is looked up where it is there.
     pub(super) fn guarded_text(
         &self,
         text: TokenStream,
@@ -292,7 +292,7 @@ fn ordered(comparison: Comparison, a: IndexId, b: IndexId, holds: bool) -> Vec<O
     }
 }
 
-/// The condition that two hold, the second asked behind the first.
+/// The condition that two hold, the second asked after the first.
 fn both(first: Option<Opaque>, second: Option<Opaque>) -> Option<Opaque> {
     match (first, second) {
         (Some(first), Some(second)) => {
@@ -311,7 +311,7 @@ fn sign(comparison: Comparison) -> TokenStream {
     }
 }
 
-/// What a text asks of the conditions around it.
+/// What a text requires of the conditions around it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Needs {
     /// It has a value wherever it stands.

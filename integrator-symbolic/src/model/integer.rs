@@ -101,7 +101,7 @@ impl Reader<'_> {
         }
     }
 
-    /// An integer as text of its own type; what only literals tell of is left to rustc.
+    /// An integer as code of its own type; a type that only literals determine is left to rustc.
     fn typed(&self, id: IndexId) -> Opaque {
         let loops = &self.graph.loops;
         let mentioned = loops.of_index(id);
@@ -182,7 +182,7 @@ impl Reader<'_> {
             };
             loops = loops.union(part_of_list.loops);
             let text = part_of_list.text;
-            // One number of a known type tells that of all.
+            // One number of a known type determines that of all.
             texts.push(if let Value::Real(_) = part { quote!((#text as f64)) } else { text });
         }
         (!texts.is_empty()).then(|| Opaque { text: quote!([#(#texts),*]), loops })

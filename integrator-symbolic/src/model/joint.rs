@@ -27,7 +27,7 @@ pub(crate) struct Joint {
 const OF_BOTH: [&str; 6] = ["abs", "clamp", "max", "min", "rem_euclid", "signum"];
 
 impl Value {
-    /// The same value where no number is asked for: arithmetic of different loops as the user's own expression.
+    /// The same value where no number is requested: arithmetic of different loops as the user's own expression.
     pub(super) fn into_own(self) -> Self {
         match self {
             Value::Joint(Joint { own, .. }) => Value::Opaque(own),
@@ -66,7 +66,7 @@ impl Value {
 }
 
 impl Reader<'_> {
-    /// The two sides of an operator. An integer beside arithmetic of different loops tells that it is one of integers;
+    /// The two sides of an operator. An integer beside arithmetic of different loops shows that it is one of integers;
     /// what is compared with parameters has the type of these.
     pub(super) fn sides(left: Value, right: Value, is_arithmetic: bool) -> [Value; 2] {
         let is_joint = |value: &Value| matches!(value, Value::Joint(_));

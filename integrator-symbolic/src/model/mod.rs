@@ -116,7 +116,7 @@ pub(crate) struct Model {
     pub(crate) invariants: Vec<Invariant>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
-    /// Whether all of these behind the first one are one part of a composition: a symmetric pair.
+    /// Whether all of these after the first one are one part of a composition: a symmetric pair.
     pub(crate) paired: bool,
     /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
     /// state has no copy.
@@ -138,7 +138,7 @@ pub(crate) struct Model {
     pub(crate) sensitive: Vec<ParameterId>,
     /// What Jacobi coordinates are made with, where the motion is in these.
     pub(crate) jacobi: Option<Jacobi>,
-    /// Where values stand that are added up, as far as messages ask for it.
+    /// Where values stand that are added up, as far as messages request it.
     places: HashMap<NodeId, TokenStream>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
     pub(crate) quadratic: bool,
@@ -666,7 +666,7 @@ impl<'i> Reader<'i> {
         BindingId(self.bindings.len() - 1)
     }
 
-    /// The id of a parameter with this text, new or known; `kind` tells texts apart that are read differently.
+    /// The id of a parameter with this text, new or known; `kind` distinguishes texts that are read differently.
     fn parameter(&mut self, text: TokenStream, kind: &str, loops: LoopSet) -> ParameterId {
         self.parameter_shown(text.clone(), text, kind, loops)
     }

@@ -65,7 +65,7 @@ impl Reader<'_> {
             self.note_operand(&link.op, value.as_ref(), innermost);
         }
         for (link, whole) in links.into_iter().rev() {
-            // The second of two conditions is asked behind the first.
+            // The second of two conditions is tested after the first.
             let first = value.as_ref().filter(|_| matches!(link.op, BinOp::And(_) | BinOp::Or(_))).cloned();
             let first = first.and_then(|first| self.condition(&first));
             let holds = matches!(link.op, BinOp::And(_));

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 pub(crate) struct Texts<'m> {
     parameters: &'m mut Vec<Parameter>,
     running: &'m mut HashMap<LoopId, Ident>,
-    /// The parameters by the loops whose indices they mention, and by their text; filled when first asked for.
+    /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
     known: HashMap<(LoopSet, String), ParameterId>,
 }
 
@@ -171,7 +171,7 @@ fn mentions_name(text: &TokenStream, name: &Ident) -> bool {
     })
 }
 
-/// The text behind a minus sign in front of a product.
+/// The text after a minus sign in front of a product.
 fn without_sign(text: TokenStream) -> Option<TokenStream> {
     let tokens: Vec<TokenTree> = text.into_iter().collect();
     match &tokens[..] {
@@ -188,7 +188,7 @@ fn without_sign(text: TokenStream) -> Option<TokenStream> {
     }
 }
 
-/// A text without a condition around it that asks which body of how many is meant, and nothing else.
+/// A text without the condition around it, if that only selects a body by its index.
 fn without_guard(text: TokenStream) -> TokenStream {
     let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
     let [TokenTree::Group(group)] = &tokens[..] else { return text };

@@ -42,7 +42,7 @@ fn calls(function: &ImplItemFn, name: &str) -> bool {
     mentions(function.block.to_token_stream(), name)
 }
 
-/// Whether a name stands behind a dot or a colon.
+/// Whether a name stands after a dot or a colon.
 fn mentions(tokens: TokenStream, name: &str) -> bool {
     let mut is_behind = false;
     tokens.into_iter().any(|tree| {

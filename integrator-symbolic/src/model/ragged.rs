@@ -26,7 +26,7 @@ impl Reader<'_> {
             let greatest = self.parameter(text, "integer", LoopSet::EMPTY);
             self.arms = arms;
             let greatest = self.graph.loops.intern(Index::Parameter(greatest));
-            // A least value would be asked for at every element of a table; lists begin at zero nearly always.
+            // A least value would be requested at every element of a table; lists begin at zero nearly always.
             let least = self.literal_index(0);
             self.graph.loops.declare_range(id, least, greatest);
         }

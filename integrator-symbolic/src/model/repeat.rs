@@ -206,7 +206,7 @@ impl Reader<'_> {
     }
 
     /// The iterations of a loop over the components of points in a term of a list, `for &(a, b) in &self.bonds { for d in 0..3 {..} }`:
-    /// several terms are computed side by side where each is without loops.
+    /// several terms are computed in lanes where each is without loops.
     pub(super) fn few_in_term_of_list(&self, sequence: &Sequence) -> Option<Range<u64>> {
         let loops = &self.graph.loops;
         let is_in_term = self.frames.iter().any(|frame| loops.mentions_lists(loops.get(frame.by).to));

@@ -144,7 +144,7 @@ fn index_of(repeat: &ExprForLoop) -> Option<&Ident> {
     }
 }
 
-/// The first index of a range, and the one behind the last.
+/// The first index of a range, and the one after the last.
 fn bounds(range: &Expr) -> Option<(Expr, Expr)> {
     match range {
         Expr::Paren(inner) => bounds(&inner.expr),

@@ -58,7 +58,7 @@ impl Sequence {
         Self { at: Rc::new(at), ..self }
     }
 
-    /// References to the items, which only the text of parameters tells from the items themselves.
+    /// References to the items, which differ from the items themselves only in the code of parameters.
     pub(super) fn of_references(self) -> Self {
         self.with(Value::into_reference)
     }

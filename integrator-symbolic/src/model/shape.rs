@@ -79,7 +79,7 @@ impl Shape {
         std::iter::once(&self.length).chain(&self.inner)
     }
 
-    /// How many numbers positions are, where literals tell it.
+    /// The number of positions, if literals determine it.
     pub(crate) fn numbers(&self) -> Option<u64> {
         self.extents().try_fold(1_u64, |numbers, length| numbers.checked_mul(length.literal()?))
     }
@@ -92,7 +92,7 @@ impl Shape {
         }
     }
 
-    /// Whether coordinates are planes, one behind the other.
+    /// Whether coordinates are planes, one after the other.
     pub(crate) fn is_volume(&self) -> bool {
         self.inner.len() == 2
     }
@@ -331,7 +331,7 @@ pub(crate) fn whole_signature<'f>(function: &'f ImplItemFn, errors: &mut Errors)
 }
 
 /// The coordinates that the function of a part takes, where it takes positions or momenta alone; nothing where it takes
-/// both. They are told apart by the name of the argument.
+/// both. They are distinguished by the name of the argument.
 pub(crate) fn lone_part(function: &ImplItemFn, errors: &mut Errors) -> Option<Option<Part>> {
     let coordinates = function.sig.inputs.iter().filter_map(|argument| match argument {
         FnArg::Typed(argument) if !is_f64(&argument.ty) => Some(argument),

@@ -11,7 +11,7 @@ use syn::ImplItemFn;
 /// The names of the parts that terms are sorted into, unless the impl has functions of these names.
 const SORTED: [&str; 2] = ["quadratic", "rest"];
 
-/// The function whose terms are sorted, if that is what `split` asks for.
+/// The function whose terms are sorted, if that is what `split` requests.
 pub(super) fn sorted(input: &Input) -> Option<&ImplItemFn> {
     let [first, second] = &input.split[..] else { return None };
     let is_sorted = |name| (first == name || second == name) && input.function(name).is_none();

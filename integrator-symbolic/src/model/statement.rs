@@ -442,7 +442,7 @@ impl Assigned {
         self.read.extend(before);
     }
 
-    /// Notes that what was in a place is lost.
+    /// Notes that a place was overwritten.
     fn replace(&mut self, place: &Expr) {
         match place {
             Expr::Tuple(parts) => parts.elems.iter().for_each(|part| self.replace(part)),

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote};
 use syn::{Expr, ExprReference, ItemUse, UseTree};
 
 /// The text of variables that an expression mentions, declared in front of it, so that it can stand alone. All are declared
-/// at once: what one stands for may mention a name of the generated code that another one has.
+/// together: what one stands for may mention a name of the generated code that another one has.
 pub(super) fn with_variables(text: TokenStream, variables: &[(Ident, TokenStream)]) -> TokenStream {
     match variables {
         [] => text,

@@ -143,7 +143,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The numbers of the accumulator behind an item.
+    /// The numbers of the accumulator after an item.
     pub(super) fn stepped(
         &mut self,
         step: &Step,
@@ -211,7 +211,7 @@ impl Reader<'_> {
             return Some(None);
         }
         if let Some((whole, end)) = self.graph.loops.end_without_lists(sequence.to) {
-            // As one that lists do not end, with coefficients that are zero behind their ends.
+            // As one that lists do not end, with coefficients that are zero after their ends.
             let by = self.enter(None, sequence.from, whole, call)?;
             let index = self.graph.loops.intern(Index::Running(by));
             let addends = self.addends_of(sequence, index, start, step, call);

@@ -13,7 +13,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, quote};
 use syn::{Expr, ExprCall, ExprMethodCall, ImplItem, PathArguments, ReturnType, Stmt, Type};
 
-/// Methods of iterators whose result has the type that is asked for, which they take in angle brackets.
+/// Methods of iterators whose result has the type that is requested, which they take in angle brackets.
 const ASKED: [&str; 3] = ["collect", "product", "sum"];
 
 /// Methods beside those of floats whose result has one type alone, or that of an argument.
@@ -93,12 +93,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether an expression may give a reference, as far as its own tokens and this impl tell.
+    /// Whether an expression may give a reference, as far as its own tokens and this impl show.
     pub(super) fn may_refer(&self, expression: &Expr) -> bool {
         self.is_open(expression) || self.gives_reference(expression)
     }
 
-    /// Whether the tokens of an integer tell that its type is `usize`.
+    /// Whether the tokens of an integer show that its type is `usize`.
     pub(super) fn is_usize(&self, text: &TokenStream) -> bool {
         let Ok(expression) = syn::parse2::<Expr>(text.clone()) else { return false };
         let is = |kind: &Type| matches!(kind, Type::Path(path) if path.path.is_ident("usize"));
@@ -129,7 +129,7 @@ impl Reader<'_> {
         generic || own || lengths.into_iter().any(is_length)
     }
 
-    /// Whether only the surroundings of an expression may tell its type.
+    /// Whether only the context of an expression may determine its type.
     fn is_open(&self, expression: &Expr) -> bool {
         match within(expression) {
             Expr::MethodCall(call) => {

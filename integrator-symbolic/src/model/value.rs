@@ -59,7 +59,7 @@ pub(crate) struct Opaque {
 }
 
 impl Value {
-    /// A reference to the value, which only the text of parameters tells from the value itself.
+    /// A reference to the value, which differs from the value itself only in the code of parameters.
     pub(super) fn into_reference(self) -> Self {
         match self {
             Value::Opaque(Opaque { text, loops }) if referent(&text).is_none() => {

@@ -32,7 +32,7 @@ pub(crate) struct AllPairs {
     pub(crate) reciprocal: bool,
     /// The gradient of what a body has alone.
     pub(crate) alone: Option<OfBodies>,
-    /// What is asked where neighbours within a cutoff are listed.
+    /// The condition under which neighbours within a cutoff are listed.
     pub(crate) listed: Option<Listed>,
 }
 
@@ -92,7 +92,7 @@ impl AllPairs {
     }
 }
 
-/// What is asked where neighbours within a cutoff are listed.
+/// The condition under which neighbours within a cutoff are listed.
 pub(crate) struct Listed {
     /// The square of the cutoff.
     pub(crate) square: OfBodies,

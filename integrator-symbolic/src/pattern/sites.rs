@@ -8,7 +8,7 @@ use crate::{
     stencil::{Components, Direction, Stencil, stencil},
 };
 
-/// What the gradient of the potential tells of coordinates with two indices. A kinetic energy looks the same for points as
+/// What the gradient of the potential shows about coordinates with two indices. A kinetic energy looks the same for points as
 /// for rows of sites.
 pub(super) fn components(model: &mut Model, potential: &[Contribution]) -> Components {
     let Model { graph, parameters, extents, .. } = model;

@@ -46,7 +46,7 @@ pub(crate) struct ListSum<'p> {
 }
 
 /// Whether an iteration of a loop adds to coordinates that a list names: values are rounded before they are added, so that
-/// those of several iterations may be computed side by side.
+/// those of several iterations may be computed in lanes.
 pub(crate) fn is_over_list(graph: &Graph, by: LoopId, body: &[Item]) -> bool {
     body.iter().any(|item| match item {
         Item::Sink(Sink::Collect(element), _) => is_listed(graph, by, element.index),
@@ -77,7 +77,7 @@ pub(super) fn by_point(graph: &Graph, stores: &[Store]) -> Vec<Store> {
 }
 
 impl<'p> ListSum<'p> {
-    /// The sum that a loop is, where points have so many components; `is_table` tells which prepared numbers are kept in
+    /// The sum that a loop is, where points have so many components; `is_table` decides which prepared numbers are kept in
     /// tables.
     pub(crate) fn of(
         graph: &Graph,

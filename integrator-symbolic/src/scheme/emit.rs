@@ -28,7 +28,7 @@ pub(super) fn declaration(declaration: &Declaration, name: &str, scheme: Option<
         Some(_) => format!(" {}", facts.prose(&citation)),
         None => " Refused.".to_owned(),
     };
-    // The facts are a paragraph of their own behind what the user wrote.
+    // The facts are a paragraph of their own after what the user wrote.
     let gap = (!attributes.is_empty()).then(|| quote!(#[doc = ""]));
     let definition = definition(visibility, ident);
     let implementation = implementation(ident, name, &citation, &facts, root);
@@ -109,7 +109,7 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
     }
 }
 
-/// A kick that also goes along the gradient of the squared force, where the stage asks for it.
+/// A kick that also goes along the gradient of the squared force, where the stage requests it.
 fn gradient_kick(root: &Path) -> TokenStream {
     quote! {
         #[inline(always)]

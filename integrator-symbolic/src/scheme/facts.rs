@@ -38,7 +38,7 @@ impl Facts {
         }
     }
 
-    /// For a declaration that was refused: its users still type-check.
+    /// For a declaration with errors: its users still type-check.
     pub(super) fn stub() -> Self {
         Self {
             class: Class::General,

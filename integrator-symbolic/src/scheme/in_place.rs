@@ -25,7 +25,7 @@ pub(crate) struct InPlace {
 }
 
 impl InPlace {
-    /// Whether the next tokens are a sequence rather than a path: a name with parentheses behind it.
+    /// Whether the next tokens are a sequence rather than a path: a name with parentheses after it.
     pub(crate) fn peek(input: ParseStream<'_>) -> bool {
         input.peek(syn::Ident) && input.peek2(token::Paren)
     }

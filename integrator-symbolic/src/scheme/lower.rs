@@ -17,7 +17,7 @@ use crate::errors::Errors;
 /// The number of stages from which a sequence is taken for a mistake.
 const MOST_STAGES: usize = 1000;
 
-/// The compositions that a sequence may name; a name without a scheme was refused, so nothing more is said about it.
+/// The compositions that a sequence may name; a name without a scheme was reported before.
 pub(super) struct Known(Vec<(String, Option<Scheme>)>);
 
 impl Known {
@@ -105,7 +105,7 @@ fn inconsistent(Violation { word, residual }: Violation, letters: Letters) -> St
     format!("the coefficients of `{word}` sum to {}, not to 1", sum.trim_end_matches('0').trim_end_matches('.'))
 }
 
-/// An item with its coefficients known, except where `_` asks for what the others leave.
+/// An item with its coefficients known, except where `_` requests what the others leave.
 #[derive(Clone)]
 enum Part {
     Stage { letter: Letter, coefficient: Option<Coefficient>, gradient: Coefficient },

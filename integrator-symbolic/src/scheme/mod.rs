@@ -42,7 +42,7 @@ pub(crate) use self::{
 };
 use crate::errors::Errors;
 
-/// The declared compositions with their proofs, and behind them the errors found.
+/// The declared compositions with their proofs, and after them the errors found.
 pub(crate) fn expand(tokens: TokenStream) -> TokenStream {
     let mut errors = Errors::default();
     let mut known = Known::bases();

@@ -96,7 +96,7 @@ pub(super) fn words(class: Class, degree: usize) -> Vec<Word> {
     }
 }
 
-/// One step with its processor before it and the inverse of that behind.
+/// One step, with its processor before it and the inverse of the processor after it.
 pub(super) fn whole(stages: &Stages, processor: &Stages) -> Stages {
     let mut whole = processor.clone();
     whole.append(stages, Coefficient::ONE);
@@ -147,7 +147,7 @@ impl Violation {
 /// The orders of a step.
 ///
 /// The logarithm of a symmetric step has no terms of even degree, so their conditions hold once the odd ones below do.
-/// The series is grown in strides, because most steps are refused or decided by its first few degrees.
+/// The series is grown in strides, because most steps are rejected or decided by its first few degrees.
 fn prove(stages: &Stages) -> Proof {
     let symmetric = stages.is_symmetric();
     let mut general = Verdict::OPEN;

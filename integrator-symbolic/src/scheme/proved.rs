@@ -94,7 +94,7 @@ pub(crate) fn declared(declarations: TokenStream, errors: &mut Errors) -> Vec<Pr
     found
 }
 
-/// What is proved of a sequence, held against an order where one is claimed; what is wrong with it is noted.
+/// What is proved of a sequence, compared with an order where one is claimed; what is wrong with it is noted.
 pub(crate) fn sequence(tokens: TokenStream, order: Option<u32>, errors: &mut Errors) -> Option<Proved> {
     let parser = |input: ParseStream<'_>| {
         let sequence = syntax::sequence(input, &tokens, errors);

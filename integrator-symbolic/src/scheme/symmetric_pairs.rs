@@ -30,7 +30,7 @@ fn order(scheme: &Scheme, letters: u32) -> u32 {
     scheme.generalised.get(letters as usize - 1).copied().unwrap_or(scheme.order)
 }
 
-/// Whether the words of a degree with errors of a pair vanish, where an order asks for it.
+/// Whether the words of a degree with errors of a pair vanish, where an order requests it.
 fn vanish(scheme: &Scheme, degree: u32) -> bool {
     // The logarithm of a symmetric step has no terms of even degree.
     if scheme.proof.symmetric && degree.is_multiple_of(2) {

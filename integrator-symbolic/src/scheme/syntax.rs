@@ -270,7 +270,7 @@ pub(super) fn sequence(input: ParseStream<'_>, empty: &impl ToTokens, errors: &m
     Some(Sequence { items, named, tokens })
 }
 
-/// One item; `Ok(None)` if all that is wrong is inside its parentheses. An error means that parsing cannot go on here.
+/// One item; `Ok(None)` if all that is wrong is inside its parentheses. An error means that parsing cannot continue here.
 fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors) -> syn::Result<Option<Item>> {
     let name: Ident = input.parse().map_err(|error| {
         syn::Error::new(error.span(), format!("expected a stage, a combinator or the name of a composition\n{STAGES}"))
@@ -418,7 +418,7 @@ fn has_semicolon(content: ParseStream<'_>) -> bool {
     false
 }
 
-/// An error on a name and the parentheses behind it.
+/// An error on a name and the parentheses after it.
 fn at(name: &Ident, parentheses: &token::Paren, message: &str) -> syn::Error {
     let mut tokens = name.to_token_stream();
     parentheses.surround(&mut tokens, |_| {});

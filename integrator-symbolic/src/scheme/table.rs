@@ -38,7 +38,7 @@ impl Table {
         }
     }
 
-    /// For a declaration that was refused.
+    /// For a declaration with errors.
     pub(super) fn stub() -> Self {
         let rows = |rows| Rows { lead: Letter::T, rows };
         Self { before: rows(Vec::new()), step: rows(vec![Row::NONE]), after: rows(Vec::new()) }
@@ -146,7 +146,7 @@ impl Rows {
     }
 }
 
-/// What lies between the letters of a step and behind the last one: `γ` of the flows of all parts in their order or, after
+/// What lies between the letters of a step and after the last one: `γ` of the flows of all parts in their order or, after
 /// every other letter, backwards.
 fn between(scheme: &Scheme) -> Vec<Double> {
     let mut gamma = Double::ZERO;
@@ -155,7 +155,7 @@ fn between(scheme: &Scheme) -> Vec<Double> {
         gamma
     });
     let mut gammas: Vec<_> = gammas.collect();
-    // Roundings of the sums are all that is left behind the last letter.
+    // Roundings of the sums are all that is left after the last letter.
     let Some((behind, between)) = gammas.split_last_mut() else { return gammas };
     *behind = Double::ZERO;
     if scheme.proof.symmetric {
@@ -166,7 +166,7 @@ fn between(scheme: &Scheme) -> Vec<Double> {
     gammas
 }
 
-/// One drift and one kick, the fractions of the step at which they read the time, and what lies behind each.
+/// One drift and one kick, the fractions of the step at which they read the time, and what lies after each.
 #[derive(Clone, Copy, PartialEq)]
 struct Row {
     drift: Double,

@@ -13,13 +13,13 @@ pub(crate) struct Direction {
     pub(crate) place: LoopId,
     /// Whether what is added to several places is computed at each of them. Tables are read at a place of its own then.
     pub(super) apart: bool,
-    /// How far behind its place what was the index of a loop begins: a table over that loop is read so much further on.
+    /// The offset from the place to the former index of a loop: a table over that loop is read at this distance.
     pub(crate) begins: HashMap<LoopId, i64>,
     /// How many places at the beginning have contributions of their own, or lack one.
     pub(crate) first: u64,
     /// How many at the end.
     pub(crate) last: u64,
-    /// How far behind coordinates are read.
+    /// How far before the place coordinates are read.
     pub(crate) behind: u64,
     /// How far ahead.
     pub(crate) ahead: u64,
@@ -28,14 +28,14 @@ pub(crate) struct Direction {
     length: IndexId,
     /// The number of places, if it is known.
     pub(super) number: Option<i64>,
-    /// How far ahead of a place or behind it its contributions may look or go: as far as the runtime carries them.
+    /// How far before or after a place its contributions may read or go: as far as the runtime carries them.
     farthest: i64,
 }
 
 /// How far a contribution goes, and which places have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Along {
-    /// How many places further on.
+    /// How many places ahead.
     pub(crate) onward: usize,
     pub(crate) places: Extent,
 }
@@ -95,7 +95,7 @@ impl Place {
         }
     }
 
-    /// The beginning of iterations that also begin at another place or behind it, where that is known likewise.
+    /// The beginning of iterations that also begin at another place or after it, where that is known likewise.
     fn after(self, other: Self, number: Option<i64>) -> Option<Self> {
         if let Some(number) = number {
             return Some(if other.on(number) > self.on(number) { other } else { self });
@@ -117,7 +117,7 @@ pub(super) struct Iterations {
     whole: bool,
     from: Place,
     to: Place,
-    /// How much further on than its number the place of an iteration is; nothing where there is no loop.
+    /// The place of an iteration minus its index; none if there is no loop.
     pub(super) to_place: i64,
 }
 
@@ -189,7 +189,7 @@ impl Direction {
         Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole })
     }
 
-    /// Leaves of some iterations those in which a comparison of their number holds, or does not, and tells whether there may be any;
+    /// Leaves of some iterations those in which a comparison of their number holds, or does not, and returns whether any may remain;
     /// `None` where these are no range, or where a lattice that is short may have another one.
     pub(super) fn narrow(&self, graph: &Graph, own: &mut Iterations, condition: Node, holds: bool) -> Option<bool> {
         let Node::CompareIndex(comparison, a, b) = condition else { return None };
@@ -224,7 +224,7 @@ impl Direction {
     }
 
     /// Notes where what the iterations add goes, as seen from the first place that iterations of their loop add to,
-    /// which is `begins` further on than their number.
+    /// which is `begins` plus their index.
     pub(super) fn along(&mut self, graph: &mut Graph, iterations: &Iterations, begins: i64) -> Option<Along> {
         let onward = iterations.to_place - begins;
         let (from, to) = (iterations.from.further(begins), iterations.to.further(begins));
@@ -336,7 +336,7 @@ impl Direction {
         }
     }
 
-    /// How much further on than `from` a place is, over the ends of the lattice where that is nearer.
+    /// The distance from `from` to a place, around the ends of the lattice if that is shorter.
     fn nearest(&mut self, from: Place, to: Place) -> Option<i64> {
         if let Some(ahead) = self.distance(from, to).filter(|ahead| ahead.abs() <= self.farthest) {
             return Some(ahead);
@@ -350,7 +350,7 @@ impl Direction {
         Some(ahead)
     }
 
-    /// How much further on than `from` a place is.
+    /// The distance from `from` to a place.
     fn distance(&self, from: Place, to: Place) -> Option<i64> {
         match (from, to, self.number) {
             (Place::FromBegin(a), Place::FromBegin(b), _) | (Place::FromEnd(b), Place::FromEnd(a), _) => Some(b - a),

@@ -23,7 +23,7 @@ pub(crate) struct Line {
     /// The running index of the sites.
     pub(crate) site: LoopId,
     /// What each site computes from its own coordinate and that of the next one: addends of its own first, those of the
-    /// next site behind them.
+    /// next site after them.
     pub(crate) addends: Vec<Addend>,
     pub(crate) ends: Ends,
     /// How many vectors the sites fill.
@@ -34,7 +34,7 @@ pub(crate) struct Line {
 #[derive(Debug)]
 pub(crate) struct Addend {
     pub(crate) contribution: Contribution,
-    /// Whether it is one of a bond behind which there is nothing at the last site.
+    /// Whether it is one of a bond after which there is nothing at the last site.
     pub(crate) without_last: bool,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Addend {
 pub(crate) enum Ends {
     /// The last site is followed by the first.
     Ring,
-    /// Before the first site and behind the last one is one at rest, or nothing.
+    /// Before the first site and after the last one is one at rest, or nothing.
     Open { first_at_rest: bool, last_at_rest: bool },
 }
 

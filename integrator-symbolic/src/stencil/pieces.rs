@@ -24,7 +24,7 @@ pub(super) struct Piece {
     pub(super) conditions: Conditions,
 }
 
-/// The pieces of all contributions; `leaf` tells which nodes are read, not computed.
+/// The pieces of all contributions; `leaf` decides which nodes are read, not computed.
 pub(super) fn pieces(
     graph: &mut Graph,
     gradient: &[Contribution],

@@ -18,7 +18,7 @@ pub(crate) struct Gpu {
     pub(crate) functions: DeviceFunctions,
 }
 
-/// What stands behind `gpu`.
+/// What stands after `gpu`.
 pub(super) fn gpu_of(input: ParseStream<'_>, span: Span) -> syn::Result<Gpu> {
     if !input.peek(Paren) {
         return Ok(Gpu { span, functions: DeviceFunctions::Own });

@@ -43,7 +43,7 @@ fn method_with_arguments(input: ParseStream<'_>) -> syn::Result<syn::Error> {
     Ok(syn::Error::new_spanned(quote!(#name #taken), message))
 }
 
-/// Refuses what stands behind `taylor`, which is a tolerance elsewhere.
+/// Refuses what stands after `taylor`, which is a tolerance elsewhere.
 pub(super) fn without_tolerance(input: ParseStream<'_>) -> syn::Result<()> {
     if !input.peek(Paren) && !input.peek(Token![=]) {
         return Ok(());

@@ -31,7 +31,7 @@ pub(crate) struct Constants {
     fields: TokenStream,
     gathered: TokenStream,
     values: TokenStream,
-    /// Their derivatives by each of the parameters that are asked for, and those by no parameter behind these.
+    /// Their derivatives by each of the parameters that are requested, and those by no parameter after these.
     slopes: Vec<TokenStream>,
     /// What two members that share lanes have in common, as conditions on `a` and `b`.
     common: Vec<TokenStream>,
@@ -46,7 +46,7 @@ pub(crate) struct Constants {
 }
 
 impl Constants {
-    /// Those of the fields that lines have asked for.
+    /// Those of the fields that lines have requested.
     pub(crate) fn of(mut emitter: Emitter<'_>) -> Self {
         let (fields, names) = (std::mem::take(&mut emitter.fields), emitter.names);
         let mut prepared =
@@ -153,7 +153,7 @@ impl Constants {
         if values.is_empty() { quote!(#parameters) } else { quote!(#parameters { #values }) }
     }
 
-    /// What the runtime is told of their derivatives, where these are asked for.
+    /// The items for the runtime about their derivatives, if these are requested.
     pub(crate) fn sensitive(&self, parameters: &[Ident], names: &Names) -> Option<TokenStream> {
         let (by_none, by_each) = self.slopes.split_last()?;
         let made = |values: &TokenStream| {
@@ -232,7 +232,7 @@ fn prepared_number(emitter: &mut Emitter<'_>, id: NodeId) -> TokenStream {
     if body.program.items.len() > 1 { quote!({ #lines }) } else { lines }
 }
 
-/// The derivative of a prepared constant by one of the parameters that are asked for, by its number, or by none; what is no
+/// The derivative of a prepared constant by one of the parameters that are requested, by its number, or by none; what is no
 /// number of its own stays what it is.
 fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &TokenStream) -> TokenStream {
     match content {

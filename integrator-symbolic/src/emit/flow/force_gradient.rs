@@ -30,7 +30,7 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
         through_buffer(emitter, &Frame::Motion, Part::Momentum, &product, |place, value| quote!(#place = #value;));
     let velocity = velocity(emitter);
     let Names { runtime, scalar, leaf, .. } = emitter.names;
-    // Bodies side by side are taken apart for what is seldom asked.
+    // Bodies in lanes are unpacked for results that are rarely needed.
     let lines = if many_body {
         lines.map(|lines| {
             quote! {

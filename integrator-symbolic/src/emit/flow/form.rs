@@ -16,7 +16,7 @@ use std::fmt;
 pub enum Form {
     /// Scalar lines and loops, as the formulas are written.
     Plain,
-    /// Terms of lists that name the coordinates, such as bonds; several terms at once in vectors.
+    /// Terms of lists that name the coordinates, such as bonds; several terms in SIMD lanes.
     Lists,
     /// A line of sites with neighbour interactions: a sum over neighbours, in vectors.
     Line,

@@ -8,7 +8,7 @@ use crate::{
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The items that tell the runtime of invariants; nothing where there are none.
+/// The items for the runtime about invariants; nothing if there are none.
 pub(crate) fn items(flows: &Flows, emitter: &mut Emitter<'_>) -> Option<TokenStream> {
     let invariants = std::mem::take(&mut emitter.model.invariants);
     if invariants.is_empty() {

@@ -30,7 +30,7 @@ pub(crate) enum Obstacle {
     Softening(NodeId),
 }
 
-/// What Jacobi coordinates are made with, or what stands in their way. Energies that are not understood as they stand are tried
+/// What Jacobi coordinates are made with, or what stands in their way. Energies that are not recognised as written are tried
 /// in their one form.
 pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
     let obstacle = match read(coordinates, model, names) {
@@ -216,7 +216,7 @@ pub(crate) fn in_own_coordinates(value: &TokenStream) -> TokenStream {
     }
 }
 
-/// What the runtime asks of the prepared constants.
+/// What the runtime requires of the prepared constants.
 pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStream {
     let Emitter { model, fields, .. } = emitter;
     let index = model.running.get(&jacobi.bodies);
@@ -236,7 +236,7 @@ pub(crate) fn constants(jacobi: Jacobi, emitter: &mut Emitter<'_>) -> TokenStrea
     }
 }
 
-/// The function that tells whether a run may begin.
+/// The function that checks whether a run may begin.
 pub(crate) fn admissible(coordinates: &Coordinates, names: &Names) -> TokenStream {
     let (Names { runtime, .. }, masses) = (names, masses(coordinates));
     quote! {

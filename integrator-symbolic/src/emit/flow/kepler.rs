@@ -37,7 +37,7 @@ fn call(emitter: &mut Emitter<'_>, orbits: &Orbits) -> TokenStream {
     quote!(#before solver.flow([#q, #p], #inverse_mass, #strength, duration);)
 }
 
-/// The indices of bodies among the points of the coordinates, if these are points, behind what is read before the points
+/// The indices of bodies among the points of the coordinates, if these are points, after what is read before the points
 /// are lent to be moved: how many there are may be among it.
 fn range(emitter: &mut Emitter<'_>, bodies: Bodies) -> (TokenStream, Option<TokenStream>) {
     let Emitter { model, names, fields } = emitter;

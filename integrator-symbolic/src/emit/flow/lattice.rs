@@ -50,7 +50,7 @@ impl Sweep {
         let (runtime, flow) = (&names.runtime, &self.flow);
         let stencil = implementation(quote!(#runtime::Stencil<#runtime::#flow>), &self.items(names));
         quote! {
-            /// What every site computes from its neighbourhood, for itself and for the sites further on.
+            /// What every site computes from its neighbourhood, for itself and for the sites ahead.
             #stencil
         }
     }

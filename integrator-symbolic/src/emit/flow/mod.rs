@@ -136,7 +136,7 @@ impl Flows {
         solvers.rev().reduce(|others, first| quote!((#first, #others)))
     }
 
-    /// The items that tell the runtime of their form: constants, and the functions that move a lattice segment by
+    /// The items for the runtime about their form: constants, and the functions that move a lattice segment by
     /// segment.
     pub(crate) fn layout(&self, names: &Names) -> (TokenStream, Option<TokenStream>) {
         let Self { drift, middle, kick, many_body, .. } = self;
@@ -197,7 +197,7 @@ impl Flows {
     /// The function that returns an energy.
     pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> TokenStream {
         let energy = lower_roots(emitter.model, &[energy])[0];
-        // Bodies side by side are taken apart for what is seldom asked.
+        // Bodies in lanes are unpacked for results that are rarely needed.
         let listed = self.many_body.as_ref().and_then(ManyBody::listed).filter(|_| name == "potential");
         let listed = listed.map(|_| {
             quote!(if let ::core::option::Option::Some(energy) = motion.listed_energy::<Self>(time) {
@@ -260,9 +260,9 @@ pub(crate) struct Flow {
     body: Body,
     /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
     sweep: Option<Sweep>,
-    /// Whether it computes terms of lists side by side.
+    /// Whether it computes terms of lists in lanes.
     over_lists: bool,
-    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists side by side.
+    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists in lanes.
     is_wide: bool,
     /// Whether it takes so long that a choice among flows costs nothing beside it.
     is_large: bool,

@@ -25,7 +25,7 @@ pub(crate) struct ManyBody {
     row: Option<Literal>,
     /// How many coordinates and how many prepared constants a body has.
     sizes: [Literal; 2],
-    /// What the runtime asks of the system.
+    /// What the runtime requires of the system.
     functions: TokenStream,
     /// The prepared constants of one body, by its index.
     per_body: TokenStream,
@@ -95,7 +95,7 @@ impl ManyBody {
         &self.sizes[0]
     }
 
-    /// The implementations of what the runtime asks of the system and of its prepared constants.
+    /// The implementations of what the runtime requires of the system and of its prepared constants.
     pub(crate) fn implementations(
         &self,
         implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
@@ -174,7 +174,7 @@ impl Writer<'_, '_> {
         quote!(#q: [#wide; #d], #of: [#wide; #s])
     }
 
-    /// What is asked where neighbours within a cutoff are listed.
+    /// The condition under which neighbours within a cutoff are listed.
     fn listed(&mut self, listed: &Listed, of: [LoopId; 2]) -> TokenStream {
         let Listed { square, sides, energy, energy_alone } = listed;
         let (wide, d, none) = (self.emitter.names.wide.clone(), self.sizes[0].clone(), TokenStream::new);
@@ -205,7 +205,7 @@ impl Writer<'_, '_> {
         of.lines(self.emitter, self.constants)
     }
 
-    /// A function of bodies side by side.
+    /// A function of bodies in lanes.
     fn function(
         &self,
         name: &str,

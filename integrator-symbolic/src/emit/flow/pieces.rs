@@ -9,14 +9,14 @@ use quote::quote;
 pub(crate) struct Pieces {
     /// That there are pieces.
     pub(crate) piecewise: Option<TokenStream>,
-    /// How a motion is told of a step.
+    /// How a motion receives a step.
     pub(crate) begin: Option<TokenStream>,
     /// How prepared constants are.
     pub(crate) set: Option<TokenStream>,
 }
 
 impl Pieces {
-    /// Those of the flows that have asked for these fields.
+    /// Those of the flows that have requested these fields.
     pub(crate) fn of(fields: &Fields, in_jacobi: bool, names: &Names) -> Self {
         let Some(middle) = fields.known_middle() else { return Self::default() };
         let Names { runtime, scalar, leaf, .. } = names;

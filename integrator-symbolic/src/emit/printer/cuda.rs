@@ -203,7 +203,7 @@ impl Cuda<'_, '_> {
         }
     }
 
-    /// A coordinate's update. Under a condition it is an addition, as in Rust, where members side by side add zero.
+    /// A coordinate's update. Under a condition it is an addition, as in Rust, where members in lanes add zero.
     fn update(&mut self, element: Element, value: NodeId) -> String {
         let place = self.place(element);
         match self.printer.product(value).filter(|_| self.conditions == 0) {
@@ -321,7 +321,7 @@ impl Cuda<'_, '_> {
         Printed::atom(format!("{name}({})", arguments.join(", ")))
     }
 
-    /// An elementary function that a device computes to the same bits, or its own where that is asked for.
+    /// An elementary function that a device computes to the same bits, or its own where that is requested.
     fn function(&mut self, function: Function, arguments: &[NodeId]) -> Printed {
         let row = function.row();
         if let Some(name) = self.reads.native(row.name) {

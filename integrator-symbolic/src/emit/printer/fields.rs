@@ -20,7 +20,7 @@ pub(crate) enum Content {
     External(ExternalId),
     /// The flow of a part that the user wrote, by the number of the part.
     OwnFlow(usize),
-    /// The middle of the step under way, which is the same for all lanes.
+    /// The middle of the current step, which is the same for all lanes.
     Middle,
 }
 

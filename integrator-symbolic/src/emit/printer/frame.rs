@@ -26,7 +26,7 @@ pub(crate) enum Frame<'m> {
     Constants,
     /// In the motion.
     Motion,
-    /// In a motion with a time of its own, whose steps are as long as its state says.
+    /// In a motion with a fictitious time, where the state determines the length of a step.
     OwnTime,
     /// In what a flow reads of a motion, apart from what it moves.
     Apart,
@@ -42,7 +42,7 @@ pub(crate) enum Frame<'m> {
 
 /// Bodies that are arguments of a function.
 pub(crate) struct Bodies {
-    /// What is behind `q` and `p` in the names of a body's coordinates, by the loop whose index it has.
+    /// What is after `q` and `p` in the names of a body's coordinates, by the loop whose index it has.
     pub(crate) suffixes: Vec<(LoopId, String)>,
     /// The names of their prepared constants.
     pub(crate) constants: HashMap<NodeId, Ident>,

@@ -18,7 +18,7 @@ impl Lines {
         Self { tokens: around(self.tokens), ..self }
     }
 
-    /// The body that they are, behind the explicit time as a number where it is read.
+    /// The body that they are, after the explicit time as a number where it is read.
     pub(crate) fn body(self, scalar: &Ident) -> Body {
         let (lines, read) = (self.tokens, self.program.reads_time.then(|| quote!(let time = #scalar::of(time);)));
         Body(quote!(#read #lines))

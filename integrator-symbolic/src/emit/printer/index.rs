@@ -46,7 +46,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The same for a coordinate that may be read behind a condition alone: one that is not there is the nearest that is.
+    /// The same for a coordinate that may be read after a condition alone: one that is not there is the nearest that is.
     pub(crate) fn near_in_row(&self, fields: &mut Fields, element: Element) -> TokenStream {
         let is_apart = |id| matches!(self.graph.loops.index(id), Index::Add(..) | Index::Sub(..) | Index::Minus(..));
         if !self.graph.loops.of_coordinate(element).any(is_apart) {
@@ -69,7 +69,7 @@ impl Printer<'_> {
         quote!(layout.index(#index, #component))
     }
 
-    /// The indices of a coordinate; of a body that is an argument, those behind the body's.
+    /// The indices of a coordinate; of a body that is an argument, those after the body's.
     pub(crate) fn at(&self, fields: &mut Fields, element: Element) -> TokenStream {
         match (self.frame, element.component) {
             (Frame::Bodies(_), None) => quote!([0]),

@@ -19,7 +19,7 @@ pub(crate) struct Names {
     pub(crate) scalar: Ident,
     /// What derivatives of parameters alone are computed in.
     pub(crate) double: Ident,
-    /// Neighbours or bodies that a flow computes side by side.
+    /// Neighbours or bodies that a flow computes in lanes.
     pub(crate) wide: Ident,
     /// How coordinates are kept.
     pub(crate) leaf: Ident,

@@ -11,7 +11,7 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites, behind a zero
+/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites, after a zero
 /// for planes where there are any.
 fn contribution(onward: &[usize]) -> Ident {
     let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();

@@ -279,7 +279,7 @@ impl Product {
             true if self.factors.is_empty() && self.number > 0.0 => i32::MIN,
             true => i32::MAX,
             false => match self.factors.iter().map(Factor::degree).sum() {
-                // Behind all powers of coordinates.
+                // After all powers of coordinates.
                 0 => i32::MAX - 1,
                 degree => degree,
             },

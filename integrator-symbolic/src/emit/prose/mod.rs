@@ -140,7 +140,7 @@ impl Formulas<'_> {
     /// `, if ...`: the conditions under which a term is there, where a loop lies inside of them.
     fn only_if(&self, contribution: &Contribution) -> String {
         let conditions = contribution.context.iter().filter_map(|around| match *around {
-            // That an item behind the end of a list adds nothing goes without saying.
+            // That an item after the end of a list adds nothing goes without saying.
             Scope::Branch(condition, holds) if !(holds && self.ends_a_list(condition)) => {
                 Some(self.condition(condition, holds))
             }
@@ -251,7 +251,7 @@ impl Formulas<'_> {
                 let arguments: Vec<String> = arguments.iter().map(|argument| self.read(argument).text()).collect();
                 Formula::atom(Kind::Function, self.model.externals[id.0 as usize].written(&arguments.join(", ")))
             }
-            // That an item behind the end of a list adds nothing goes without saying.
+            // That an item after the end of a list adds nothing goes without saying.
             Node::Select(condition, a, b) if self.ends_a_list(condition) && graph.as_constant(b) == Some(0.0) => {
                 self.read(a)
             }
@@ -338,7 +338,7 @@ impl Formulas<'_> {
         readable(&self.model.own_text(parameter))
     }
 
-    /// Whether a condition is that an index is not behind the end of a list.
+    /// Whether a condition is that an index is not after the end of a list.
     fn ends_a_list(&self, condition: NodeId) -> bool {
         let graph = &self.model.graph;
         matches!(graph.node(condition), Node::CompareIndex(Comparison::Less, _, end) if graph.loops.mentions_lists(end))
@@ -445,7 +445,7 @@ fn readable(text: &TokenStream) -> String {
     }
     let mut tight = String::new();
     for word in text.split_whitespace() {
-        // A call has no space in front of its arguments, and a sign none behind it; an operator has both.
+        // A call has no space in front of its arguments, and a sign none after it; an operator has both.
         let call = word.starts_with('(') && tight.ends_with(|last: char| last.is_alphanumeric() || last == '_');
         let sign = tight == "-" || tight.ends_with("(-") || tight.ends_with("+ -") || tight.ends_with("* -");
         if !(tight.is_empty() || call || sign) {

@@ -38,7 +38,7 @@ impl<'m> Formulas<'m> {
         Self { model, names: naming.names }
     }
 
-    /// `where r = ...` for every name, each behind those that it is made of.
+    /// `where r = ...` for every name, each after those that it is made of.
     pub(crate) fn definitions(&self) -> Vec<String> {
         let mut named: Vec<_> = self.names.iter().collect();
         named.sort_by_key(|(id, _)| **id);

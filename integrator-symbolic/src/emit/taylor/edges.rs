@@ -19,7 +19,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::{BTreeSet, HashMap};
 
-/// The items of the implementation of `Recurrences` that tell of edges, if there are any.
+/// The items of the implementation of `Recurrences` about edges, if there are any.
 pub(crate) fn items(emitter: &mut Emitter<'_>, gradients: [&[Contribution]; 2]) -> Option<TokenStream> {
     let stores = stores(emitter, gradients)?;
     let named = compared(&emitter.model.graph, &stores);
@@ -134,7 +134,7 @@ struct Walk {
 }
 
 impl Walk {
-    /// Whether a node by itself tells of an edge.
+    /// Whether a node by itself has an edge.
     fn is_edge(&self, graph: &Graph, id: NodeId) -> bool {
         match graph.node(id) {
             _ if graph.is_prepared(id) => false,

@@ -168,7 +168,7 @@ pub(super) struct Writer<'m> {
     pub(super) of_two: BTreeSet<NodeId>,
     /// The coefficients of the derivatives of values.
     pub(super) rates: Vec<(NodeId, Series)>,
-    /// The coefficients that the present block keeps side by side.
+    /// The coefficients that the present block keeps as pairs.
     pub(super) side_by_side: Vec<SideBySide>,
     /// The values that the lines so far compute.
     pub(super) computed: BTreeSet<NodeId>,

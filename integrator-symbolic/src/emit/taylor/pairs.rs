@@ -16,14 +16,14 @@ use crate::{
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 
-/// Factors whose coefficients are kept side by side.
+/// Factors whose coefficients are stored as pairs.
 #[derive(Clone)]
 pub(super) struct SideBySide {
     factors: [Factor; 2],
     kept: Series,
 }
 
-/// What is computed side by side.
+/// What is computed in pairs.
 pub(super) enum Sums<'s> {
     /// A sum by itself.
     One(&'s Known),
@@ -84,7 +84,7 @@ impl<'s> Sums<'s> {
 }
 
 impl Writer<'_> {
-    /// The coefficients of two factors side by side, and the line that keeps those that are known already.
+    /// The coefficients of two factors as a pair, and the line that keeps those that are known already.
     pub(super) fn side_by_side(
         &mut self,
         fields: &mut Fields,
@@ -140,7 +140,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Two coefficients of an order side by side.
+    /// Two coefficients of an order as a pair.
     pub(super) fn pair_of(&self, coefficients: &Coefficients, order: &TokenStream) -> TokenStream {
         let runtime = self.printer.runtime;
         match coefficients {

@@ -138,7 +138,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The same of an even order and the next one at once, which share coefficients: the lines that begin with the even
+    /// The same of an even order together with the next one, which share coefficients: the lines that begin with the even
     /// one, and those that each of the two begins with, since the second one needs what the first one finds.
     pub(super) fn known_of_two<'i>(
         &mut self,

@@ -37,7 +37,7 @@ pub(super) enum Kept {
     Series,
     /// The coefficients of its derivative, each its own multiplied by the order.
     Rates,
-    /// Two coefficients of each order side by side.
+    /// Two coefficients of each order as a pair.
     Pairs,
     /// A number, the same for all orders.
     Number,

@@ -203,7 +203,7 @@ impl Writer<'_> {
     }
 
     /// A coefficient: the first one by its own lines, the others by the sum over what is known, which is divided by the
-    /// order, with `newest` products behind that. `scaled` makes of a sum what is divided.
+    /// order, with `newest` products after that. `scaled` makes of a sum what is divided.
     pub(super) fn divided(
         &mut self,
         fields: &mut Fields,

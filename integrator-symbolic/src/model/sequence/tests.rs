@@ -12,7 +12,7 @@ use proc_macro2::TokenStream;
 /// The items of a sequence, each with the numbers that it is made of.
 type Items = Vec<Vec<f64>>;
 
-/// What may stand behind a sequence: its text, the pattern of an item by that of the item before, and what `std` makes of
+/// What may stand after a sequence: its text, the pattern of an item by that of the item before, and what `std` makes of
 /// the items, given all coordinates and a list of the system.
 struct Adaptor {
     text: &'static str,
@@ -198,7 +198,7 @@ fn chains_over_slices_have_the_items_of_std() {
 
 #[test]
 fn chains_over_arrays_have_the_items_of_std() {
-    // The text is read anew for every length: every third chain.
+    // The text is read again for every length: every third chain.
     for (text, pattern, source, adaptors) in chains(2).into_iter().step_by(3) {
         for length in LENGTHS {
             let model = read(&format!("[f64; {length}]"), &text, &pattern, false);

@@ -13,7 +13,7 @@ use crate::{
     pattern::{all_pairs::AllPairs, bodies::OfBodies},
 };
 
-/// The flows of `T` and of `V`, and what these ask of the system.
+/// The flows of `T` and of `V`, and what these require of the system.
 pub(super) fn flows(
     emitter: &mut Emitter<'_>,
     reads: &mut Reads,

@@ -42,7 +42,7 @@ const POTENTIAL: &[&str] = &[
         for j in 1..i { R e -= self.mass[i] * self.mass[j] / r; } } e",
     "for i in 0..N { for j in 0..N { if i == 0 { continue; } if j == 0 { continue; } if i == j { continue; } R e -= 0.5 * self.mass[j] * self.mass[i] / r; } }
      for i in 0..N { if i != 0 { let j = 0; R e -= self.mass[i] * self.mass[j] / r; e += self.k * q[i][0]; } } e",
-    // More terms: of all pairs, of the first body with the others, of bodies behind it, of it.
+    // More terms: of all pairs, of the first body with the others, of bodies after it, of it.
     "for i in 0..N { for j in 0..i { R
         e -= self.mass[i] * self.mass[j] / r * (1.0 + 3.0 * (self.mass[i] + self.mass[j]) / (self.k * r)); } } e",
     "for i in 0..N { for j in 0..i { R e -= self.mass[i] * self.mass[j] / r; } }
@@ -81,7 +81,7 @@ fn number(text: &Expr, index: &dyn Fn(&str) -> f64) -> f64 {
     match text {
         Expr::Paren(inner) => of(&inner.expr),
         Expr::Cast(cast) => of(&cast.expr),
-        // It is asked for where the functions ask for it.
+        // It is requested where the functions request it.
         Expr::If(choice) => match &choice.then_branch.stmts[..] {
             [Stmt::Expr(number, _)] => of(number),
             _ => panic!("another choice"),

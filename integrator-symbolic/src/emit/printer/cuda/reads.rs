@@ -52,7 +52,7 @@ impl Reads {
         }
     }
 
-    /// The name of a function where the device's own is asked for, if it has one.
+    /// The name of a function where the device's own is requested, if it has one.
     pub(super) fn native(&self, name: &str) -> Option<String> {
         (self.functions == DeviceFunctions::Native && NATIVE.contains(&name)).then(|| format!("library_{name}"))
     }
