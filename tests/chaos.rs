@@ -353,7 +353,7 @@ fn orbits_that_tell_nothing_are_refused() {
     let bad = Phase::new([f64::NAN, 0.0], [0.0, 0.0]);
     let error =
         chaos::map(&HenonHeiles, Verlet, [start, bad], 0.1, 100, Indicator::Fli).expect_err("a start that is NaN");
-    assert!(error.to_string().starts_with("member 1: the start is not finite"), "{error}");
+    assert!(error.to_string().starts_with("member 1: the initial state is not finite"), "{error}");
     let none: [Phase<[f64; 2]>; 0] = [];
     assert_eq!(chaos::map(&HenonHeiles, Verlet, none, 0.1, 100, Indicator::Fli), Ok(vec![]));
 }

@@ -1,4 +1,4 @@
-//! What can go wrong with a run.
+//! Errors of runs and ensembles.
 
 use alloc::{
     borrow::ToOwned,
@@ -8,8 +8,7 @@ use alloc::{
     vec::Vec,
 };
 
-/// Prints errors as sentences where they are debugged too: that is what a `main` shows that returns one, and what
-/// `expect` and `unwrap` show.
+/// Implements `Debug` like `Display`, since `unwrap`, `expect` and a `main` that returns an error print `Debug`.
 macro_rules! debug_as_display {
     ($($error:ty),* $(,)?) => {
         $(impl core::fmt::Debug for $error {
@@ -22,8 +21,8 @@ macro_rules! debug_as_display {
 #[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
 pub(crate) use debug_as_display;
 
-/// A number in a message: with an exponent where it is below 1e-5 or from 1e6 on, so that no message is a row of zeros. Width,
-/// sign and digits are those of the place.
+/// A number in a message, with an exponent if it is below 1e-5 or at least 1e6. Width, sign and digits are those of the
+/// format.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Number(pub(crate) f64);
 
@@ -44,13 +43,16 @@ debug_as_display!(Error, VectorFault, Unsolved, NotFinite, Misread, Divergence, 
 #[non_exhaustive]
 pub enum Error {
     /// The step is zero or not finite.
-    #[error("the step h is {h}: it has to be finite and not zero (negative steps run backwards)", h = Number(*h))]
+    #[error("the step h has to be finite and not zero, but it is {h}\nnote: negative steps run backwards", h = Number(*h))]
     Step {
         /// The requested step.
         h: f64,
     },
-    /// A coordinate of the start is not finite.
-    #[error("the start is not finite: {coordinate}[{index}] is {value} (coordinates counted one after the other)", value = Number(*value))]
+    /// A coordinate of the initial state is not finite.
+    #[error(
+        "the initial state is not finite: {coordinate}[{index}] is {value} (index into the flattened coordinates)",
+        value = Number(*value)
+    )]
     Start {
         /// `q` or `p`.
         coordinate: &'static str,
@@ -59,14 +61,17 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
-    /// A force or a velocity at the start is not finite, and nor are numbers that are made of the parameters.
-    #[error("the motion from this start is not finite. Look at the parameters of the system: {}", listed(constants))]
+    /// A force or a velocity at the initial state is not finite, because a constant that depends on parameters is not.
+    #[error(
+        "the equations of motion are not finite at the initial state: {}\nhelp: check these parameters of the system",
+        listed(constants)
+    )]
     Parameters {
-        /// The numbers, of a table the first one.
+        /// These constants; of an array, its first one that is not finite.
         constants: Vec<NotFinite>,
     },
     /// There are fewer masses than bodies, so that Jacobi coordinates cannot be computed.
-    #[error("Jacobi coordinates of {bodies} bodies require as many masses, and there are {masses}")]
+    #[error("Jacobi coordinates of {bodies} bodies require {bodies} masses, but there are {masses}")]
     FewMasses {
         /// The number of masses.
         masses: usize,
@@ -87,8 +92,10 @@ pub enum Error {
     ///
     /// Examples are a pole, and a logarithm or a root of a negative number.
     #[error(
-        "`{function}` is {value} at the start (t = {time}): this state has no energy. Start elsewhere, or look at the \
-         parameters", value = Number(*value), time = Number(*time))]
+        "`{function}` is {value} at the initial state (t = {time})\nhelp: start where the energy is finite, or check the \
+         parameters of the system",
+        value = Number(*value), time = Number(*time)
+    )]
     Energy {
         /// `kinetic` or `potential`; where parts of H have names, that of the first one, or of the other one.
         function: &'static str,
@@ -104,8 +111,8 @@ pub enum Error {
     Misread(#[from] Misread),
     /// The grid spacing of a reversible start is not a power of two.
     #[error(
-        "the grid of {coordinate}[{index}] has the spacing {spacing}: it has to be a power of two, for example \
-         1.0 / (1_u64 << 40) as f64"
+        "the grid spacing of {coordinate}[{index}] is {spacing}, which is not a power of two\nhelp: write, for example, \
+         `1.0 / (1_u64 << 40) as f64`"
     )]
     Grid {
         /// `q` or `p`.
@@ -117,8 +124,10 @@ pub enum Error {
     },
     /// A coordinate of a reversible start is outside the range of its grid.
     #[error(
-        "{coordinate}[{index}] is {value}, but a grid with the spacing {spacing} reaches to ±{limit} only: choose a \
-         coarser grid or smaller units", value = Number(*value), spacing = Number(*spacing), limit = Number(*limit))]
+        "{coordinate}[{index}] is {value}, outside of ±{limit}, the range of a grid with the spacing {spacing}\nhelp: \
+         choose a coarser grid, or units in which the coordinates are smaller",
+        value = Number(*value), spacing = Number(*spacing), limit = Number(*limit)
+    )]
     GridRange {
         /// `q` or `p`.
         coordinate: &'static str,
@@ -133,15 +142,16 @@ pub enum Error {
     },
     /// A reversible start with a composition that is not its own inverse at `-h`.
     #[error(
-        "{composition} is not symmetric, so that steps by -h do not undo its steps and a reversible start is of no \
-         use: take a symmetric composition, such as `Verlet` or `Yoshida4`, or `Phase::new`"
+        "{composition} is not symmetric, so steps by -h do not undo its steps\nhelp: use a symmetric composition, such \
+         as `Verlet` or `Yoshida4`, or write `Phase::new`\nnote: a reversible initial state requires a symmetric \
+         composition"
     )]
     NotSymmetric {
         /// Its name.
         composition: &'static str,
     },
     /// Positions and momenta of a start whose size is known at run time differ in number.
-    #[error("the start has {positions} positions but {momenta} momenta")]
+    #[error("the initial state has {positions} positions but {momenta} momenta")]
     Length {
         /// The number of positions.
         positions: usize,
@@ -156,8 +166,10 @@ pub enum Error {
     },
     /// The step is so short that adding it does not change the time.
     #[error(
-        "the step h = {h} is too short at t = {time}, where t + h rounds to t: start the clock nearer to 0, or choose \
-         another unit of time", h = Number(*h), time = Number(*time))]
+        "the step h = {h} is too short at t = {time}, where t + h rounds to t\nhelp: start the clock closer to 0, or \
+         choose another unit of time",
+        h = Number(*h), time = Number(*time)
+    )]
     Clock {
         /// The step.
         h: f64,
@@ -165,7 +177,7 @@ pub enum Error {
         time: f64,
     },
     /// The system has no `#[invariant]` of this name.
-    #[error("the system has no invariant `{name}`: {}", those_known(known))]
+    #[error("the system has no invariant `{name}`\n{}", those_known(known))]
     NoInvariant {
         /// The requested name.
         name: String,
@@ -173,10 +185,10 @@ pub enum Error {
         known: &'static [&'static str],
     },
     /// The sampling interval is zero.
-    #[error("the interval between samples is 0: choose at least one step, or a time above zero")]
+    #[error("the interval between samples is 0\nhelp: write at least one step, or an interval of time other than 0")]
     SampleInterval,
     /// The sampling interval is not finite, or has another sign than the step.
-    #[error("samples after every {} of time: {}", Number(*interval), interval_for(*interval, *h))]
+    #[error("the interval between samples is {}, {}", Number(*interval), interval_for(*interval, *h))]
     Interval {
         /// The requested interval.
         interval: f64,
@@ -184,7 +196,10 @@ pub enum Error {
         h: f64,
     },
     /// The function of a crossing is not finite at a state of the run.
-    #[error("the function whose zeros are sought is {value} at t = {time}: it has to be finite along the run", time = Number(*time), value = Number(*value))]
+    #[error(
+        "the function of the crossing is {value} at t = {time}\nnote: it has to be finite along the whole orbit",
+        time = Number(*time), value = Number(*value)
+    )]
     Crossing {
         /// The time of that state.
         time: f64,
@@ -193,8 +208,11 @@ pub enum Error {
     },
     /// The energy error of a run exceeds the bound of its watch.
     #[error(
-        "the energy after step {step} (t = {time}) is {energy}, and was {before} when the watch began: it strays by more \
-         than {bound} of the sizes of its parts, |T| + |V|. The run stays one step before; a smaller step helps", time = Number(*time), energy = Number(*energy), before = Number(*before), bound = Number(*bound))]
+        "the energy after step {step} (t = {time}) is {energy}, but it was {before} at the start of the watch: it \
+         deviates by more than {bound} of |T| + |V|\nhelp: use a smaller step\nnote: the run stays at the state before \
+         this step",
+        time = Number(*time), energy = Number(*energy), before = Number(*before), bound = Number(*bound)
+    )]
     EnergyStrayed {
         /// The step that was not taken.
         step: u64,
@@ -210,8 +228,10 @@ pub enum Error {
     },
     /// The energy is not finite along an orbit whose forces are.
     #[error(
-        "the energy is {energy} at t = {time}, where forces are finite: a step led over the edge of where H has a value. A smaller \
-         step helps", time = Number(*time), energy = Number(*energy))]
+        "the energy is {energy} at t = {time}, although the forces are finite\nhelp: use a smaller step\nnote: a step \
+         led out of the domain of H",
+        time = Number(*time), energy = Number(*energy)
+    )]
     NoEnergy {
         /// The time.
         time: f64,
@@ -220,17 +240,19 @@ pub enum Error {
     },
     /// The bound of a watch is not positive.
     #[error(
-        "the energy is to stay within {bound} of the sizes of its parts, |T| + |V|: the bound has to be above zero, for \
-         example 1e-3", bound = Number(*bound))]
+        "the bound on the energy deviation has to be positive, but it is {bound}\nhelp: write, for example, \
+         `watch_energy(1e-3)`\nnote: the bound is relative to |T| + |V|",
+        bound = Number(*bound)
+    )]
     WatchBound {
         /// The requested bound.
         bound: f64,
     },
     /// The energy cannot be watched, because it is not conserved.
-    #[error("the energy cannot be watched, since H depends on time")]
+    #[error("the energy cannot be watched, since H depends on time and does not conserve it")]
     NotConserved,
     /// A state that was changed between two steps has another number of coordinates than before.
-    #[error("the number of positions changed from {before} to {after}: a run keeps its coordinates")]
+    #[error("the changed state has {after} positions, but the run has {before}")]
     Resized {
         /// The number of positions before the change.
         before: usize,
@@ -238,7 +260,7 @@ pub enum Error {
         after: usize,
     },
     /// The number of steps exceeds `u64::MAX`.
-    #[error("{done} steps are done and {asked} more exceed the largest step count, {}", u64::MAX)]
+    #[error("the run has taken {done} steps, and {asked} more exceed the largest step count, {}", u64::MAX)]
     Steps {
         /// The number of steps taken.
         done: u64,
@@ -249,7 +271,9 @@ pub enum Error {
     #[error(transparent)]
     Diverged(#[from] Divergence),
     /// A method could not compute a step. The run stays at the last state.
-    #[error("{method} could not solve step {step} (from t = {time}): {reason}. The last state is kept")]
+    #[error(
+        "{method} failed in step {step} (from t = {time}): {reason}\nnote: the run stays at the state before this step"
+    )]
     NotSolved {
         /// The name of the method.
         method: &'static str,
@@ -261,13 +285,19 @@ pub enum Error {
         reason: Unsolved,
     },
     /// The exponent of a time transformation is zero or not finite.
-    #[error("the exponent of `Power` is {exponent}: it has to be finite and not zero, for example 0.5", exponent = Number(*exponent))]
+    #[error(
+        "the exponent of `Power` has to be finite and not zero, but it is {exponent}\nhelp: write, for example, 0.5",
+        exponent = Number(*exponent)
+    )]
     Exponent {
         /// The requested exponent.
         exponent: f64,
     },
     /// A run cannot go back to a time before its last step.
-    #[error("the run is at t = {present} and its steps lead away from t = {time}: integrate with steps of `-h`", time = Number(*time), present = Number(*present))]
+    #[error(
+        "the run is at t = {present}, and its steps lead away from t = {time}\nhelp: integrate with steps of `-h`",
+        time = Number(*time), present = Number(*present)
+    )]
     Passed {
         /// The requested time.
         time: f64,
@@ -276,8 +306,9 @@ pub enum Error {
     },
     /// The state of a run that shows a time within a step cannot be changed.
     #[error(
-        "the run shows t = {time}, within the step from t = {present}: states are changed at the ends of steps. Start a run \
-         from this state, with `at_time({time})`, or change the state by `on_crossing`"
+        "the state at t = {time} cannot be changed, since it is within the step from t = {present}\nhelp: start a run \
+         from this state with `at_time({time})`, or change the state by `on_crossing`\nnote: states can be changed at \
+         the ends of steps"
     )]
     WithinStep {
         /// The time that is shown.
@@ -286,7 +317,10 @@ pub enum Error {
         present: f64,
     },
     /// The tolerance of an adaptive method is not a positive number.
-    #[error("the tolerance of {method} is {tolerance}: it has to be finite and above zero, for example 1e-9", tolerance = Number(*tolerance))]
+    #[error(
+        "the tolerance of {method} has to be positive and finite, but it is {tolerance}\nhelp: write, for example, 1e-9",
+        tolerance = Number(*tolerance)
+    )]
     Tolerance {
         /// The name of the method.
         method: &'static str,
@@ -294,13 +328,13 @@ pub enum Error {
         tolerance: f64,
     },
     /// A state or a method without a tangent map.
-    #[error("there is no tangent map: {reason}")]
+    #[error("deviation vectors are not available: {reason}")]
     NoTangent {
         /// Why, and what to take instead.
         reason: &'static str,
     },
     /// There are no deviation vectors, or more than phase space has dimensions.
-    #[error("there are {count} deviation vectors, but there have to be 1 to {most}, twice the number of positions")]
+    #[error("there are {count} deviation vectors, but a tangent requires 1 to {most}, twice the number of positions")]
     VectorCount {
         /// The number of vectors.
         count: usize,
@@ -327,7 +361,7 @@ pub enum Error {
         error: Box<Error>,
     },
     /// Several, but not all, members of an ensemble are invalid.
-    #[error("{} members of {count} are refused ({}); {}", members.len(), numbers_of(members), first_of(members))]
+    #[error("{} of {count} members are invalid ({}); {}", members.len(), numbers_of(members), first_of(members))]
     Members {
         /// The indices of these members in ascending order, each with the reason.
         members: Vec<(usize, Error)>,
@@ -341,8 +375,10 @@ pub enum Error {
     ///
     /// These members stay at the step before; all others have taken their steps.
     #[error(
-        "{} members left the bound on their energy or the finite numbers ({}); the others went on; {}",
-        members.len(), numbers_of(members), first_of(members)
+        "{} exceeded the bound on their energy, or diverged ({}); the others continued; {}",
+        count_of(members),
+        numbers_of(members),
+        first_of(members)
     )]
     Strayed {
         /// These members in ascending order, each with [`Error::EnergyStrayed`], or with [`Error::Diverged`] if it diverged in
@@ -351,29 +387,37 @@ pub enum Error {
     },
 }
 
-/// What is wrong with an interval of time between samples, and what to write.
+/// What is wrong with an interval of time between samples, with a remedy.
 fn interval_for(interval: f64, h: f64) -> String {
     match interval.is_finite() {
         true => format!(
-            "the steps of this run are {} and lead the other way; write `samples_at({})`",
+            "but the steps of this run are {}, in the opposite direction\nhelp: write `samples_at({})`",
             Number(h),
             Number(-interval)
         ),
         false => format!(
-            "the interval has to be finite; write one of some steps, such as `samples_at({})`",
+            "which is not finite\nhelp: write a multiple of the step, such as `samples_at({})`",
             Number(10.0 * h)
         ),
     }
 }
 
-/// The numbers of members, the first ones of many.
+/// The number of members, as a noun.
+fn count_of<T>(members: &[T]) -> String {
+    match members.len() {
+        1 => "1 member".to_owned(),
+        count => format!("{count} members"),
+    }
+}
+
+/// The indices of members, the first ones of many.
 fn numbers_of<T>(members: &[(usize, T)]) -> String {
     let names: Vec<String> = members.iter().take(8).map(|(member, _)| member.to_string()).collect();
     let more = if members.len() > names.len() { ", ..." } else { "" };
-    format!("members {}{more}", names.join(", "))
+    format!("{}{more}", names.join(", "))
 }
 
-/// The first member with what is wrong with it.
+/// The first member, with its error.
 fn first_of<T: core::fmt::Display>(members: &[(usize, T)]) -> String {
     members.first().map(|(member, reason)| format!("member {member}: {reason}")).unwrap_or_default()
 }
@@ -398,8 +442,10 @@ pub enum VectorFault {
     Zero,
     /// The vector diverged although the state is finite.
     #[error(
-        "becomes infinite or NaN in step {step} (to t = {time}): H has no second derivative there, or the vector grew \
-         too fast for its precision; the last step is kept", time = Number(*time))]
+        "is not finite after step {step} (t = {time})\nnote: H has no second derivative there, or the vector exceeds the \
+         range of its precision\nnote: the run stays at the state before this step",
+        time = Number(*time)
+    )]
     Lost {
         /// The step that was not taken.
         step: u64,
@@ -414,7 +460,8 @@ pub enum VectorFault {
 pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
     #[error(
-        "Newton's method still moves by {update:.1e} of the state after {iterations} iterations; a smaller step helps"
+        "Newton's method did not converge: after {iterations} iterations, its update is {update:.1e} of the state\nhelp: \
+         use a smaller step"
     )]
     Newton {
         /// The number of iterations.
@@ -425,8 +472,8 @@ pub enum Unsolved {
     /// The fixed-point iteration for an implicit step did not converge, and the library was built without the feature
     /// `check`, which brings Newton's.
     #[error(
-        "the iteration still moves by {update:.1e} of the state after {iterations} rounds; a smaller step helps, or \
-         Newton's method, which the feature `check` brings"
+        "the fixed-point iteration did not converge: after {iterations} iterations, its update is {update:.1e} of the \
+         state\nhelp: use a smaller step, or enable the feature `check`, which provides Newton's method"
     )]
     Contraction {
         /// The number of iterations.
@@ -435,17 +482,20 @@ pub enum Unsolved {
         update: f64,
     },
     /// The motion comes near a singularity, and the steps of the Taylor method are too short for the clock.
-    #[error("the motion is singular near t = {time}, where steps of {reach:.1e} no longer move the clock", time = Number(*time))]
+    #[error(
+        "the solution is singular near t = {time}, where steps of {reach:.1e} do not change the time",
+        time = Number(*time)
+    )]
     Singular {
         /// The approximate time of the singularity.
         time: f64,
         /// The length of the last step.
         reach: f64,
     },
-    /// The crossings of the edges of a formula could not be told apart, at which the steps of the Taylor method have to end.
+    /// The crossings of the edges of a formula could not be separated; steps of the Taylor method have to end at them.
     #[error(
-        "after t = {time}, the conditions of the Hamiltonian change too often for steps of the Taylor method, or cannot be \
-         bounded: use a composition, or write the condition without functions that are singular there"
+        "after t = {time}, the conditions of the Hamiltonian change too often for the Taylor method, or cannot be \
+         bounded\nhelp: use a composition, or write the conditions without functions that are singular there"
     )]
     Edges {
         /// The time of the last step's beginning.
@@ -453,8 +503,9 @@ pub enum Unsolved {
     },
     /// The force jumps at an edge, so that the deviation vectors of a motion across it are unknown.
     #[error(
-        "at t = {time} the motion crosses an edge at which the force jumps: neighbouring orbits cross it at different \
-         times, which the derivative of a step does not contain; make the force continuous there"
+        "the force jumps at t = {time}, where a condition of the Hamiltonian changes\nhelp: make the force continuous \
+         there\nnote: neighbouring orbits cross the jump at different times, which the derivative of a step does not \
+         contain"
     )]
     Jump {
         /// The time of the crossing.
@@ -462,8 +513,11 @@ pub enum Unsolved {
     },
     /// The orbit of a Kepler part could not be followed.
     #[error(
-        "the Kepler orbit of body {body} could not be followed for a time of {duration} from the distance {distance:.3e}: \
-         it meets the centre, or time or place have no digits left; a smaller step helps", duration = Number(*duration))]
+        "the Kepler orbit of body {body} could not be computed for a time of {duration} from the distance \
+         {distance:.3e}\nhelp: use a smaller step\nnote: the body meets the centre, or rounding leaves no digit of its \
+         time or position",
+        duration = Number(*duration)
+    )]
     Kepler {
         /// The index of the body, from 0.
         body: usize,
@@ -474,22 +528,32 @@ pub enum Unsolved {
     },
     /// A time transformation left its domain.
     #[error(
-        "a time transformation needs V < 0 all along the motion, but -V, or T - H(start), which is -V but for the errors \
-         of the steps, is {value}: subtract a constant in `potential`, or take shorter steps where it is far from zero", value = Number(*value))]
+        "this time transformation requires V < 0 along the whole orbit, but -V, or T - H(start) in its place, is \
+         {value}\nhelp: subtract a constant in `potential`, or use a smaller step if V is far from zero\nnote: -V and T \
+         - H(start) are equal up to the errors of the steps",
+        value = Number(*value)
+    )]
     Domain {
         /// The energy that is not positive.
         value: f64,
     },
     /// The rate of a time transformation is not positive.
-    #[error("the pace by `rate`, or what follows it along the motion, is {value}: it has to be above zero everywhere", value = Number(*value))]
+    #[error(
+        "`rate`, or the variable that follows it along the orbit, is {value}\nhelp: write a `rate` that is positive \
+         everywhere",
+        value = Number(*value)
+    )]
     Rate {
         /// The pace.
         value: f64,
     },
     /// A step of a time transformation leapt over an edge of the domain, or is far too long.
     #[error(
-        "the step is too long for a time transformation: T - H(start) is {followed}, -V is {value}, and they are equal but for \
-         the errors of the steps; take shorter steps, or subtract a constant in `potential` so that V stays far from zero", followed = Number(*followed), value = Number(*value))]
+        "the step is too long for a time transformation: T - H(start) is {followed}, but -V is {value}\nhelp: use a \
+         smaller step, or subtract a constant in `potential` so that V stays far from zero\nnote: the two are equal up \
+         to the errors of the steps",
+        followed = Number(*followed), value = Number(*value)
+    )]
     EnergiesApart {
         /// `T - H(start)` after a kick.
         followed: f64,
@@ -498,8 +562,11 @@ pub enum Unsolved {
     },
     /// A step by a pace leapt over an edge of the domain, or is far too long.
     #[error(
-        "the step is too long for the pace: what follows `rate` along the motion is {followed}, `rate` is {value}, and they \
-         are equal but for the errors of the steps; take shorter steps, or a `rate` that varies less", followed = Number(*followed), value = Number(*value))]
+        "the step is too long for the time transformation: `rate` is {value}, but the variable that follows it is \
+         {followed}\nhelp: use a smaller step, or a `rate` that varies less\nnote: the two are equal up to the errors of \
+         the steps",
+        followed = Number(*followed), value = Number(*value)
+    )]
     RatesApart {
         /// What follows the pace, after a kick.
         followed: f64,
@@ -532,8 +599,8 @@ impl NotFinite {
 
 fn those_known(known: &[&str]) -> String {
     match known {
-        [] => "it has none; put `#[invariant]` on a function of its impl that takes q and p".to_owned(),
-        known => format!("it has {}", known.join(", ")),
+        [] => "help: put `#[invariant]` on a function of q and p in its impl".to_owned(),
+        known => format!("note: its invariants are {}", known.join(", ")),
     }
 }
 
@@ -545,9 +612,11 @@ fn listed(constants: &[NotFinite]) -> String {
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[error(
-    "`{function}` is misread: where it gives {stated}, the generated code gives {generated}, and rounding explains a \
-     difference of {rounding:.1e} (t = {time}, {}). This is a mistake of `#[hamiltonian]`: please report the function, and \
-     write it in other words until it is mended", self.place(), stated = Number(*stated), generated = Number(*generated), time = Number(*time))]
+    "`{function}` returns {stated}, but the generated code computes {generated} (t = {time}, {})\nhelp: please report \
+     this function as a bug of `#[hamiltonian]`, and write it in another form until it is fixed\nnote: rounding explains \
+     a difference of {rounding:.1e}",
+    self.place(), stated = Number(*stated), generated = Number(*generated), time = Number(*time)
+)]
 pub struct Misread {
     /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
     pub function: &'static str,
@@ -566,7 +635,7 @@ pub struct Misread {
 }
 
 impl Misread {
-    /// The coordinates that the function reads, the first ones of many.
+    /// The coordinates that the function depends on, the first ones of many.
     fn place(&self) -> String {
         let place = |name: &str, numbers: &[f64]| match numbers.get(..8).filter(|first| first.len() < numbers.len()) {
             Some(first) => format!("{name} begins with {first:?}"),
@@ -600,11 +669,11 @@ pub struct Divergence {
     pub p: Vec<f64>,
 }
 
-/// How many positions, and how many momenta, the text of a divergence shows.
+/// The number of positions, and of momenta, that the message of a divergence shows.
 const SHOWN: usize = 4;
 
 impl Divergence {
-    /// The same at a time that is part of the state, and known up to the last finite one.
+    /// The same error, at the time of the last finite state if the time is part of the state.
     pub(crate) fn at_own_time(self, time: Option<f64>) -> Self {
         Self { time: time.unwrap_or(self.time), ..self }
     }
@@ -612,20 +681,24 @@ impl Divergence {
     fn text(&self) -> String {
         let Self { step, q, p, .. } = self;
         let (time, limit) = (Number(self.time), Number(self.limit));
-        let (fault, last, helps) = if self.limit.is_finite() {
-            (format!("has a coordinate beyond ±{limit}, the range of its grid"), "one within it", "coarser grid")
+        let (fault, last, remedy) = if self.limit.is_finite() {
+            (
+                format!("has a coordinate outside of ±{limit}, the range of its grid"),
+                "last state within it",
+                "coarser grid",
+            )
         } else {
-            ("is not finite".to_owned(), "finite one", "smaller step")
+            ("is not finite".to_owned(), "last finite state", "smaller step")
         };
         let first = self.coordinate.map(|(name, index)| format!(", first in {name}[{index}]")).unwrap_or_default();
         let (q, p) = (self.near("q", q), self.near("p", p));
         format!(
-            "the state after step {step} (t = {time}) {fault}{first}; the last {last} is kept ({q}, {p}). \
-             A {helps}, or a look at the forces there, helps"
+            "the state after step {step} (t = {time}) {fault}{first}\nhelp: use a {remedy}, or check the forces near the \
+             {last}\nnote: the run stays at this state, {q}, {p}"
         )
     }
 
-    /// The numbers about the coordinate that left, few enough for a message.
+    /// The coordinates next to the one that failed, few enough for a message.
     fn near(&self, name: &str, numbers: &[f64]) -> String {
         if numbers.len() <= SHOWN {
             return format!("{name} = {numbers:?}");
@@ -649,9 +722,9 @@ pub struct Lost {
 
 impl Lost {
     fn text(&self) -> String {
-        let (count, numbers, first) = (self.members.len(), numbers_of(&self.members), first_of(&self.members));
+        let (count, numbers, first) = (count_of(&self.members), numbers_of(&self.members), first_of(&self.members));
         let first = if first.is_empty() { first } else { format!("; {first}") };
-        format!("{count} members left the finite numbers ({numbers}); the others went on{first}")
+        format!("{count} failed ({numbers}); the others continued{first}")
     }
 }
 

@@ -49,7 +49,7 @@ pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
     jobs.into_iter().for_each(|job| job());
 }
 
-/// The fewest bytes that a thread is given to copy them or to look at them.
+/// The smallest number of bytes for which copying or reading them is given to a thread.
 const FEWEST_BYTES: usize = 1 << 19;
 
 /// How many of these elements each of so many threads has, or of all that the machine has.
@@ -93,7 +93,7 @@ pub(crate) fn all<T: Sync>(elements: &[T], threads: Option<usize>, test: fn(&[T]
     passed.into_inner()
 }
 
-/// Does the same work on so many threads, this one among them: whoever is free takes what is next.
+/// Does the same work on this number of threads, including the current one. A free thread takes the next piece.
 ///
 /// # Panics
 /// If the work does, once all threads have ended it.

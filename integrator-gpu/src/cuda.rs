@@ -118,7 +118,7 @@ impl Members {
         })
     }
 
-    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost, or nothing if nobody
+    /// Takes the steps of a launch, and returns one more than the last finite step of those that fail, or nothing if none
     /// was lost in them: to fetch a number of each member takes as long as hundreds of steps.
     pub(crate) fn advance(&mut self, launch: &Launch) -> Result<Vec<u64>, Error> {
         self.run(launch, true)?;
@@ -132,18 +132,18 @@ impl Members {
         self.stream.clone_dtoh(&self.lost.slice(..members)).map_err(call)
     }
 
-    /// The states with the step under way completed.
+    /// The states with the current step completed.
     pub(crate) fn show(&mut self, launch: &Launch) -> Result<Vec<f64>, Error> {
         self.run(launch, false)?;
         self.stream.clone_dtoh(&self.other).map_err(call)
     }
 
-    /// The states in the middle of the step under way.
+    /// The states in the middle of the current step.
     pub(crate) fn unfinished(&self) -> Result<Vec<f64>, Error> {
         self.stream.clone_dtoh(&self.state).map_err(call)
     }
 
-    /// Goes on from other states.
+    /// Continues from other states.
     pub(crate) fn restart(&mut self, state: &[f64]) -> Result<(), Error> {
         self.stream.memcpy_htod(state, &mut self.state).map_err(call)
     }
@@ -158,7 +158,7 @@ impl Members {
         let mut arguments = stream.launch_builder(if advances { advance } else { show });
         arguments.arg(launch).arg(&*stages).arg(&*constants).arg(&*state).arg(other).arg(lost);
         let config = LaunchConfig { grid_dim: (*blocks, 1, 1), block_dim: (THREADS, 1, 1), shared_mem_bytes: 0 };
-        // SAFETY: the arguments are those of both kernels, and the arrays as long as the members of the launch ask for, since
+        // SAFETY: the arguments are those of both kernels, and the arrays as long as the members of the launch require, since
         // all were made of the same `Memory`; threads beyond the members return at once.
         unsafe { arguments.launch(config) }.map_err(call)?;
         stream.synchronize().map_err(call)

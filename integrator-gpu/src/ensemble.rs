@@ -33,7 +33,7 @@ pub enum Device {
     Text,
 }
 
-/// Where a member ended that is lost or gone.
+/// The end of a failed or finished member.
 #[derive(Clone, Debug)]
 pub(crate) struct Ended<C> {
     pub(crate) steps: u64,
@@ -59,7 +59,7 @@ pub struct Ensemble<C: Coords> {
     t0: f64,
     /// How many steps were done then.
     opened: u64,
-    /// Those that are no longer under way, and have a place.
+    /// Those that are no longer in progress, and have a place.
     pub(crate) ended: BTreeMap<usize, Ended<C>>,
     /// Whether the processor has the members where the device has them.
     is_here: bool,
@@ -205,7 +205,7 @@ impl<C: Coords> Ensemble<C> {
         if newly.is_empty() { Ok(()) } else { Err(Error::Lost(self.lose(&newly)?)) }
     }
 
-    /// Notes members that are lost, each with its last finite step, and reports on them.
+    /// Records members that fail, each with its last finite step, and reports them.
     fn lose(&mut self, newly: &[(usize, u64)]) -> Result<Lost, Error> {
         let (unfinished, shown) = match &mut self.place {
             Some(place) => (place.unfinished()?, place.show(&self.launch)?),

@@ -12,7 +12,7 @@ use std::{
 /// The elementary functions, the loop over steps, and the kicks of bodies.
 pub(crate) const RUNTIME: [&str; 3] =
     [include_str!("cuda/functions.h"), include_str!("cuda/stepper.h"), include_str!("cuda/pairs.h")];
-/// What the host's compiler needs before these, and behind them.
+/// What the host's compiler needs before these, and after them.
 const HOST: [&str; 2] = [include_str!("cuda/host.h"), include_str!("cuda/serve.h")];
 
 /// The options without which the compiler would fuse or reassociate operations.
@@ -60,8 +60,8 @@ pub(crate) fn compile(compiler: &str, text: &str, folder: &Path) -> io::Result<P
     }
 }
 
-/// What a launch works on, and what it leaves behind: the states as they go on, as they are shown, and one more than the last
-/// finite step of those who are lost, with whether anybody was behind them.
+/// What a launch works on, and what it leaves behind: the states as they continue, as they are shown, and one more than the last
+/// finite step of those that failed, with whether there are any.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     pub(crate) stages: Vec<Row>,

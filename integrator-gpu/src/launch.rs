@@ -37,7 +37,7 @@ pub(crate) struct Launch {
 
 impl Launch {
     /// A launch from the start, and the stages of its composition: opening, closing, those of a cycle, and those before and
-    /// behind a processed one.
+    /// after a processed one.
     pub(crate) fn new<H: Hamiltonian, X: Composition<H>, K: Precision>(h: f64, members: usize) -> (Self, Vec<Row>) {
         let (stages, processor) = (X::STAGES, X::PROCESSOR);
         let of = |rows: &Rows| {

@@ -34,8 +34,8 @@ impl Place {
     /// [`Error::Program`]
     pub(crate) fn program(text: &str, fingerprint: u64, precision: &str, memory: Memory) -> Result<Self, Error> {
         let failed = |error: std::io::Error| Error::Program(error.to_string());
-        let compiler =
-            host::compiler().ok_or_else(|| Error::Program("no C++ compiler is installed: set CXX".to_owned()))?;
+        let compiler = host::compiler()
+            .ok_or_else(|| Error::Program("no C++ compiler is installed\nhelp: set `CXX`".to_owned()))?;
         // Several ensembles of one system may be made at a time.
         static MADE: AtomicUsize = AtomicUsize::new(0);
         let (process, number) = (std::process::id(), MADE.fetch_add(1, Ordering::Relaxed));
@@ -51,7 +51,7 @@ impl Place {
         Ok(Self::Text(program, Box::new(memory), number))
     }
 
-    /// Takes the steps of a launch, and returns one more than the last finite step of those who are lost, or nothing if nobody
+    /// Takes the steps of a launch, and returns one more than the last finite step of those that fail, or nothing if none
     /// was lost in them.
     ///
     /// # Errors
@@ -67,7 +67,7 @@ impl Place {
         }
     }
 
-    /// The states with the step under way completed.
+    /// The states with the current step completed.
     ///
     /// # Errors
     /// [`Error::Call`]
@@ -80,7 +80,7 @@ impl Place {
         }
     }
 
-    /// The states in the middle of the step under way.
+    /// The states in the middle of the current step.
     ///
     /// # Errors
     /// [`Error::Call`]
@@ -91,7 +91,7 @@ impl Place {
         }
     }
 
-    /// Goes on from other states.
+    /// Continues from other states.
     ///
     /// # Errors
     /// [`Error::Call`]

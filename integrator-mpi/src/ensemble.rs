@@ -61,7 +61,7 @@ pub struct Ensemble<'w, W: Communicator, C: Coords> {
     first: usize,
     /// How many members all ranks have.
     count: usize,
-    /// How many steps those under way have taken.
+    /// How many steps those in progress have taken.
     steps: u64,
 }
 

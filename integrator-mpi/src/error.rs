@@ -5,7 +5,7 @@ use mpi::traits::CommunicatorCollectives;
 use mpi::{datatype::PartitionMut, traits::Communicator};
 use serde::{Deserialize, Serialize};
 
-/// How many members the text of an error names.
+/// The number of members that a message names.
 const SHOWN: usize = 4;
 
 /// The reason why an ensemble or a lattice could not start or continue.
@@ -15,7 +15,7 @@ const SHOWN: usize = 4;
 #[non_exhaustive]
 pub enum Error {
     /// No rank has a member.
-    #[error("an ensemble needs at least one member, on any rank")]
+    #[error("an ensemble requires at least one member on any rank")]
     NoMembers,
     /// A member has an invalid start or step; the error names the first one of all ranks.
     #[error("member {member} (on rank {rank}): {what}")]
@@ -43,8 +43,8 @@ pub enum Error {
     },
     /// The system is not a lattice with the same flow for all sites.
     #[error(
-        "`{system}` is no lattice that ranks can share: its coordinates have to be slices (`q: &[f64]`, or rows `&[[f64; M]]`), and \
-         both parts sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
+        "`{system}` is not a lattice that ranks can share\nhelp: write the coordinates as slices, `q: &[f64]` or `q: \
+         &[[f64; M]]`, and both parts as sums over sites and their neighbours, as in `(q[i + 1] - q[i])`"
     )]
     NoLattice {
         /// The type name of the system.
@@ -52,7 +52,8 @@ pub enum Error {
     },
     /// There are too few sites for this number of ranks.
     #[error(
-        "{sites} sites are too few for {ranks} ranks: each has to have {least} of them, which it tells its neighbours; take fewer ranks"
+        "{sites} sites are too few for {ranks} ranks, each of which requires at least {least}\nhelp: use fewer \
+         ranks\nnote: a rank sends this many sites to its neighbours"
     )]
     FewSites {
         /// The number of sites.
@@ -64,8 +65,8 @@ pub enum Error {
     },
     /// Two ranks that both integrate a site have different values for it.
     #[error(
-        "site {site} was moved otherwise by two ranks: a formula that reads how many sites there are, or the number of a site, is \
-         another one in each slab. Give such numbers as fields, which the closure makes for the sites of a slab"
+        "two ranks disagree about site {site}\nhelp: pass the number of sites, or the index of a site, as a field that \
+         the closure sets for the sites of a slab\nnote: a formula that reads them differs between slabs"
     )]
     SitesDiffer {
         /// The index among all sites.
@@ -73,8 +74,8 @@ pub enum Error {
     },
     /// A site diverged. All sites keep the state of the step before.
     #[error(
-        "site {site} left the finite numbers in step {step} (time {time}); all sites stay at the step before. A smaller step helps most \
-         often"
+        "site {site} is not finite after step {step} (t = {time})\nhelp: use a smaller step\nnote: all sites stay at the \
+         state before this step"
     )]
     Diverged {
         /// The index among all sites.
@@ -87,8 +88,9 @@ pub enum Error {
     /// The border of a slab diverged, where the sites of other ranks are missing. All sites keep the state of the step
     /// before.
     #[error(
-        "the end of a slab left the finite numbers in step {step} (time {time}), where it meets no neighbour or another site than its own, as in \
-         a ring whose coordinates grow from site to site: take the difference to that growth as coordinate"
+        "the border of a slab is not finite after step {step} (t = {time})\nhelp: if the coordinates grow from site to \
+         site, as in a ring, use the difference to this growth as the coordinate\nnote: at the border, sites of other \
+         ranks are missing or different"
     )]
     HaloDiverged {
         /// The first step whose state is not finite.
@@ -119,7 +121,7 @@ pub struct LostMember {
 
 impl LostMember {
     fn what(&self) -> String {
-        format!("it left the finite numbers in step {} (time {})", self.step, self.time)
+        format!("the state after step {} (t = {}) is not finite", self.step, self.time)
     }
 }
 
@@ -132,13 +134,21 @@ pub struct StrayedMember {
     pub what: String,
 }
 
+/// The number of members, as a noun.
+fn count_of(members: usize) -> String {
+    match members {
+        1 => "1 member".to_owned(),
+        count => format!("{count} members"),
+    }
+}
+
 fn strayed_text(members: &[StrayedMember]) -> String {
     let named: Vec<String> = members.iter().take(SHOWN).map(|strayed| strayed.member.to_string()).collect();
     let more = if members.len() > SHOWN { ", ..." } else { "" };
     let first = members.first().map(|StrayedMember { member, what }| format!("; member {member}: {what}"));
     format!(
-        "{} member(s) left the bound on their energy or the finite numbers ({}{more}); the others went on{}",
-        members.len(),
+        "{} exceeded the bound on their energy, or diverged ({}{more}); the others continued{}",
+        count_of(members.len()),
         named.join(", "),
         first.unwrap_or_default()
     )
@@ -148,18 +158,18 @@ fn lost_text(members: &[LostMember]) -> String {
     let named: Vec<String> = members
         .iter()
         .take(SHOWN)
-        .map(|LostMember { member, step, time }| format!("{member} in step {step} (time {time})"))
+        .map(|LostMember { member, step, time }| format!("{member} in step {step} (t = {time})"))
         .collect();
     let more = members.len().saturating_sub(SHOWN);
     let more = if more == 0 { String::new() } else { format!(" and {more} more") };
     format!(
-        "{} member(s) left the finite numbers: {}{more}. They stay at their last finite state; a smaller step helps most often",
-        members.len(),
+        "{} diverged: {}{more}\nhelp: use a smaller step\nnote: they stay at their last finite state",
+        count_of(members.len()),
         named.join(", "),
     )
 }
 
-/// What a rank tells the others of its own work.
+/// The outcome of the work of a rank, as sent to the others.
 #[derive(Serialize, Deserialize)]
 enum Outcome {
     Done,
@@ -205,8 +215,9 @@ impl From<Failure> for Outcome {
     }
 }
 
-/// What came of work that every rank did by itself: what this rank has made of it if all of them are done, and otherwise the
-/// same error on all. Every rank has to call it.
+/// Returns the result of this rank if all ranks succeeded, and otherwise the same error on all ranks.
+///
+/// Every rank has to call it.
 pub(crate) fn agree<T>(world: &impl Communicator, outcome: Result<T, Failure>) -> Result<T, Error> {
     let (made, outcome) = match outcome {
         Ok(made) => (Some(made), Outcome::Done),

@@ -47,14 +47,14 @@ impl<C: Coords> Held<C> {
             Self::Processor(local) => local.watch_energy(bound).map_err(|error| Failure::Core { error, first }),
             #[cfg(feature = "gpu")]
             Self::Device(_) => Err(Failure::Other(
-                "a device computes no energies, so that none are watched there: leave the members on the processor, \
-                 `Ensemble::new`, or test them with `advance_while`"
+                "a device does not compute energies, so they cannot be watched\nhelp: integrate on the processor, with \
+                 `Ensemble::new`, or use `advance_while`"
                     .to_owned(),
             )),
         }
     }
 
-    /// Takes steps with those under way, who are counted from `first` on.
+    /// Takes steps with those in progress, who are counted from `first` on.
     pub(crate) fn advance(&mut self, steps: u64, first: usize) -> Result<(), Failure> {
         match self {
             Self::Processor(local) => local.advance(steps).map_err(|error| Failure::Core { error, first }),
@@ -66,7 +66,7 @@ impl<C: Coords> Held<C> {
         }
     }
 
-    /// As [`Held::advance`]; whoever does not stay is let go.
+    /// As [`Held::advance`]; members that do not stay are finished.
     pub(crate) fn advance_while(
         &mut self,
         steps: u64,

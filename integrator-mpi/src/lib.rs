@@ -62,9 +62,7 @@ use mpi::{environment::Universe, traits::Communicator};
 
 /// The error of [`start`]: MPI was started before by this process, or could not be started.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "MPI was started before in this process; it can be started once, and what `start` returned has to live as long as it is used"
-)]
+#[error("MPI was started before in this process\nhelp: call `start` once, and keep its value as long as MPI is used")]
 pub struct NotStarted;
 
 /// A running MPI environment, which dereferences to the [`Universe`] with the communicator of all ranks.

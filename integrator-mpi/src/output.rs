@@ -32,7 +32,7 @@ pub enum OutputError {
         error: io::Error,
     },
     /// The manifest was not written by [`Ensemble::write_csv`].
-    #[error("{}: this is no manifest of an ensemble: {error}", path.display())]
+    #[error("{}: this is not a manifest of an ensemble: {error}", path.display())]
     Manifest {
         /// The path of the manifest.
         path: PathBuf,
@@ -40,7 +40,7 @@ pub enum OutputError {
         error: serde_json::Error,
     },
     /// A file has more or fewer members than the manifest lists.
-    #[error("{}: {found} members, but the manifest says {expected}: it is of another run, or cut off", path.display())]
+    #[error("{}: {found} members, but the manifest says {expected}\nnote: the file is from another run, or incomplete", path.display())]
     Members {
         /// The path of the file.
         path: PathBuf,

@@ -63,7 +63,7 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
 
     /// Returns the first moments of a quantity over all members that have it, each from an exact sum. Collective.
     pub fn moments(&self, number: impl Fn(&Member<'_, C>) -> Option<f64>) -> Moments {
-        // The distances from the mean ask for the numbers once more.
+        // The distances from the mean require the numbers once more.
         let numbers: Vec<f64> = self.members_of_rank().filter_map(|member| number(&member)).collect();
         let mut sum = ExactSum::EMPTY;
         numbers.iter().for_each(|x| sum.add(*x));
@@ -128,7 +128,7 @@ impl<W: Communicator, C: Coords> Ensemble<'_, W, C> {
         bins: usize,
         number: impl Fn(&Member<'_, C>) -> Option<f64>,
     ) -> Histogram {
-        // Behind the intervals: below, above, NaN.
+        // After the intervals: below, above, NaN.
         let mut own = vec![0_u64; bins + 3];
         let width = range.end - range.start;
         self.for_each_local(|member| {

@@ -103,7 +103,7 @@ fn path() -> String {
 
 fn show(world: &impl Communicator, text: &str) {
     if cluster::is_root(world) {
-        println!("{text}");
+        println!("{}", text.replace('\n', " | "));
     }
 }
 

@@ -127,10 +127,10 @@ fn what_no_ranks_can_share_is_refused() {
     for ranks in 2..=4 {
         let Some(refused) = LATTICES.printed(ranks, &["refused"]) else { return };
         let lines: Vec<_> = refused.lines().collect();
-        assert!(lines[0].contains("was moved otherwise by two ranks"), "{refused}");
+        assert!(lines[0].contains("two ranks disagree about site"), "{refused}");
         assert!(lines[1].starts_with(&format!("5 sites are too few for {ranks} ranks")), "{refused}");
         assert!(lines[2].contains("NaN") && lines[2].starts_with("on rank 0"), "{refused}");
-        assert!(lines[3].contains("a start of 2 sites where"), "{refused}");
-        assert!(lines[4].contains("Short` is no lattice that ranks can share"), "{refused}");
+        assert!(lines[3].contains("the initial state has 2 sites"), "{refused}");
+        assert!(lines[4].contains("Short` is not a lattice that ranks can share"), "{refused}");
     }
 }

@@ -193,7 +193,7 @@ fn on_every_rank(world: &impl Communicator, text: &str) {
     world.all_gather_into(&digest, &mut digests[..]);
     assert!(digests.iter().all(|other| *other == digest), "rank {} says something else: {text}", world.rank());
     if cluster::is_root(world) {
-        println!("{text}");
+        println!("{}", text.replace('\n', " | "));
     }
 }
 

@@ -61,7 +61,9 @@ fn members_have_the_same_bits_on_devices_and_ranks_may_have_them_there() {
     assert!(end(&resumed).is_some() && end(&resumed) == end(&whole), "{resumed}");
     let refused = ON_DEVICES.printed(2, &["no device"]).unwrap_or_default();
     assert!(
-        ["no NVIDIA driver", "no device 1000"].iter().any(|says| refused.starts_with(&format!("on rank 1: {says}"))),
+        ["no NVIDIA driver", "no device 1000"]
+            .iter()
+            .any(|says| refused.starts_with(&format!("on rank 1: there is {says}"))),
         "{refused}"
     );
     fs::remove_dir_all(saved).unwrap();
@@ -76,16 +78,16 @@ fn maps_of_orbits_do_not_depend_on_the_number_of_ranks() {
     assert_eq!(lines[0], format!("{expected:?}"));
     assert!(expected.iter().any(|megno| *megno != expected[0]), "orbits differ: {maps}");
     assert!(lines[2].starts_with("on rank 0: "), "{maps}");
-    assert!(lines[3].starts_with("member 2 (on rank 0): the start is not finite"), "{maps}");
+    assert!(lines[3].starts_with("member 2 (on rank 0): the initial state is not finite"), "{maps}");
 }
 
 #[test]
 fn every_rank_is_told_the_same_mistakes() {
     let Some(refused) = RANKS.printed(3, &["refused"]) else { return };
-    assert!(refused.starts_with("member 29 (on rank 0): the start is not finite"), "{refused}");
+    assert!(refused.starts_with("member 29 (on rank 0): the initial state is not finite"), "{refused}");
     let lost = RANKS.on_any_number(&["lost"]).unwrap_or_default();
     let lines: Vec<&str> = lost.lines().collect();
-    assert!(lines[0].starts_with("98 under way: 3 member(s) left the finite numbers: 29 in step "), "{lost}");
+    assert!(lines[0].starts_with("98 under way: 3 members diverged: 29 in step "), "{lost}");
     assert!(lines[0].contains(", 59 in step ") && lines[0].contains(", 89 in step "), "{lost}");
     assert_eq!(lines[1], "then done, 310 steps");
     assert!(lines[2].starts_with("on rank 0: "), "{lost}");
@@ -93,12 +95,18 @@ fn every_rank_is_told_the_same_mistakes() {
     assert_eq!(lines[4], "done: 11 stay");
     let strayed = RANKS.on_any_number(&["strayed"]).unwrap_or_default();
     let lines: Vec<&str> = strayed.lines().collect();
-    assert!(lines[0].starts_with("on rank 0: the energy is to stay within 0 of"), "{strayed}");
+    assert!(
+        lines[0].starts_with("on rank 0: the bound on the energy deviation has to be positive, but it is 0"),
+        "{strayed}"
+    );
     assert_eq!(lines[1], "done");
-    let says = "98 under way, 300 steps: 3 member(s) left the bound on their energy or the finite numbers (29, 59, 89); the others \
-                went on; member 29: the energy after step ";
+    let says = "98 under way, 300 steps: 3 members exceeded the bound on their energy, or diverged (29, 59, 89); the others \
+                continued; member 29: the energy after step ";
     assert!(lines[2].starts_with(says), "{strayed}");
-    assert_eq!(RANKS.on_any_number(&["none"]).as_deref(), Some("an ensemble needs at least one member, on any rank\n"));
+    assert_eq!(
+        RANKS.on_any_number(&["none"]).as_deref(),
+        Some("an ensemble requires at least one member on any rank\n")
+    );
 }
 
 #[test]

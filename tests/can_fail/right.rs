@@ -89,7 +89,7 @@ fn a_motion_that_turns_within_a_thousandth_of_its_time() {
     for (start, h) in [(30.0, 0.02), (10.0, 0.05)] {
         let refused = certify(&Relativistic {}, KahanLi8, Phase::new([start], [0.0]), h);
         let text = refused.expect_err("far too long a step").to_string();
-        assert!(text.contains("shorte"), "{text}");
+        assert!(text.contains("use a smaller step"), "{text}");
     }
 }
 
@@ -99,7 +99,7 @@ fn a_step_of_a_million_swings() {
     let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 };
     let refused = certify(&pendulum, Yoshida4, Phase::new([1.0], [0.0]), 1e6);
     let text = refused.expect_err("far too long a step").to_string();
-    assert!(text.contains("the step is too coarse") && !text.contains("NaN"), "{text}");
+    assert!(text.contains("use a smaller step") && !text.contains("NaN"), "{text}");
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn a_certificate_reads_well() {
         "  reversibility      ",
         "  energy drift       bounded: ",
         "  gradient error     ",
-        "  stability          h·ω = ",
+        "  stability          h·ω is at most ",
     ] {
         assert!(text.lines().any(|present| present.starts_with(line)), "{line:?} is not in\n{text}");
     }

@@ -140,7 +140,7 @@ fn a_text_that_is_misread_is_told_where_it_shows() {
     let (sum, square) = (misread.q.iter().map(|x| x * x).sum::<f64>(), misread.q[0].powi(2));
     assert_eq!((misread.generated, misread.stated), (sum, square * square + misread.q[1].powi(2)), "{misread}");
     assert!(certificate.agreement.is_none(), "{certificate}");
-    assert!(error.to_string().contains("`potential` is misread"), "{error}");
+    assert!(error.to_string().contains("`potential` returns"), "{error}");
 }
 
 /// All of H in one function, with a stated derivative that may be wrong.

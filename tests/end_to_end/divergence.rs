@@ -169,7 +169,7 @@ fn the_text_says_where_and_what_to_do() {
     };
     assert_eq!(
         Error::from(divergence).to_string(),
-        "the state after step 12 (t = 0.6) is not finite, first in q[0]; the last finite one is kept (q = [1e300], p = [-2.0]). \
-         A smaller step, or a look at the forces there, helps"
+        "the state after step 12 (t = 0.6) is not finite, first in q[0]\nhelp: use a smaller step, or check the forces \
+         near the last finite state\nnote: the run stays at this state, q = [1e300], p = [-2.0]"
     );
 }

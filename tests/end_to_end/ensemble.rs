@@ -101,7 +101,7 @@ fn a_member_that_is_lost_is_named_and_disturbs_nobody() {
     let Err(Error::Lost(lost)) = swarm.advance(5000) else { panic!("some members escape") };
     let names: Vec<usize> = lost.members.iter().map(|(member, _)| *member).collect();
     assert_eq!(names, FAR);
-    assert!(lost.to_string().contains("5 members left the finite numbers (members 3, 5, 12"), "{lost}");
+    assert!(lost.to_string().contains("5 members failed (3, 5, 12"), "{lost}");
     assert_eq!(swarm.active(), MANY - FAR.len());
     swarm.advance(500).expect("those that are left are finite");
     for member in 0..MANY {
@@ -358,7 +358,7 @@ fn all_that_are_refused_are_named_and_the_others_go_on_where_that_is_asked_for()
     let Error::Members { members, count: 9 } = refused else { panic!("{text}") };
     assert_eq!(members.iter().map(|(member, _)| *member).collect::<Vec<_>>(), [2, 5, 7]);
     assert!(
-        text.starts_with("3 members of 9 are refused (members 2, 5, 7); member 2: the start is not finite"),
+        text.starts_with("3 of 9 members are invalid (2, 5, 7); member 2: the initial state is not finite"),
         "{text}"
     );
     let (mut swarm, others) = Ensemble::of_admissible(Verlet, (0..9).map(start), 0.01).expect("six are not");

@@ -177,7 +177,7 @@ fn what_is_not_conserved_is_refused() {
     let [Shortfall::NotInvariant(drift)] = &shortfalls[..] else { panic!("{refused}") };
     assert!(drift.name == "angular_momentum" && drift.bracket > 1e-2, "{refused}");
     assert!(
-        refused.to_string().contains("`angular_momentum` is no invariant: its Poisson bracket with H is"),
+        refused.to_string().contains("`angular_momentum` is not conserved: its Poisson bracket with H is"),
         "{refused}"
     );
 }

@@ -297,7 +297,7 @@ fn what_is_out_of_reach_is_an_error() {
     let repelled = Comet { pull: -1.0, ..TWISTED };
     let mut run = repelled.run_with::<f64, _>(Logarithmic(Verlet), at_pericentre(0.1), 0.1).expect("a start");
     let error = run.advance(1).expect_err("no attraction").to_string();
-    assert!(error.contains("needs V < 0") && error.contains("subtract a constant"), "{error}");
+    assert!(error.contains("requires V < 0") && error.contains("subtract a constant"), "{error}");
     assert_eq!((run.steps(), run.state()), (0, at_pericentre(0.1)));
 
     let stalled = Comet { slow: 10.0, ..TWISTED };

@@ -215,7 +215,7 @@ fn the_error_names_the_number_that_left_the_domain() {
         (Pendulum { constant: 0.1020920336104273 }, Phase::new([0.23650685747040023], [1.4038137466724463]));
     let mut run = system.run_with(Logarithmic(Verlet), start, 0.6522923186860412).expect("a start");
     let error = run.advance(33).expect_err("V > 0 at a kick").to_string();
-    assert!(error.contains("needs V < 0") && error.contains("step 2"), "{error}");
+    assert!(error.contains("requires V < 0") && error.contains("step 2"), "{error}");
     assert_eq!(run.steps(), 1);
     // A drift that begins near the edge leaps over it, to where V is negative again.
     let (system, start) =

@@ -16,7 +16,8 @@ fn refused(start: Phase<[f64; 2]>, h: f64) -> String {
 fn steps_that_lead_nowhere() {
     for (h, text) in [(0.0, "0"), (-0.0, "-0"), (f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")]
     {
-        let expected = format!("the step h is {text}: it has to be finite and not zero (negative steps run backwards)");
+        let expected =
+            format!("the step h has to be finite and not zero, but it is {text}\nnote: negative steps run backwards");
         assert_eq!(refused(start(), h), expected);
     }
     assert!(HenonHeiles.run(start(), -1e-300).is_ok());
@@ -29,12 +30,15 @@ fn starts_that_are_not_finite() {
     bad.p[0] = f64::INFINITY;
     assert_eq!(
         refused(bad, 0.1),
-        "the start is not finite: q[1] is NaN (coordinates counted one after the other)",
+        "the initial state is not finite: q[1] is NaN (index into the flattened coordinates)",
         "the first one is named"
     );
     let mut bad = start();
     bad.p[1] = f64::NEG_INFINITY;
-    assert_eq!(refused(bad, 0.1), "the start is not finite: p[1] is -inf (coordinates counted one after the other)");
+    assert_eq!(
+        refused(bad, 0.1),
+        "the initial state is not finite: p[1] is -inf (index into the flattened coordinates)"
+    );
 }
 
 #[test]
@@ -50,7 +54,10 @@ fn samples_that_stay_where_they_are() {
     let mut samples = HenonHeiles.run(start(), 0.1).expect("an admissible start").samples(0);
     let error = samples.next().expect("an error").expect_err("no step between samples");
     assert_eq!(error, Error::SampleInterval);
-    assert_eq!(error.to_string(), "the interval between samples is 0: choose at least one step, or a time above zero");
+    assert_eq!(
+        error.to_string(),
+        "the interval between samples is 0\nhelp: write at least one step, or an interval of time other than 0"
+    );
     assert!(samples.next().is_none());
     let first = |interval: f64, h: f64| {
         let mut samples = HenonHeiles.run(start(), h).expect("an admissible start").samples_at(interval);
@@ -63,22 +70,22 @@ fn samples_that_stay_where_they_are() {
         (
             f64::NAN,
             0.1,
-            "samples after every NaN of time: the interval has to be finite; write one of some steps, such as `samples_at(1)`",
+            "the interval between samples is NaN, which is not finite\nhelp: write a multiple of the step, such as `samples_at(1)`",
         ),
         (
             f64::INFINITY,
             0.1,
-            "samples after every inf of time: the interval has to be finite; write one of some steps, such as `samples_at(1)`",
+            "the interval between samples is inf, which is not finite\nhelp: write a multiple of the step, such as `samples_at(1)`",
         ),
         (
             0.37,
             -0.1,
-            "samples after every 0.37 of time: the steps of this run are -0.1 and lead the other way; write `samples_at(-0.37)`",
+            "the interval between samples is 0.37, but the steps of this run are -0.1, in the opposite direction\nhelp: write `samples_at(-0.37)`",
         ),
         (
             -0.37,
             0.1,
-            "samples after every -0.37 of time: the steps of this run are 0.1 and lead the other way; write `samples_at(0.37)`",
+            "the interval between samples is -0.37, but the steps of this run are 0.1, in the opposite direction\nhelp: write `samples_at(0.37)`",
         ),
     ] {
         assert_eq!(first(interval, h).to_string(), text);
@@ -95,7 +102,7 @@ fn more_steps_than_can_be_counted() {
     let error = run.advance(u64::MAX - 1).expect_err("too many");
     assert_eq!(
         error.to_string(),
-        "2 steps are done and 18446744073709551614 more exceed the largest step count, 18446744073709551615"
+        "the run has taken 2 steps, and 18446744073709551614 more exceed the largest step count, 18446744073709551615"
     );
     assert_eq!((run.state(), run.steps()), (before, 2));
 }
@@ -111,8 +118,8 @@ fn steps_that_the_clock_does_not_notice() {
         let time = t0 + if steps == 1 { 0.0 } else { steps as f64 * h };
         let shown = |x: f64| if (1e-5..1e6).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") };
         let expected = format!(
-            "the step h = {} is too short at t = {}, where t + h rounds to t: start the clock nearer to 0, or choose \
-             another unit of time",
+            "the step h = {} is too short at t = {}, where t + h rounds to t\nhelp: start the clock closer to 0, or \
+             choose another unit of time",
             shown(h),
             shown(time)
         );

@@ -125,8 +125,9 @@ fn a_run_stops_within_the_range_of_its_grid() {
     assert_eq!((run.steps(), run.state().q[0].value()), (127, 126.0078125));
     assert_eq!(
         error.to_string(),
-        "the state after step 128 (t = 16) has a coordinate beyond ±128, the range of its grid, first in q[0]; the last one \
-         within it is kept (q = [126.0078125], p = [15.875]). A coarser grid, or a look at the forces there, helps"
+        "the state after step 128 (t = 16) has a coordinate outside of ±128, the range of its grid, first in q[0]\nhelp: use a \
+         coarser grid, or check the forces near the last state within it\nnote: the run stays at this state, q = \
+         [126.0078125], p = [15.875]"
     );
 }
 
@@ -137,22 +138,23 @@ fn grids_that_are_none() {
     };
     for (grid, text) in [(0.001, "0.001"), (0.0, "0"), (-0.5, "-0.5"), (f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
         let expected = format!(
-            "the grid of q[0] has the spacing {text}: it has to be a power of two, for example 1.0 / (1_u64 << 40) as f64"
+            "the grid spacing of q[0] is {text}, which is not a power of two\nhelp: write, for example, `1.0 / (1_u64 << 40) as f64`"
         );
         assert_eq!(refused(0.1, 0.1, grid), expected);
     }
     assert_eq!(
         refused(0.1, -128.0, GRID),
         format!(
-            "p[0] is -128, but a grid with the spacing {GRID:e} reaches to ±128 only: choose a coarser grid or smaller units"
+            "p[0] is -128, outside of ±128, the range of a grid with the spacing {GRID:e}\nhelp: choose a coarser grid, or units \
+             in which the coordinates are smaller"
         )
     );
     let start = Phase::reversible([0.0, 0.1], [0.0, 0.0], GRID);
     let error = HenonHeiles.run_with(Euler, start, 0.1).expect_err("not symmetric");
     assert_eq!(
         error.to_string(),
-        "Euler is not symmetric, so that steps by -h do not undo its steps and a reversible start is of no use: take a \
-         symmetric composition, such as `Verlet` or `Yoshida4`, or `Phase::new`"
+        "Euler is not symmetric, so steps by -h do not undo its steps\nhelp: use a symmetric composition, such as \
+         `Verlet` or `Yoshida4`, or write `Phase::new`\nnote: a reversible initial state requires a symmetric composition"
     );
 }
 

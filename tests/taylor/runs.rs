@@ -402,7 +402,7 @@ fn a_motion_that_is_a_polynomial_completes_no_step() {
     assert_eq!(own(&run).to_string(), "no step completed");
     run.advance(1000).expect("finite states");
     assert_eq!((own(&run).taken, own(&run).under_way), (0, Some(f64::INFINITY)));
-    assert_eq!(own(&run).to_string(), "no step completed, the polynomial under way is the motion at all times");
+    assert_eq!(own(&run).to_string(), "no step completed, the current polynomial is valid at all times");
 
     let mut run = Pendulum.run_with(fine(), Phase::new([1.0], [0.0]), 0.25).expect("a start");
     run.advance(1000).expect("finite states");

@@ -27,7 +27,7 @@ pub(super) fn steps_between_samples(steps: u64) -> u64 {
     steps.div_ceil(SAMPLES).clamp(1, BETWEEN_SCALES).next_power_of_two()
 }
 
-/// What the lengths of one vector tell: sums over samples, whatever their distance in time.
+/// Sums over samples of the length of one vector, for any distance in time.
 #[derive(Clone, Debug)]
 pub(super) struct Growth {
     first: f64,
@@ -63,7 +63,7 @@ impl Growth {
         (self.megno, self.time, self.last) = (megno, time, logarithm);
     }
 
-    /// The largest exponent as far as the orbit tells: the mean rate of growth.
+    /// The estimate of the largest exponent: the mean rate of growth.
     pub(super) fn exponent(&self) -> f64 {
         (self.last - self.first) / self.time.abs()
     }
@@ -102,7 +102,7 @@ impl Growth {
         }
     }
 
-    /// An indicator that one vector tells.
+    /// An indicator that is computed from one vector.
     pub(super) fn indicator(&self, indicator: Indicator) -> f64 {
         if self.time == 0.0 {
             return f64::NAN;
@@ -164,7 +164,7 @@ pub(super) fn of_length<C: Coords>(
     logarithm + exponent as f64 * LN_2
 }
 
-/// Replaces numbers by their logarithms, as many at once as the machine has lanes. Each has the bits that it has alone.
+/// Replaces numbers by their logarithms, in SIMD lanes. Each is bitwise identical to that of the number alone.
 pub(super) fn logarithms(numbers: &mut [f64]) {
     match InstructionSet::chosen() {
         InstructionSet::Baseline => logarithms_in_lanes::<<f64 as LaneScalars>::Plain>(numbers),

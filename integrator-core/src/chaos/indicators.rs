@@ -166,7 +166,7 @@ fn field_at<H: Hamiltonian, K: Precision>(
     found.halves().concat()
 }
 
-/// The least number of steps that tells anything.
+/// The smallest number of steps for a meaningful result.
 pub(super) const LEAST: u64 = 16;
 
 fn of_tangent<C: Coords>(

@@ -1,4 +1,4 @@
-//! One indicator of many orbits of a system, side by side in lanes and on threads.
+//! One indicator for many orbits of a system, in SIMD lanes and on threads.
 
 use crate::{
     chaos::{
@@ -214,10 +214,10 @@ where
     Ok(found.into_iter().flatten().collect())
 }
 
-/// Whether an orbit goes on from a state.
+/// Whether an orbit continues from a state.
 type Stays<'s, C> = dyn Fn(&Phase<C>) -> bool + Sync + 's;
 
-/// What is asked of the state of an orbit.
+/// The condition on the state of an orbit.
 struct Look<'l, C> {
     stays: &'l Stays<'l, C>,
     energy: &'l (dyn Fn(&Phase<C>, f64) -> f64 + Sync),
@@ -250,8 +250,8 @@ const LANES_OF_ORBIT: usize = 2;
 /// and ends many loops, and this many states are still near the processor.
 const GROUPS: usize = 4;
 
-/// The values of all members, some groups of so many at once, on all threads. Whoever is free takes the next ones; no value
-/// depends on who that is.
+/// The values of all members, in groups, on all threads. A free thread takes the next group; no value
+/// depends on the thread.
 fn side_by_side(
     members: &[usize],
     group: usize,
@@ -288,7 +288,7 @@ struct Orbit {
     growth: Growth,
     /// The power of two by which its vector was divided.
     exponent: i64,
-    /// How it ended, if it has: another orbit goes on in its lanes.
+    /// How it ended, if it has: another orbit uses its lanes.
     end: Option<End>,
 }
 
@@ -411,7 +411,7 @@ impl<C: Coords> Batch<C> {
         self.go_on(&lanes);
     }
 
-    /// Ends orbits that cannot take the next step, and replaces them; `false`, if no other goes on.
+    /// Ends orbits that cannot take the next step, and replaces them; `false` if none of them continues.
     fn replace_lost(&mut self) -> bool {
         let (mut point, mut found) = (self.shape.clone(), false);
         for (number, orbit) in self.orbits.iter_mut().enumerate().filter(|(_, orbit)| orbit.end.is_none()) {
@@ -424,13 +424,13 @@ impl<C: Coords> Batch<C> {
             found |= is_lost;
         }
         if !found {
-            // Whatever keeps them, none of them goes on.
+            // If the cause is outside of an orbit, none of them continues.
             self.orbits.iter_mut().for_each(|orbit| _ = orbit.end.get_or_insert(End::Lost));
         }
         self.replace_ended()
     }
 
-    /// Lets an orbit that goes on take the lanes of those that have ended; `false`, if there is none.
+    /// Moves an orbit that continues into the lanes of those that have ended; `false` if there is none.
     fn replace_ended(&mut self) -> bool {
         let Some(goes_on) = self.orbits.iter().position(|orbit| orbit.end.is_none()) else { return false };
         let mut lanes = self.lanes();
@@ -443,7 +443,7 @@ impl<C: Coords> Batch<C> {
         true
     }
 
-    /// The lanes of all orbits in the middle of the step under way.
+    /// The lanes of all orbits in the middle of the current step.
     fn lanes(&self) -> Vec<Phase<C>> {
         let lane = |lane| {
             let mut point = self.shape.clone();
@@ -459,14 +459,14 @@ impl<C: Coords> Batch<C> {
     }
 }
 
-/// The vector of an orbit, with the step under way completed.
+/// The vector of an orbit, with the current step completed.
 fn vector<C: Coords>(engine: &Engine, clock: Clock, orbit: usize, shape: &Phase<C>) -> Phase<C> {
     let mut vector = shape.clone();
     engine.lane(clock, LANES_OF_ORBIT * orbit + 1, &mut vector);
     vector
 }
 
-/// So many lanes, of which those behind the last orbit repeat it.
+/// The lanes of a group; those after the last orbit repeat it.
 fn all_lanes<C: Coords>(orbits: &[Phase<C>], count: usize) -> Vec<&dyn Point> {
     let last = &orbits[orbits.len() - LANES_OF_ORBIT..];
     let lanes = orbits.iter().chain(last.iter().cycle()).take(count);

@@ -13,7 +13,7 @@ use crate::{
 use nalgebra::DMatrix;
 use std::f64::consts::LN_2;
 
-/// Into so many spans an orbit is divided, whose exponents tell how well those of the whole are known.
+/// The number of spans of an orbit. Their exponents show how accurate those of the whole orbit are.
 const SPANS: u64 = 16;
 
 /// By how much the logarithms of two vectors may differ when they are made orthogonal: so many digits the shorter one

@@ -121,18 +121,18 @@ impl fmt::Display for Certificate {
             self.write_order(order, f)?;
         }
         let returned =
-            if self.symmetric { explained(reversibility) } else { "(not symmetric, none claimed)".to_owned() };
+            if self.symmetric { explained(reversibility) } else { "(the composition is not symmetric)".to_owned() };
         line(f, "reversibility", self.reversibility, returned)?;
         match &self.energy_drift {
             Some(drift) => self.write_energy(drift, f)?,
             None if self.autonomous => {}
-            None => write!(f, "\n  energy drift       left out: H reads the time")?,
+            None => write!(f, "\n  energy drift       not measured: H depends on time")?,
         }
         line(f, "gradient error", self.gradient_error, explained(gradient_error))?;
         if let Some(flows) = &self.flows {
             let FlowErrors { symplecticity, inverse, addition, energy, generator } = flows;
             write!(f, "\n  flows of the parts symplectic {symplecticity:.0e}, inverse {inverse:.0e}, ")?;
-            write!(f, "sum {addition:.0e}, energy {energy:.0e}, derivative {generator:.0e} of what is explained")?;
+            write!(f, "sum {addition:.0e}, energy {energy:.0e}, derivative {generator:.0e} in units of the rounding")?;
         }
         if let Some(Agreement { energies, derivatives, left_out }) = self.agreement {
             write!(f, "\n  own functions      {energies} energies and {derivatives} derivatives agree, ")?;
@@ -140,10 +140,7 @@ impl fmt::Display for Certificate {
         }
         if let Some(SecondPart { size, orders }) = self.second_part {
             let orders = Orders(orders);
-            write!(
-                f,
-                "\n  second part        {size:.1e} of the first or of both (orders {orders}, where it is small)"
-            )?;
+            write!(f, "\n  second part        {size:.1e} of the first or of both (orders {orders} if it is small)")?;
         }
         for invariant in &self.invariants {
             write!(f, "\n  invariant          {invariant}")?;
@@ -165,9 +162,9 @@ impl Certificate {
 
     fn write_energy(&self, drift: &EnergyDrift, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let EnergyDrift { deviation, course, slope, uncertainty, step, steps, .. } = drift;
-        write!(f, "\n  energy drift       {course}: {deviation:.1e} at most in {steps} steps of {step:.1e}")?;
+        write!(f, "\n  energy drift       {course}: at most {deviation:.1e} in {steps} steps of {step:.1e}")?;
         if let Some(EnergyDrift { deviation, .. }) = self.finer_energy_drift {
-            write!(f, ", {deviation:.1e} in halves of them")?;
+            write!(f, ", {deviation:.1e} with half the step")?;
         }
         write!(f, "; slope {slope:.1e} +- {uncertainty:.1e} per unit time")
     }

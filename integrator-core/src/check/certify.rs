@@ -51,7 +51,7 @@ const MOST_PIECES: u64 = 4096;
 const GRADIENT: &str = "the gradient";
 const FLOWS: &str = "the flows of the parts";
 
-/// The time over which gradients are taken, in steps, where no order tells a better one.
+/// The time over which gradients are taken, in steps, if no order suggests a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
 /// Verifies by measurement that `method` integrates `system` from `start` with step `h` as it claims.
@@ -170,7 +170,7 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
     let is_separable = subject.measured.stated().energies().is_separable();
     let start = [(subject.start.phase.clone(), subject.start.time)];
-    // Where no step leads on, the start tells why.
+    // If no step size works, the error at the start is the reason.
     let visited = states.as_deref().unwrap_or(&start);
     let (gradient, flows) = if is_separable || subject.measured.stated().energies().in_one_piece() {
         let gradient = findings.judge(GRADIENT, subject.gradient(visited), |error| {
@@ -286,7 +286,7 @@ impl Findings {
         if self.0.iter().any(is_cause) {
             self.0.retain(|shortfall| is_cause(shortfall) || matches!(shortfall, Shortfall::Misread(_)));
         }
-        // A run that cannot go on is why other things fall short.
+        // A run that fails explains the other shortfalls.
         self.0.sort_by_key(|shortfall| !matches!(shortfall, Shortfall::Unmeasured { reason: CheckError::Run(_), .. }));
         if self.0.is_empty() {
             Ok(certificate)
@@ -401,7 +401,7 @@ impl Subject<'_> {
         Ok((most, broken))
     }
 
-    /// What is measured of each invariant: its bracket at some states, and how far it strays in a run.
+    /// What is measured of each invariant: its bracket at some states, and by how much it deviates in a run.
     fn invariants(&self, states: &[Visited]) -> Result<Vec<InvariantDrift>, CheckError> {
         let system = self.measured.stated().energies();
         let Strayed { deviations, steps, rounding } = self.measured.strayed(self.h, ENERGY_STEPS)?;

@@ -8,13 +8,14 @@ debug_as_display!(CheckError);
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CheckError {
-    /// The run that the check needs could not start or go on.
+    /// The run of the check failed.
     #[error(transparent)]
     Run(#[from] Error),
     /// Too few step sizes have an error that stands out of the rounding, so that no slope can be fitted.
     #[error(
-        "only {found} step sizes from {coarsest:.1e} down have an error above the rounding, and a slope needs {needed}: \
-         this start moves too little, or in so simple a way that every step is exact; start elsewhere"
+        "only {found} step sizes from {coarsest:.1e} down have an error above the rounding, but a fit requires \
+         {needed}\nhelp: choose another initial state\nnote: the motion is too small, or so simple that every step is \
+         exact"
     )]
     TooFewPoints {
         /// The number of usable step sizes.
@@ -26,16 +27,20 @@ pub enum CheckError {
     },
     /// However short the time, halving the step changes the result by more than a tenth of the motion.
     #[error(
-        "no step size down to {finest} follows the motion from this start: it is singular, or the flows do not \
-         belong to one Hamiltonian", finest = Number(*finest))]
+        "no step size down to {finest} resolves the motion from this initial state\nnote: the motion is singular, or the \
+         flows do not belong to one Hamiltonian",
+        finest = Number(*finest)
+    )]
     NotSmooth {
         /// The finest step size that was tried.
         finest: f64,
     },
     /// A condition on the time changes inside of a step.
     #[error(
-        "the Hamiltonian changes its formula at t = {time}, inside of a step of {h}, which costs the order: choose a step that \
-         ends there", time = Number(*time), h = Number(*h))]
+        "H changes its formula at t = {time}, within a step of {h}, which reduces the order\nhelp: choose a step that \
+         ends at this time",
+        time = Number(*time), h = Number(*h)
+    )]
     EdgeInside {
         /// When.
         time: f64,
@@ -43,36 +48,36 @@ pub enum CheckError {
         h: f64,
     },
     /// The method takes steps of its own.
-    #[error("{method} covers a step by steps of its own, so that its errors follow a tolerance and show no order")]
+    #[error("{method} chooses its own steps, so its errors follow a tolerance and have no order")]
     NoOrder {
         /// The name of the method.
         method: &'static str,
     },
     /// Deviations grow beyond the root of the largest number, where no eigenvalues are computed.
-    #[error("deviations grow by more than 1e150 within {steps} steps: take a shorter period")]
+    #[error("deviation vectors grow by more than 1e150 within {steps} steps\nhelp: choose a shorter period")]
     Growth {
         /// The steps of the period.
         steps: u64,
     },
     /// A measured quantity is NaN where the motion is finite.
-    #[error("{what} is NaN where the energies are finite: they have no finite derivatives there")]
+    #[error("{what} is NaN, although the energies are finite\nnote: the energies have no finite derivatives there")]
     NotFinite {
         /// The name of the quantity.
         what: &'static str,
     },
     /// The Hamiltonian depends on time, so its energy is not conserved.
-    #[error("the Hamiltonian reads the time, so that its energy is not conserved and says nothing about the stepper")]
+    #[error("H depends on time, so its energy is not conserved and does not test the stepper")]
     NotAutonomous,
     /// What is measured belongs to `T(p) + V(q)`, and the Hamiltonian is split into other parts.
-    #[error("{what} is known for T(p) + V(q) alone, and this Hamiltonian is split into other parts")]
+    #[error("{what} is available for H = T(p) + V(q) only, and this H is split into other parts")]
     NotSeparable {
         /// What is measured.
         what: &'static str,
     },
     /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
     #[error(
-        "{energy} changes by {dual:.4e} per unit of coordinate {index} according to duals, but by {difference:.4e} +- \
-         {uncertainty:.1e} according to central differences: it has a kink or a jump here, where no gradient exists"
+        "{energy} has a kink or a jump here: its derivative by coordinate {index} is {dual:.4e} by dual numbers, but \
+         {difference:.4e} ± {uncertainty:.1e} by central differences"
     )]
     NotDifferentiable {
         /// `T` or `V`.
@@ -88,16 +93,16 @@ pub enum CheckError {
     },
     /// An invariant does not change with any coordinate.
     #[error(
-        "the invariant `{name}` changes with no coordinate at a state of the orbit, so that nothing can be said of it"
+        "the gradient of the invariant `{name}` is zero at a state of the orbit, so its conservation cannot be tested"
     )]
     ConstantInvariant {
         /// The name of the function.
         name: &'static str,
     },
-    /// At no state could the generated code be held against the user's functions.
+    /// At no state could the generated code be compared with the user's functions.
     #[error(
-        "none of {left_out} comparisons with your own functions could be made: they have kinks or jumps wherever the orbit \
-         was looked at, or no value"
+        "none of {left_out} comparisons with your own functions was possible\nnote: they have kinks, jumps or no finite \
+         value at all sampled states of the orbit"
     )]
     NothingToCompare {
         /// The number of states that were tried.
@@ -112,7 +117,7 @@ pub enum CheckError {
         coordinates: usize,
     },
     /// The run is too short for what is measured.
-    #[error("{steps} steps are too few to measure anything: at least {needed} are needed")]
+    #[error("{steps} steps are too few for a measurement, which requires at least {needed}")]
     TooFewSteps {
         /// The number of steps of the run.
         steps: u64,
@@ -121,8 +126,10 @@ pub enum CheckError {
     },
     /// One step parts deviation vectors by more than numbers have digits.
     #[error(
-        "neighbours part by a factor of {factor:.1e} within one step of {step}, more than numbers have digits, so that the smaller \
-         exponents are lost: take a step of {shorter:.2e} or less", step = Number(*step))]
+        "within one step of {step}, deviation vectors grow differently by a factor of {factor:.1e}, which exceeds the \
+         precision\nhelp: use a step of at most {shorter:.2e}\nnote: the smaller exponents are lost to rounding",
+        step = Number(*step)
+    )]
     LongForExponents {
         /// The step.
         step: f64,
@@ -133,9 +140,11 @@ pub enum CheckError {
     },
     /// The exact motion is not known well enough to hold a run against it.
     #[error(
-        "over a time of {span} the exact motion is known to {uncertainty} of the way it goes, at best: it leads into a \
-         singularity, or for too long; shorten the time, or let `#[hamiltonian(taylor)]` write recurrences for a better \
-         reference", span = Number(*span), uncertainty = Number(*uncertainty))]
+        "over a time of {span}, the exact motion is known only to {uncertainty} of its size\nhelp: choose a shorter \
+         time, or write `#[hamiltonian(taylor)]`, which gives a better reference\nnote: the motion leads into a \
+         singularity, or the time is too long",
+        span = Number(*span), uncertainty = Number(*uncertainty)
+    )]
     NoReference {
         /// The time.
         span: f64,

@@ -1,5 +1,5 @@
 //! The measurements of a certificate without types: all that is compiled for a system, a method, a start and a step is
-//! behind one trait.
+//! under one trait.
 
 use crate::{
     check::{
@@ -53,11 +53,11 @@ pub(crate) trait Measurable {
     /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
 
-    /// The first jump of an energy in so many steps of `h`, or in those before the state leaves the finite numbers: an unstable
+    /// The first jump of an energy in so many steps of `h`, or in those before the state diverges: an unstable
     /// motion that follows its equations until then is no reason to refuse a certificate.
     fn jump(&self, h: f64, steps: u64) -> Result<Option<Jump>, CheckError>;
 
-    /// How far invariants stray in so many steps of `h`.
+    /// The deviation of invariants in this number of steps of `h`.
     fn strayed(&self, h: f64, steps: u64) -> Result<Strayed, CheckError>;
 
     /// The stability of the steps beside the `limit`.

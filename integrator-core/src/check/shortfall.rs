@@ -44,7 +44,8 @@ pub enum Shortfall {
     /// The method does not claim to be symplectic. A step that is accurate to the rounding leaves no defect to be
     /// measured.
     #[error(
-        "{method} is not symplectic: a small defect shows that this step is accurate, and nothing about longer ones"
+        "{method} is not symplectic\nnote: a small defect shows that this step is accurate, and says nothing about \
+         longer steps"
     )]
     NotSymplectic {
         /// The name of the method.
@@ -52,8 +53,8 @@ pub enum Shortfall {
     },
     /// The observed order is lower than the claimed one.
     #[error(
-        "observed order {observed:.2} falls short of the claimed order {claimed}: the sequence has another order, or the motion \
-         is faster than these steps resolve, which shorter ones show"
+        "observed order {observed:.2} falls short of the claimed order {claimed}\nhelp: use a smaller step if the motion \
+         is faster than these steps resolve\nnote: otherwise, the sequence has another order"
     )]
     Order {
         /// The slope.
@@ -62,11 +63,9 @@ pub enum Shortfall {
         claimed: u32,
     },
     /// The order holds up to a time only.
-    #[error(
-        "order {claimed} was observed only up to t = {}: {}", Number(readable(*time)), Shrinking(*observed)
-    )]
+    #[error("order {claimed} was observed only up to t = {}: beyond it, {}", Number(readable(*time)), Shrinking(*observed))]
     OrderLost {
-        /// The time at which it is lost.
+        /// The time up to which the order was observed.
         time: f64,
         /// The power of the step with which errors shrink there.
         observed: f64,
@@ -75,8 +74,8 @@ pub enum Shortfall {
     },
     /// A composition that claims symmetry does not come back.
     #[error(
-        "a run forward and back ends {distance:.1e} from its start, \
-         where a symmetric composition ends within {tolerance:.1e}"
+        "a run forward and back ends {distance:.1e} from its start, but a symmetric composition ends within \
+         {tolerance:.1e}"
     )]
     Reversibility {
         /// The relative distance.
@@ -84,24 +83,25 @@ pub enum Shortfall {
         /// The distance that rounding explains.
         tolerance: f64,
     },
-    /// The energy strays so far that the motion is another one.
+    /// The energy error is so large that the run follows another orbit.
     #[error(
-        "the energy strays by {:.2} of the largest kinetic energy (or that of the first part), and in the mean by {:.2} of \
-         the mean one, in {} steps of {}: the step is too coarse, or wrong",
-        Number(.0.deviation), Number(.0.mean_deviation / .0.mean_kinetic), .0.steps, Number(.0.step)
+        "in {} steps of {}, the energy deviates by {:.2} of the largest kinetic energy (or that of the first part), and \
+         in the mean by {:.2} of the mean one\nhelp: use a smaller step",
+        .0.steps, Number(.0.step), Number(.0.deviation), Number(.0.mean_deviation / .0.mean_kinetic)
     )]
     EnergyLost(EnergyDrift),
     /// The energy has a trend.
     #[error(
-        "the energy drifts: it strays by {:.1e} of the kinetic energy (or that of the first part) in {} steps of {}, \
-         and {:.1e} of it are a trend",
-        .0.deviation, .0.steps, Number(.0.step), .0.drift()
+        "the energy drifts: in {} steps of {}, it deviates by {:.1e} of the kinetic energy (or that of the first part), \
+         with a trend of {:.1e}",
+        .0.steps, Number(.0.step), .0.deviation, .0.drift()
     )]
     EnergyDrift(EnergyDrift),
-    /// The energy strays by more than steps of half the length and the order explain.
+    /// The energy error does not shrink with the step as the order predicts.
     #[error(
-        "the energy strays by {:.1e} of the kinetic energy (or that of the first part) in steps of {}, and by \
-         {:.1e} in steps of {}, where an order of {order} explains a factor of about {}: the step is too coarse, or the energy jumps",
+        "the energy deviates by {:.1e} of the kinetic energy (or that of the first part) in steps of {}, and by {:.1e} \
+         in steps of {}, but order {order} explains a factor of about {}\nhelp: use a smaller step\nnote: the step is \
+         too large for this motion, or the energy jumps",
         .drift.deviation, Number(.drift.step), .finer.deviation, Number(.finer.step), 1_u64 << (*order).min(63)
     )]
     EnergyNotExplained {
@@ -114,8 +114,9 @@ pub enum Shortfall {
     },
     /// An energy jumps along the orbit.
     #[error(
-        "`{function}` jumps by {by:.1e} near t = {time}, at {state:?} (positions first): there is no force of a jump, and no step \
-         that crosses it belongs to this energy. Replace it by a smooth transition, or choose an orbit that does not cross it",
+        "`{function}` jumps by {by:.1e} near t = {time}, at {state:?} (positions first)\nhelp: replace the jump by a \
+         smooth transition, or choose an orbit that does not cross it\nnote: a jump has no force, so a step across it \
+         does not conserve this energy",
         time = Number(*time)
     )]
     EnergyJumps {
@@ -125,19 +126,20 @@ pub enum Shortfall {
         by: f64,
         /// The time, up to a few steps.
         time: f64,
-        /// The state behind the jump, positions first.
+        /// The state after the jump, positions first.
         state: Vec<f64>,
     },
     /// The second part of H is not small, and the composition claims its orders for a small one.
     #[error(
-        "the second part of H is {:.1e} of the first or of both together, where the orders {} are claimed for a small one: these \
-         parts should be taken by a composition for any two parts, or H split so that its second part is small",
+        "the second part of H is {:.1e} of the first or of both together, but the orders {} are claimed for a small \
+         second part\nhelp: use a composition for any two parts, or split H so that its second part is small",
         .0.size, Orders(.0.orders)
     )]
     NotSmall(SecondPart),
     /// A flow is not that of its energy.
     #[error(
-        "gradient error {error:.1e} exceeds the rounding tolerance {tolerance:.1e}: the flows are not those of T and V"
+        "gradient error {error:.1e} exceeds the rounding tolerance {tolerance:.1e}\nnote: the flows are not those of T \
+         and V"
     )]
     Gradient {
         /// The relative error.
@@ -147,8 +149,8 @@ pub enum Shortfall {
     },
     /// The flow of a part of H is none, or is not that of its energy.
     #[error(
-        "the flow of `{part}` {law}: {error:.1e} off, where {tolerance:.1e} are explained (t = {time}, a duration of \
-         {duration:.1e}): a flow of your own is wrong, or the part was misread",
+        "the flow of `{part}` {law}: the error is {error:.1e}, and the tolerance {tolerance:.1e} (t = {time}, duration \
+         {duration:.1e})\nhelp: check your own `#[flow]`; if there is none, please report this part as a bug",
         time = Number(*time)
     )]
     Flow {
@@ -169,8 +171,9 @@ pub enum Shortfall {
     },
     /// What is said to be conserved is not.
     #[error(
-        "`{}` is no invariant: its Poisson bracket with H is {:.1e} of the terms that should cancel, where it is conserved if and \
-         only if the bracket is zero. Look at its formula, and at what in H breaks the symmetry behind it", .0.name, .0.bracket
+        "`{}` is not conserved: its Poisson bracket with H is {:.1e} of the terms that should cancel\nhelp: check its \
+         formula, and whether H has the symmetry\nnote: a function is conserved if and only if this bracket is zero",
+        .0.name, .0.bracket
     )]
     NotInvariant(InvariantDrift),
     /// A function of the user's is not what the generated code computes.
@@ -179,14 +182,15 @@ pub enum Shortfall {
     /// A derivative of the generated code is not that of the user's function: a derivative that is stated by
     /// `#[derivative]` is wrong, or the function was misread.
     #[error(
-        "{} is {stated} by differences and {generated} in the generated code, where {tolerance:.1e} are explained \
-         (t = {time}): look at the derivatives that `#[derivative]` states; if there are none, `{function}` is misread",
+        "{} is {stated} by differences, but {generated} in the generated code (t = {time})\nhelp: check the derivatives \
+         that `#[derivative]` states; if there are none, please report `{function}` as a bug\nnote: the tolerance is \
+         {tolerance:.1e}",
         derivative(function, *order), stated = Number(*stated), generated = Number(*generated), time = Number(*time)
     )]
     Derivative {
         /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
         function: &'static str,
-        /// 1 for a force or a velocity, held against the function itself; 2 for the tangent of these, held against
+        /// 1 for a force or a velocity, compared with the function itself; 2 for the tangent of these, compared with
         /// them.
         order: u32,
         /// The derivative by differences.
@@ -230,7 +234,7 @@ impl fmt::Display for Lines<'_> {
         let mut reported: Vec<String> = Vec::new();
         for shortfall in self.0 {
             let Shortfall::Unmeasured { reason, .. } = shortfall else {
-                write!(f, "\n  {shortfall}")?;
+                write!(f, "\n  {}", indented(shortfall))?;
                 continue;
             };
             // Reasons that hold a NaN differ from themselves, but their texts do not.
@@ -238,7 +242,7 @@ impl fmt::Display for Lines<'_> {
             if !reported.contains(&reason) {
                 let same = |other: &&Shortfall| matches!(other, Shortfall::Unmeasured { reason: of, .. } if of.to_string() == reason);
                 let checks: Vec<&str> = self.0.iter().filter(same).filter_map(Shortfall::check).collect();
-                write!(f, "\n  {} could not be measured: {reason}", list(&checks))?;
+                write!(f, "\n  {} could not be measured: {}", list(&checks), indented(&reason))?;
                 reported.push(reason);
             }
         }
@@ -246,19 +250,24 @@ impl fmt::Display for Lines<'_> {
     }
 }
 
-/// How errors shrink where the order is lost.
+/// A message below a heading: its advice is indented further.
+fn indented(message: &impl fmt::Display) -> String {
+    message.to_string().replace('\n', "\n    ")
+}
+
+/// How errors scale after the time up to which the order was observed.
 struct Shrinking(f64);
 
 impl fmt::Display for Shrinking {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(observed) = self;
         if observed.is_nan() {
-            return f.write_str("beyond it, runs of all step sizes diverge");
+            return f.write_str("runs of all step sizes diverge");
         }
         write!(
             f,
-            "beyond it, the error scales as h^{observed:.1}, which is typical of a kink, a jump or a cutoff of the \
-             potential; if the motion is much faster there, a shorter step restores the order"
+            "the error scales as h^{observed:.1}\nhelp: use a smaller step if the motion is much faster there\nnote: this \
+             is typical of a kink, a jump or a cutoff of the potential"
         )
     }
 }

@@ -75,7 +75,7 @@ pub(crate) enum Between {
     Nothing,
     /// Flows between drifts and kicks.
     Flows,
-    /// Flows around each kick, half of its duration before it and half behind.
+    /// Flows around each kick, half of its duration before it and half after it.
     Pair,
 }
 

@@ -1,6 +1,6 @@
 //! A batch: neighbouring members of an ensemble in the lanes of motions.
 //!
-//! Always true: the lanes hold the members that are under way, in their order and without a gap; what remains of the
+//! Always true: the lanes hold the members that are in progress, in their order and without a gap; what remains of the
 //! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
 #[cfg(feature = "checkpoint")]
@@ -30,7 +30,7 @@ pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;
 #[derive(Clone)]
 pub(crate) struct Batch {
     first: usize,
-    /// The last states of the members that are no longer under way.
+    /// The last states of the members that are no longer in progress.
     finished: Vec<Option<Finish>>,
     /// The index in `finished` of the member in each lane.
     lanes: Vec<usize>,
@@ -143,7 +143,7 @@ impl Batch {
         Some((self.first + index, divergence?))
     }
 
-    /// The members that are lost in a block from `clock`, which the engine took to states that are not all finite.
+    /// The members that fail in a block from `clock`, in which the engine reached states that are not all finite.
     fn lost(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         let mut lost = Vec::new();
         for lane in 0..self.lanes.len() {
@@ -156,7 +156,7 @@ impl Batch {
     }
 
     /// Takes a block of steps in which a function of the user panicked again, from the snapshot, with each member on
-    /// its own: those for whom it panics finish before that step. Returns those that are lost.
+    /// its own: those for whom it panics finish before that step. Returns those that fail.
     fn one_by_one(&mut self, clock: Clock, block: u64, panics: &Panics) -> Vec<(usize, Divergence)> {
         let (mut indices, mut engines, mut lost) = (Vec::new(), Vec::new(), Vec::new());
         for lane in 0..self.lanes.len() {
@@ -188,7 +188,7 @@ impl Batch {
         Replay { taken, engine, panicked: end.is_none() }
     }
 
-    /// Tests whether the members that are under way go on; `completed` holds the ends of their steps.
+    /// Tests whether the active members continue; `completed` holds the ends of their steps.
     fn test(&mut self, request: &AdvanceRequest, clock: Clock) {
         let completed = &*self.engine.completed;
         let shown = shown(completed, self.since_opened(clock));
@@ -237,7 +237,7 @@ impl Batch {
         self.first
     }
 
-    /// Advances the members that are under way, and returns those that diverge or whose energies stray.
+    /// Advances the active members, and returns those that diverge or exceed the bound on their energy.
     pub(crate) fn advance(&mut self, request: &AdvanceRequest) -> Ended {
         let (mut done, mut ended) = (0, Ended::default());
         while done < request.steps && !self.lanes.is_empty() {
@@ -250,7 +250,7 @@ impl Batch {
                     ended.lost.extend(self.lost(before, block, request.panics));
                     ended.strayed.extend(self.strayed(request, before));
                 }
-                // Where the others began is not kept: the next step looks at them.
+                // The begins of the others' steps are not kept, so the next step computes them.
                 None => ended.lost.extend(self.one_by_one(before, block, request.panics)),
             }
             if request.tests_after(done) {
@@ -261,7 +261,7 @@ impl Batch {
         ended
     }
 
-    /// The number of members under way.
+    /// The number of members in progress.
     pub(crate) fn active(&self) -> usize {
         self.lanes.len()
     }
@@ -277,7 +277,7 @@ impl Batch {
         completed.complete(clock, Some(1));
         let shown = shown(&*completed, clock);
         let mut sample = self.sample.boxed_clone();
-        // The members under way are in the lanes, in their order.
+        // The members in progress are in the lanes, in their order.
         let mut lane = 0;
         for (member, finished) in (self.first..).zip(&self.finished) {
             if let Some(finish) = finished {
@@ -329,12 +329,12 @@ impl Batch {
         }
     }
 
-    /// Whether the time is part of the states of members under way.
+    /// Whether the time is part of the states of members in progress.
     pub(crate) fn is_timed(&self) -> bool {
         !self.lanes.is_empty() && self.engine.motions.elapsed(0).is_some()
     }
 
-    /// A member that is under way, alone.
+    /// A member that is in progress, alone.
     pub(crate) fn alone(&self, member: usize) -> Alone {
         let index = member - self.first;
         let lane = self.lanes.partition_point(|other| *other < index);
@@ -343,7 +343,7 @@ impl Batch {
         Alone { engine, opened: self.opened, opened_at: self.opened_at[index] }
     }
 
-    /// A member alone, from a state in the middle of the step under way.
+    /// A member alone, from a state in the middle of the current step.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn alone_from(&self, member: usize, form: Form, state: &dyn Point) -> Engine {
         Engine::of_member(load_from(&*self.engine.motions, form, vec![(member, state)]), member)
@@ -355,10 +355,10 @@ impl Batch {
         self.compact_lanes();
     }
 
-    /// The state of a member that is under way, and its time since the states were changed where that is part of it.
+    /// The state of a member that is in progress, and its time since the states were changed where that is part of it.
     fn under_way(&self, member: usize, clock: Clock) -> (Box<dyn Point>, Option<[f64; 2]>) {
         let index = member - self.first;
-        // The members before it that are under way are in the lanes before.
+        // The members before it that are in progress are in the lanes before.
         let (lane, motions) = (self.lanes.partition_point(|other| *other < index), &*self.engine.motions);
         let (motion, lane) = (lane / motions.lanes(), lane % motions.lanes());
         let (mut completed, clock) = (copy(motions, motion..motion + 1), self.since_opened(clock));
@@ -369,7 +369,7 @@ impl Batch {
         (state, elapsed(&*completed, shown.as_deref(), lane))
     }
 
-    /// Whether a member is neither lost nor gone.
+    /// Whether a member is active: neither failed nor finished.
     pub(crate) fn is_under_way(&self, member: usize) -> bool {
         self.finished[member - self.first].is_none()
     }
@@ -380,7 +380,7 @@ impl Batch {
         self.opened
     }
 
-    /// Shows all members, in their order: those under way in the middle of the step.
+    /// Shows all members, in their order: those in progress in the middle of the step.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self, form: Form, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
         let (mut sample, mut lane) = (self.sample.boxed_clone(), 0);
@@ -395,7 +395,7 @@ impl Batch {
         }
     }
 
-    /// Goes on from what [`Batch::unfinished`] has shown.
+    /// Continues from what [`Batch::unfinished`] has shown.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn resume(
         &mut self,
@@ -414,7 +414,7 @@ impl Batch {
         self.opened = opened;
     }
 
-    /// Lets the members that are under way go on from these states after so many steps.
+    /// Sets the states of the active members after this number of steps.
     pub(crate) fn restart(&mut self, states: &States, clock: Clock) {
         if self.is_timed() {
             for lane in 0..self.lanes.len() {
@@ -429,7 +429,7 @@ impl Batch {
     }
 }
 
-/// The members at some indices behind the first one, with their states.
+/// The members at some indices after the first one, with their states.
 fn with_states<'s>(first: usize, indices: &[usize], states: &States<'s>) -> Vec<(usize, &'s dyn Point)> {
     indices.iter().map(|index| (first + index, states(first + index))).collect()
 }

@@ -1,4 +1,4 @@
-//! Ensembles as bytes: what all members have in common, and behind it each of them, in the middle of the step under way or,
+//! Ensembles as bytes: the common data of all members, followed by each of them, in the middle of the current step or,
 //! before the first step, as it was given.
 //!
 //! ```text
@@ -41,7 +41,7 @@ struct Record {
 struct Member {
     /// A fingerprint of its prepared constants.
     parameters: u64,
-    /// After how many steps it was lost or gone, and when, if it is.
+    /// The number of steps and the time at which it failed or finished, if it did.
     finished: Option<Finished>,
     q: Vec<f64>,
     p: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Ensembles whose steps are taken elsewhere, as on a device: how members leave one in the middle of the step under way, how
+//! Ensembles whose steps are taken elsewhere, as on a device: how members leave one in the middle of the current step, how
 //! they come back, and what it says of steps that it does not take itself.
 
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the step under way
+/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the current step
 /// unless it is.
 pub type MemberElsewhere<C> = (Option<(u64, f64)>, Phase<C>);
 
@@ -22,7 +22,7 @@ pub struct Elsewhere<C: Coords> {
     pub t0: f64,
     /// The step.
     pub h: f64,
-    /// How many steps those under way have taken.
+    /// How many steps those in progress have taken.
     pub steps: u64,
     /// After how many the states were last changed from outside.
     pub opened: u64,
@@ -40,7 +40,7 @@ pub fn leave<C: Coords>(ensemble: &Ensemble<C>) -> Elsewhere<C> {
     Elsewhere { t0, h, steps, opened: ensemble.members.opened(), members }
 }
 
-/// Lets members go on where steps elsewhere have led them: after so many steps of all, since the states were changed after
+/// Lets members continue where steps elsewhere have led them: after so many steps of all, since the states were changed after
 /// `opened` of them.
 pub fn come_back<C: Coords>(ensemble: &mut Ensemble<C>, steps: u64, opened: u64, members: &[MemberElsewhere<C>]) {
     let clock = Clock { steps, ..ensemble.members.clock };
@@ -79,7 +79,7 @@ pub fn steps_before<C: Coords>(ensemble: &Ensemble<C>, done: u64, time: f64) -> 
     }
 }
 
-/// The numbers of the members that are neither lost nor gone.
+/// The indices of the active members.
 pub fn under_way<C: Coords>(ensemble: &Ensemble<C>) -> Vec<usize> {
     ensemble.members.under_way()
 }
@@ -89,7 +89,7 @@ pub fn energy_in<C: Coords>(ensemble: &Ensemble<C>, member: usize, state: &Phase
     ensemble.members.energies.parts(member, state, time).total
 }
 
-/// The report on a member whose last finite step is that after `steps`, from its state in the middle of the step under way.
+/// The report on a member whose last finite step is that after `steps`, from its state in the middle of the current step.
 ///
 /// # Errors
 /// [`Error::Member`] for a member that there is not.

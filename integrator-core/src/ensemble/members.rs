@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// microseconds each, in which one thread does about so many.
 const WORTH_A_THREAD: u64 = 1 << 17;
 
-/// Where a member ended that is lost or gone.
+/// The end of a failed or finished member.
 #[cfg(feature = "checkpoint")]
 #[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Finished {
@@ -103,7 +103,7 @@ impl Members {
         self.energies.parts(member, state, time).admissible(time).map_err(of_member(member))
     }
 
-    /// Whether a member may go on from a state that was changed from outside.
+    /// Whether a member may continue from a state that was changed from outside.
     ///
     /// # Errors
     /// [`Error::Member`], if it has no energy.
@@ -112,7 +112,7 @@ impl Members {
         if self.starts_unchecked { Ok(()) } else { self.admissible(member, state, self.time_at_step()) }
     }
 
-    /// Lets the members that are under way go on from these states.
+    /// Sets the states from which the active members continue.
     pub(crate) fn restart(&mut self, states: &States) {
         self.between = None;
         for batch in &mut self.batches {
@@ -126,7 +126,7 @@ impl Members {
         self.batches.first().map_or(0, Batch::opened)
     }
 
-    /// Shows all members, in their order: those under way in the middle of the step.
+    /// Shows all members, in their order: those in progress in the middle of the step.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self, visit: &mut dyn FnMut(Option<Finished>, &dyn Point)) {
         let form = Form::after(self.clock.steps - self.opened());
@@ -135,7 +135,7 @@ impl Members {
         }
     }
 
-    /// Goes on from what [`Members::unfinished`] has shown.
+    /// Continues from what [`Members::unfinished`] has shown.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn resume(
         &mut self,
@@ -151,7 +151,7 @@ impl Members {
         }
     }
 
-    /// Takes steps with every member that is under way; after every `interval` of them, each is tested whether it
+    /// Takes steps with every member that is in progress; after every `interval` of them, each is tested whether it
     /// stays.
     ///
     /// # Errors
@@ -190,7 +190,7 @@ impl Members {
         if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 
-    /// Carries on all batches, on as many threads as are worth it, and returns the members that do not go on.
+    /// Advances all batches, on as many threads as are worthwhile, and returns the members that do not continue.
     fn advance_batches(&mut self, request: &AdvanceRequest) -> Ended {
         let threads = self.threads_for(request.steps).min(self.batches.len());
         // Whoever is free takes the next batch; no result depends on who that is.
@@ -235,7 +235,7 @@ impl Members {
         Some((between.time, between.state(member)?))
     }
 
-    /// The members that are neither lost nor gone.
+    /// The members that are neither failed nor finished.
     pub(crate) fn under_way(&self) -> Vec<usize> {
         let mut members = Vec::with_capacity(self.count);
         for (number, batch) in self.batches.iter().enumerate() {
@@ -308,7 +308,7 @@ pub(crate) fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
     move |error| Error::Member { member, error: Box::new(error) }
 }
 
-/// The error for some members of so many that are refused: the first one, where it is the only one or all of them are.
+/// The error for some invalid members of so many: the first one, if it is the only one or all are invalid.
 pub(crate) fn refusal(mut members: Vec<(usize, Error)>, count: usize) -> Error {
     if members.len() > 1 && members.len() < count {
         return Error::Members { members, count };

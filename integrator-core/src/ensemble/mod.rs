@@ -52,7 +52,7 @@ use crate::{
 };
 use std::{fmt, marker::PhantomData, ops::ControlFlow, sync::Arc};
 
-/// The least number of steps in a portion of a call that tells of its progress: reading a member from memory takes about as
+/// The least number of steps in a portion of a call that reports its progress: reading a member from memory takes about as
 /// long as a few of them.
 const FIRST_PORTION: u64 = 32;
 
@@ -191,7 +191,7 @@ impl<C: Coords> Ensemble<C> {
         }
     }
 
-    /// An ensemble of those starts that are not refused, with a look at their energies where it is asked for.
+    /// An ensemble of the valid initial states, with their energies checked if requested.
     ///
     /// # Errors
     /// [`Error::NoMembers`]
@@ -499,7 +499,7 @@ impl<C: Coords> Ensemble<C> {
     /// let members = (1..=10).map(|i| (Pendulum { length: f64::from(i) }, Phase::new([1.0], [0.0])));
     /// let mut swarm = Ensemble::new(Verlet, members, 0.01)?;
     /// swarm.advance(1_000)?;
-    /// let fifth = swarm.run_of(4).expect("under way");
+    /// let fifth = swarm.run_of(4).expect("in progress");
     /// let passages = fifth.crossings(1_000, Direction::Rising, |state, _| state.q[0]);
     /// assert_eq!(passages.count(), 2);
     /// # Ok::<(), Error>(())
@@ -544,7 +544,7 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
     }
 }
 
-/// The parameters of a member, which may begin where it is asked to.
+/// The parameters of a member, at its requested start time.
 ///
 /// # Errors
 /// Those of [`Hamiltonian::run`].

@@ -1,8 +1,8 @@
-//! Ensembles to a given time: whole steps with all members together, and from there each of them alone, on a copy.
+//! Ensembles at a given time: whole steps with all members together, and from there each member alone, on a copy.
 //!
-//! Always true: the ensemble itself stands at the end of a step of all members, none of which lies beyond the time, so that
-//! where it is looked at changes nothing of it. Where members have times of their own, some of them need more steps than
-//! others: these they take on their copies, from which a later look goes on.
+//! Always true: the ensemble itself is at the end of a step of all members, and no member is beyond the time, so reading it
+//! does not change it. In a fictitious time, some members need more steps than others. They take these on their copies,
+//! from which a later reading continues.
 
 use crate::{
     ensemble::{
@@ -37,13 +37,13 @@ use std::{
     },
 };
 
-/// A look at a member takes about as long as so many steps.
+/// Reading a member takes about as long as this number of steps.
 const STEPS_OF_A_LOOK: u64 = 8;
 
 /// What an ensemble shows between its steps: without the type of its coordinates, so that it is compiled once.
 pub(crate) struct Between {
     pub(crate) time: f64,
-    /// What of each member is shown, if it is under way.
+    /// What of each member is shown, if it is in progress.
     members: Vec<Option<Shown>>,
 }
 
@@ -146,7 +146,7 @@ impl<C: Coords> Ensemble<C> {
         }
     }
 
-    /// Every member under way at a time, in their order.
+    /// Every member in progress at a time, in their order.
     fn alone_to(&self, time: f64, before: Option<&Between>, panics: &Panics) -> Vec<(usize, Outcome)> {
         let found = Mutex::new(Vec::new());
         self.members.each(&|member| {
@@ -190,7 +190,7 @@ impl<C: Coords> Ensemble<C> {
         Arc::new(EnergiesOfMember { member, energies: self.members.energies.clone() })
     }
 
-    /// A member that is under way as a run, which stands where the ensemble does.
+    /// A member that is in progress as a run, which stands where the ensemble does.
     pub(super) fn alone(&self, member: usize) -> Option<Run<C>> {
         let members = &self.members;
         let alone = members.batch_of(member)?.alone(member);
@@ -222,7 +222,7 @@ impl<C: Coords> Energies<C> for EnergiesOfMember {
 }
 
 impl Members {
-    /// Takes the whole steps that lead no member beyond a time, and returns the members that are lost on the way.
+    /// Takes the whole steps that lead no member beyond a time, and returns the members that fail.
     ///
     /// # Errors
     /// As [`Ensemble::advance_to`], but for lost members.
@@ -245,8 +245,8 @@ impl Members {
         lost(self.advance(clock.whole_steps_to(time).saturating_sub(clock.steps), u64::MAX, &|_, _| true))
     }
 
-    /// The same where members have times of their own: ever more steps at once, but fewer than would lead one of them there
-    /// at its mean pace of the last ones. Those that lead one beyond the time are taken back.
+    /// The same in a fictitious time: blocks with more and more steps, but fewer than lead one of the members there
+    /// at its mean rate of the last ones. Those that lead one beyond the time are taken back.
     fn steps_in_own_times_to(&mut self, time: f64) -> Result<Vec<(usize, Divergence)>, Error> {
         self.clock.check()?;
         let (mut lost_members, mut block) = (Vec::new(), 1);
@@ -297,7 +297,7 @@ impl Members {
         times
     }
 
-    /// Calls a function with each member under way, on as many threads as are worth it.
+    /// Calls a function with each member in progress, on as many threads as are worth it.
     fn each(&self, function: &(dyn Fn(usize) + Sync)) {
         let (members, next) = (self.under_way(), AtomicUsize::new(0));
         let threads = self.threads_for(STEPS_OF_A_LOOK).min(members.len());
@@ -315,7 +315,7 @@ impl Members {
     }
 }
 
-/// The members that an outcome says are lost.
+/// The failed members of an outcome.
 ///
 /// # Errors
 /// Any other.

@@ -12,11 +12,11 @@ pub(crate) struct AdvanceRequest<'a> {
     pub(crate) clock: Clock,
     /// How many steps to take.
     pub(crate) steps: u64,
-    /// After how many steps each member is tested whether it goes on.
+    /// The number of steps after which each member is tested whether it continues.
     pub(crate) interval: u64,
-    /// Whether the member of this number goes on from this state.
+    /// Whether the member with this index continues from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
-    /// Why the member of this number may not go on from this state after so many steps, where a watch looks at all of them.
+    /// Why the member with this index may not continue from this state after so many steps, if a watch reads all of them.
     pub(crate) strays: Option<&'a Strays<'a>>,
     /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go
     /// on.
@@ -55,7 +55,7 @@ impl AdvanceRequest<'_> {
         done.is_multiple_of(self.interval)
     }
 
-    /// Whether a member goes on from this state; not if the test panics.
+    /// Whether a member continues from this state; not if the test panics.
     pub(crate) fn stays(&self, member: usize, state: &dyn Point) -> bool {
         self.panics.attempt(|| (self.stays)(member, state)).unwrap_or(false)
     }

@@ -75,7 +75,7 @@ impl Members {
         Watch::new(bound, self.energies.parts(member, state, self.time_at_step()))
     }
 
-    /// Lets the watches on some members begin anew from states.
+    /// Restarts the watches on some members from states.
     pub(super) fn watch_anew<'s>(&mut self, members: &[usize], states: &dyn Fn(usize) -> &'s dyn Point) {
         let Some(mut watches) = self.watches.take() else { return };
         for member in members {

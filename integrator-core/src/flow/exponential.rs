@@ -1,7 +1,7 @@
 //! Exponentials of small matrices in double-double, by scaling and squaring.
 //!
 //! In: a square matrix, row by row. Out: `exp(A) - I`, right to about 2^-100 of its norm for each squaring less one bit.
-//! Always true: no eigenvalue is asked for, so that Jordan blocks are as good as others; what is not finite comes out as
+//! Always true: no eigenvalue is computed, so Jordan blocks need no special case; what is not finite comes out as
 //! not a number.
 
 use crate::scalar::{

@@ -34,11 +34,11 @@ pub trait QuadraticPart<const PART: usize> {
     fn derivatives(parameters: &Self, length: usize, form: &mut Form);
 }
 
-/// The matrices of a part that is a quadratic form, for every duration that it was asked for so far. Where no degree of
+/// The matrices of a part that is a quadratic form, for every duration used so far. Where no degree of
 /// freedom couples to another one, whatever the parameters are, and nothing is linear, it is `LONE`.
 ///
-/// Behind a pointer, so that what is asked of it in the loop over stages leaves the coordinates in registers; by default
-/// there are none, and the flow stands still.
+/// Behind a pointer, so that coordinates stay in registers in the loop over stages. By default there are no matrices, and
+/// the flow does not move the state.
 #[derive(Clone)]
 pub struct Quadratic<R, const PART: usize, const LONE: bool>(Option<Box<Matrices<R>>>);
 
@@ -58,7 +58,7 @@ struct Matrices<R> {
 
 impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solver<P> for Quadratic<R, PART, LONE> {
     /// By measurement, two oscillators and a rest, ns per stage in memory and in registers: 16 and 6 where a stage begins with
-    /// a kick, which stores two numbers of four that are then loaded at once, and 7.6 and 10 where it begins with a drift,
+    /// a kick, which stores two numbers of four that are then loaded together, and 7.6 and 10 where it begins with a drift,
     /// as the call for a new duration is prepared for at each stage.
     const IN_REGISTERS: InRegisters = InRegisters::Kicked;
 

@@ -1,7 +1,7 @@
 //! Sums over lists: bonds, angles, dihedrals, and all else whose terms name the coordinates that they are about.
 //!
 //! Comes in: what a term computes, the lists of indices, and the numbers that each term has. Goes out: the sums. A vector of
-//! terms is gathered and computed side by side, and its values are scattered lane by lane. Always true: a coordinate gets its
+//! terms is gathered and computed in lanes, and its values are scattered lane by lane. Always true: a coordinate gets its
 //! addends in the order of the terms, and those of one term in the order of its targets, whatever the width of a vector is;
 //! and so are the bits, where one coordinate is named several times in a vector as well.
 

@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn sums_that_cancel_lose_no_more_than_the_bound() {
-        // Σ (xᵢ - xᵢ₊₁)² expanded, where nearly all cancels; twice the digits tell the truth.
+        // Σ (xᵢ - xᵢ₊₁)² expanded, where nearly all cancels; double-double arithmetic gives the true value.
         fn expanded<R: Real>(x: &[f64]) -> R {
             let [two, mut sum] = [R::of(2.0), R::of(0.0)];
             for pair in x.windows(2) {

@@ -1,8 +1,8 @@
 //! The scalar of exact derivatives: a number and its derivatives along some directions, carried through the very code
 //! that a run executes.
 //!
-//! In: lane 0 is the point, the lanes behind it are directions. Out: lane 0 is the value, with the bits that the code
-//! has without derivatives; the lanes behind it are its derivatives along the directions. Always true: a direction that
+//! In: lane 0 is the point, the lanes after it are directions. Out: lane 0 is the value, with the bits that the code
+//! has without derivatives; the lanes after it are its derivatives along the directions. Always true: a direction that
 //! is not a number, or a derivative that is infinite, comes out as not a number or infinite, never as a plausible
 //! number; at kinks and jumps, of `abs`, `min`, `max` and steps, the derivative is that of one side.
 

@@ -115,7 +115,7 @@ pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
 }
 
 /// Aligns the stack of the function that this is inlined into. The compiler aligns what it spills of registers only where
-/// something in memory asked for it before: else whether such a register lies across two cache lines, whose access takes
+/// something in memory requires it: otherwise, whether such a register lies across two cache lines, whose access takes
 /// twice as long, is decided by the address at which a process finds its stack.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 #[inline(always)]
@@ -155,7 +155,7 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     enter_baseline(kernel)
 }
 
-/// Runs `kernel` as [`enter_fused`] where the machine has what that asks for, and else as [`enter_baseline`], with the
+/// Runs `kernel` as [`enter_fused`] where the machine has what that requires, and otherwise as [`enter_baseline`], with the
 /// same result: for scalars that every machine computes in.
 #[inline]
 pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {

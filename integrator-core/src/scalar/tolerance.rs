@@ -2,7 +2,7 @@
 //!
 //! Always true: NaN if any input is NaN, so that the check fails.
 
-/// Whether `value` is at most `tolerance` in absolute value: the comparison behind every verdict of every check.
+/// Whether `value` is at most `tolerance` in absolute value: the comparison of every verdict of every check.
 ///
 /// A NaN on either side is not within, and neither is anything within a tolerance that is infinite.
 pub(crate) fn within(value: f64, tolerance: f64) -> bool {

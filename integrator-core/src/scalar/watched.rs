@@ -1,4 +1,4 @@
-//! The scalar that tells which way comparisons went: a number in `f64` whose conditions, signs and roundings are noted.
+//! A scalar that records comparisons: an `f64` with a record of its conditions, signs and roundings.
 //!
 //! In: a state. Out: what code does in `f64` at it, and a list of the sides that its comparisons took, in their order.
 //! Always true: values are those of `f64`; between two lists that are alike up to some place, the same comparisons stand.

@@ -47,7 +47,7 @@ impl Clock {
         end
     }
 
-    /// The number of steps done after `asked` more.
+    /// The number of steps after `asked` more.
     ///
     /// # Errors
     /// A clock that did not start at a time, more steps than can be counted, and steps that the clock does not notice.

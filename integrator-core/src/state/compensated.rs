@@ -56,7 +56,7 @@ impl SubAssign<f64> for Compensated<f64> {
     }
 }
 
-/// The number and what it carries. An array, so that coordinates that stand one behind the other are a slice of numbers, which
+/// The number and what it carries. An array, so that consecutive coordinates are a slice of numbers, which
 /// blocks read and write without a register of fewer lanes.
 impl<R: Real> Slot<R> for [R; 2] {
     type Wide = R::Block;

@@ -41,7 +41,7 @@ impl Digest {
     }
 }
 
-/// What the standard library's `Hash` is told is added like everything else.
+/// The input of the standard library's `Hash` is added like everything else.
 impl Hasher for Digest {
     fn write(&mut self, bytes: &[u8]) {
         bytes.iter().for_each(|byte| self.word(u64::from(*byte)));

@@ -1,4 +1,4 @@
-//! Coordinates that are planes of sites, one behind the other.
+//! Coordinates in consecutive planes of sites.
 
 use crate::{
     scalar::real::Real,

@@ -1,4 +1,4 @@
-//! Points of phase space behind a pointer, whatever their shape: engines are compiled for these, once.
+//! Points of phase space behind a pointer, of any shape: engines are compiled once for these.
 
 use crate::{
     error::Divergence,

@@ -10,7 +10,7 @@ use core::fmt::Debug;
 
 /// The storage of a coordinate that is computed in `R`.
 pub trait Slot<R: Real>: Copy + Send + Sync + 'static {
-    /// The block of consecutive coordinates that are computed at once.
+    /// The block of consecutive coordinates that are computed together.
     type Wide: Block<R>;
 
     /// An empty slot, to be filled.

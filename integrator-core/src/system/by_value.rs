@@ -1,5 +1,4 @@
-//! Numbers that the text of a system gives, or refers to: which of both a pattern or a call of the user's does, only its type
-//! tells.
+//! Numbers or references to numbers in the code of a system. Only the type of a pattern or call of the user decides which.
 
 /// A number, or a reference to one.
 pub trait ByValue {

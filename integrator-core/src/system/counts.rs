@@ -14,7 +14,7 @@ pub struct OwnSteps {
     pub shortest: f64,
     /// The longest, zero before the first one.
     pub longest: f64,
-    /// The length of the step under way, infinite where its polynomial is the motion at all times; `None` where no polynomial is
+    /// The length of the current step, infinite where its polynomial is the motion at all times; `None` where no polynomial is
     /// expanded yet.
     pub under_way: Option<f64>,
 }
@@ -35,8 +35,8 @@ impl fmt::Display for OwnSteps {
         }
         match under_way {
             None => Ok(()),
-            Some(f64::INFINITY) => write!(f, ", the polynomial under way is the motion at all times"),
-            Some(length) => write!(f, ", one of {} under way", Number(length)),
+            Some(f64::INFINITY) => write!(f, ", the current polynomial is valid at all times"),
+            Some(length) => write!(f, ", the current one is {}", Number(length)),
         }
     }
 }

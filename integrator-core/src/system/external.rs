@@ -33,7 +33,7 @@ type Moves = dyn Fn(&mut [f64], &mut [f64], f64) + Send + Sync;
 
 /// Moves the slots of positions and of momenta by a flow of the user, member by member.
 ///
-/// Slots get the difference, so that those that carry rounding errors go on to do so. What a scalar has behind
+/// Slots get the difference, so that those that carry rounding errors keep them. What a scalar has after
 /// the value of a member, derivatives or a rounding error, is moved by extrapolated differences along it.
 pub fn own_flow<R: Real, C: Coords>(q: &mut C::Slots<R>, p: &mut C::Slots<R>, flow: &OwnFlow, duration: f64) {
     let lanes = || C::slots(q).iter().chain(C::slots(p)).map(|slot| slot.value());

@@ -31,7 +31,7 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn not_finite(_single: &Self::Single) -> Vec<NotFinite> {
         Vec::new()
     }
-    /// Sets the time at which conditions are read: the middle of the step under way.
+    /// Sets the time at which conditions are read: the middle of the current step.
     fn begin_step(&mut self, _middle: f64) {}
     /// Adds the constants to a fingerprint.
     fn digest(_single: &Self::Single, _digest: &mut Digest) {}
@@ -71,15 +71,15 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn load_own(constants: &[&P], states: &[&Phase<C>]) -> Self {
         Self::load(constants, states)
     }
-    /// One member per lane, each from a lane of another motion, and from there on as it would have gone on there;
-    /// `None` where one that is loaded from the states does.
+    /// One member per lane, each from a lane of another motion, and it continues as it would have there;
+    /// `None` if a motion that is loaded from the states continues in the same way.
     fn gathered<'a>(_of_lane: &dyn Fn(usize) -> (&'a P, &'a Self, usize)) -> Option<Self>
     where
         P: 'a,
     {
         None
     }
-    /// Takes over what states do not tell, for each lane from a lane of another motion.
+    /// Takes over what states do not contain, for each lane from a lane of another motion.
     fn take_over<'a>(&mut self, _of_lane: &dyn Fn(usize) -> (usize, &'a Self))
     where
         Self: Sized + 'a,
@@ -87,7 +87,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Writes the state of one lane: that which was loaded, to the last bit, until the first flow.
     fn store(&self, lane: usize, to: &mut Phase<C>);
-    /// Writes the state of one lane in the coordinates of the motion itself: what it goes on from, to the last bit.
+    /// Writes the state of one lane in the coordinates of the motion itself, from which it resumes bitwise.
     fn store_own(&self, lane: usize, to: &mut Phase<C>) {
         self.store(lane, to);
     }
@@ -101,7 +101,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn found(&self) -> Option<Found> {
         None
     }
-    /// Goes on with what another motion with the same constants has found out.
+    /// Continues with what another motion with the same constants has found out.
     fn use_found(&mut self, _found: &Found) {}
     /// Sets the number of threads, or all that the machine has, where a layout distributes its work.
     fn share_among(&mut self, _threads: Option<usize>) {}
@@ -118,7 +118,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn beside(&self) -> Option<Beside> {
         None
     }
-    /// Goes on with what a single trajectory had beside its state.
+    /// Continues with what a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, _beside: &Beside) {}
     /// What a single trajectory has counted of its steps, where they count anything.

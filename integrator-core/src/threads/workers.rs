@@ -22,10 +22,10 @@ use std::{
 /// How long a thread waits awake: longer than what one thread does alone between two kicks of some thousand bodies.
 const AWAKE: Duration = Duration::from_micros(50);
 
-/// How often it looks for a message before it asks what time it is.
+/// How often it checks for a message before it reads the clock.
 const LOOKS: usize = 64;
 
-/// A thread that takes one job after the other, and tells how each of them ended.
+/// A thread that runs one job after the other and reports how each of them ended.
 struct Worker {
     jobs: Sender<Job<'static>>,
     outcomes: Receiver<thread::Result<()>>,
@@ -57,7 +57,7 @@ impl Worker {
     }
 }
 
-/// Waits for the next job of a worker; none where nobody has one for a while.
+/// Waits for the next job of a worker; returns none if no job arrives for a while.
 fn next_job(jobs: &Receiver<Job<'static>>, asleep: &Arc<AtomicBool>) -> Option<Job<'static>> {
     if let Some(job) = soon(jobs) {
         return Some(job);
@@ -103,10 +103,10 @@ impl HandedOver {
         Self { workers: Vec::with_capacity(workers), panics: Vec::new() }
     }
 
-    /// Hands a job over, or does it where nobody can take it.
+    /// Hands a job over, or runs it here if no worker is free.
     #[allow(unsafe_code, reason = "workers outlive what a job borrows, and end it before")]
     pub(super) fn hand_over(&mut self, job: Job<'_>) {
-        // A statement of its own, so that nobody waits for the lock while a thread starts.
+        // A separate statement, so that no thread waits for the lock while a thread starts.
         let waiting = waiting().pop();
         let Some(worker) = waiting.or_else(Worker::start) else { return job() };
         // SAFETY: The types differ in a lifetime alone. The worker drops the job before it tells how the job ended, and `wait`,
@@ -200,7 +200,7 @@ mod tests {
         assert_eq!(count.into_inner(), 9);
     }
 
-    /// Panics when it is dropped, unless a panic is under way.
+    /// Panics when it is dropped, unless a panic is in progress.
     struct PanicsOnDrop;
 
     impl Drop for PanicsOnDrop {

@@ -61,7 +61,7 @@ pub(crate) fn admissible_with<H: Hamiltonian, C: Coords>(
     admissible(start, h)
 }
 
-/// Changes the state of a run under way from outside.
+/// Changes the state of a run in progress from outside.
 ///
 /// # Errors
 /// As [`admissible`]; another number of coordinates.

@@ -13,7 +13,7 @@ use crate::{
 };
 use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
 
-/// What a trajectory carries beside its state, in lanes behind those of the state.
+/// The data of a trajectory besides its state, in the lanes after those of the state.
 pub(crate) trait Carried {
     /// The scalar for a state in `R` and what it carries.
     type In<R: Real>: Real;
@@ -58,7 +58,7 @@ pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     }
 }
 
-/// The engine of a trajectory, for the instruction set of this machine; behind the start what it carries, and behind its
+/// The engine of a trajectory, for the instruction set of this machine; after the start what it carries, and after its
 /// constants, where these lead along parameters, the derivatives of the constants.
 pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     method: X,

@@ -1,5 +1,5 @@
-//! Runs of which something else knows a part of the state: what they have in the middle of the step under way, for whoever
-//! moves a slab of a long lattice and learns its ends from others.
+//! Runs of which something else knows a part of the state: what they have in the middle of the current step, for a
+//! slab of a long lattice, which receives its ends from others.
 
 use crate::{
     state::{coords::Coords, phase::Phase},
@@ -10,7 +10,7 @@ use crate::{
 };
 use core::slice;
 
-/// The state of a run in the middle of the step under way.
+/// The state of a run in the middle of the current step.
 pub fn unfinished<C: Coords>(run: &Run<C>) -> Phase<C> {
     run.unfinished_lane(0)
 }
@@ -28,7 +28,7 @@ pub fn began<C: Coords>(run: &Run<C>) -> (f64, u64) {
     (run.clock.t0, run.opened)
 }
 
-/// Lets a run go on from such a state after so many steps, since its state was changed after `opened` of them.
+/// Sets the state of a run after this number of steps, since its state was changed after `opened` of them.
 pub fn go_on_from<C: Coords>(run: &mut Run<C>, steps: u64, opened: u64, state: &Phase<C>) {
     run.show_step();
     (run.clock.steps, run.opened) = (steps, opened);

@@ -31,7 +31,7 @@ pub(crate) struct Engine {
     completed_at: Option<Clock>,
     /// The number of the member that a single trajectory is; nought for a run.
     member: usize,
-    /// Whether the constants of what a trajectory carries are those behind its own, as many as it has lanes.
+    /// Whether the constants of the additional lanes of a trajectory come after its own, as many as it has lanes.
     carries_constants: bool,
     /// How many threads may share a long lattice or the pairs of many bodies, if not all.
     pub(crate) threads: Option<usize>,
@@ -63,7 +63,7 @@ impl Engine {
     ///
     /// # Panics
     /// Where the user's functions do. The count and the motion are then at the last step before that one, as they are
-    /// where steps lead out of the finite numbers. Without `std` they are where the block of steps began.
+    /// where steps diverge. Without `std` they are where the block of steps began.
     pub(crate) fn advance(&mut self, mut clock: Clock, steps: u64, taken: &mut u64) {
         let end = clock.steps + steps;
         while clock.steps < end {
@@ -95,7 +95,7 @@ impl Engine {
         }
     }
 
-    /// Takes a block step by step, and counts the steps up to the first that leads out of the finite numbers: what left
+    /// Takes a block step by step, and counts the steps up to the first whose state is not finite: what left
     /// them never returns, since updates only add.
     pub(crate) fn replay(&mut self, clock: Clock, steps: u64, taken: &mut u64) -> bool {
         for step in 0..steps {
@@ -125,7 +125,7 @@ impl Engine {
         self.completed.finite(self.threads)
     }
 
-    /// Completes the step under way on a copy.
+    /// Completes the current step on a copy.
     pub(crate) fn complete(&mut self, clock: Clock) {
         self.completed.copy_states(&*self.motions, self.threads);
         self.completed.complete(clock, self.threads);
@@ -144,7 +144,7 @@ impl Engine {
         self.motions.copy_states(motions, self.threads);
     }
 
-    /// Goes on with as many motions from other states of the same size, at the beginning of a clock.
+    /// Continues with as many motions from other states of the same size, at the beginning of a clock.
     pub(crate) fn restart(&mut self, members: Vec<(usize, &dyn Point)>) {
         // The copies take over what they need of these before they are read.
         let found = self.motions.found();
@@ -161,7 +161,7 @@ impl Engine {
         if self.carries_constants { lane } else { self.member }
     }
 
-    /// Goes on with what [`Engine::unfinished`] has written of a state, and of what it carries beside.
+    /// Continues with what [`Engine::unfinished`] has written of a state, and of what it carries beside.
     pub(crate) fn resume(&mut self, form: Form, lanes: &[&dyn Point]) {
         let mut motions = self.motions.none(self.motions.count());
         let lanes = lanes.iter().enumerate();
@@ -174,7 +174,7 @@ impl Engine {
         self.completed_at = None;
     }
 
-    /// Writes a lane in the middle of the step under way: what it goes on from, to the last bit.
+    /// Writes a lane in the middle of the current step, from which it resumes bitwise.
     pub(crate) fn unfinished(&self, form: Form, lane: usize, to: &mut dyn Point) {
         match form {
             Form::Given => self.motions.store(lane, to),
@@ -182,12 +182,12 @@ impl Engine {
         }
     }
 
-    /// Writes the state of a trajectory: with the step under way completed, while the motions stay where they are.
+    /// Writes the state of a trajectory: with the current step completed, while the motions stay where they are.
     pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, 0, to));
     }
 
-    /// Writes what a trajectory carries in a lane, with the step under way completed.
+    /// Writes what a trajectory carries in a lane, with the current step completed.
     pub(crate) fn lane(&self, clock: Clock, lane: usize, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, lane, to));
     }
@@ -200,12 +200,12 @@ impl Engine {
     /// The time of a trajectory since its motion was loaded, or what it carries in a lane beside it, and its rounding error,
     /// where it is part of the state.
     pub(crate) fn elapsed(&self, clock: Clock, lane: usize) -> Option<[f64; 2]> {
-        // Most have no such time, and a look at it would complete a step.
+        // Most have no such time, and reading it would complete a step.
         self.motions.elapsed(lane)?;
         self.read(clock, |completed, shown| elapsed(completed, shown, lane))
     }
 
-    /// Reads a trajectory with the step under way completed.
+    /// Reads a trajectory with the current step completed.
     pub(crate) fn read<T>(&self, clock: Clock, read: impl FnOnce(&dyn Motions, Option<&dyn Motions>) -> T) -> T {
         let again;
         let completed = if self.completed_at == Some(clock) {
@@ -264,7 +264,7 @@ impl Engine {
     }
 }
 
-/// Steps under way. Unless they end in finite numbers, the motions go back, also where a function of the user panics.
+/// Steps in progress. Unless they end in finite numbers, the motions go back, also where a function of the user panics.
 struct Attempt<'e> {
     engine: &'e mut Engine,
     finite: bool,

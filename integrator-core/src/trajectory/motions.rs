@@ -34,9 +34,9 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn none(&self, room: usize) -> Box<dyn Motions>;
     /// Adds a motion of members, one in each lane, from their states in this form.
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
-    /// Adds a motion with members from lanes of others, if their states do not tell all of it; else adds nothing.
+    /// Adds a motion with members from lanes of others, if their states do not determine it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
-    /// Gives the last motion what states do not tell, from lanes of others.
+    /// Gives the last motion what states do not contain, from lanes of others.
     fn take_over(&mut self, lanes: &[Lane]);
     /// Adds a copy of one of others.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
@@ -44,7 +44,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn copy_states(&mut self, from: &dyn Motions, threads: Option<usize>);
     /// Takes so many steps, on so many threads or all that the machine has.
     fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>);
-    /// Completes the step under way, on so many threads or all that the machine has.
+    /// Completes the current step, on so many threads or all that the machine has.
     fn complete(&mut self, clock: Clock, threads: Option<usize>);
     /// Whether the states that are shown at the ends of completed steps differ from these.
     fn shows(&self) -> bool;
@@ -54,7 +54,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn finite(&self, threads: Option<usize>) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
-    /// Writes the sums of the squares of the vectors behind all states, one for each state, by way of a point of their
+    /// Writes the sums of the squares of the vectors after all states, one for each state, by way of a point of their
     /// shape; `false`, where they are to be had from the lanes alone.
     #[cfg(feature = "check")]
     fn squares(&self, point: &mut dyn Point, squares: &mut [f64]) -> bool;
@@ -70,20 +70,20 @@ pub(crate) trait Motions: Any + Send + Sync {
     /// What a single trajectory has beside its state, where the time is part of it.
     #[cfg(feature = "checkpoint")]
     fn beside(&self) -> Option<Beside>;
-    /// Goes on with what a single trajectory had beside its state.
+    /// Continues with what a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, beside: &Beside);
     /// What a single trajectory has counted of its steps, where they count anything.
     fn counts(&self) -> Option<Counts>;
     /// What a single trajectory has found out beside its state.
     fn found(&self) -> Option<Found>;
-    /// Goes on with what a single trajectory has found out.
+    /// Continues with what a single trajectory has found out.
     fn use_found(&mut self, found: &Found);
     /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
 }
 
-/// The coordinates of a state in the middle of the step under way.
+/// The coordinates of a state in the middle of the current step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     /// The user's own, as they were given: no step was taken since.
@@ -171,8 +171,7 @@ pub(crate) fn shown(completed: &dyn Motions, clock: Clock) -> Option<Box<dyn Mot
     })
 }
 
-/// Writes the state that is shown of a lane: the end of the step of the kernel, where what undoes the processor leaves
-/// the finite numbers.
+/// Writes the shown state of a lane: the end of the step of the kernel, if the inverse of the processor diverges.
 pub(crate) fn show(completed: &dyn Motions, shown: Option<&dyn Motions>, lane: usize, to: &mut dyn Point) {
     if let Some(shown) = shown {
         shown.store(lane, to);

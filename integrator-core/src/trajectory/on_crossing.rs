@@ -94,7 +94,7 @@ impl<C: Coords> Run<C> {
     }
 
     /// Goes from a crossing in the last step of this run to the end of this step, through others that are on the way. The run
-    /// begins anew there; it is of no use after an error. Returns the number of crossings.
+    /// restarts there; it is unusable after an error. Returns the number of crossings.
     fn through(
         &mut self,
         (mut fraction, mut crossing): (f64, Point<C>),
@@ -133,7 +133,7 @@ impl<C: Coords> Run<C> {
         Ok(crossings)
     }
 
-    /// Lets the clock of a run that has just begun anew begin at a time, with steps of another duration.
+    /// Sets the start time of the clock of a run that has just restarted, with steps of another duration.
     fn begin_at(&mut self, time: f64, h: f64) {
         // A time that is part of the state is counted from where the run was begun.
         if self.time_in_state().is_some() {
@@ -146,14 +146,14 @@ impl<C: Coords> Run<C> {
     }
 }
 
-/// What is known of the function while a run goes on.
+/// What is known of the function during a run.
 struct Passing {
     /// The last value that was not zero, or the value at a changed state.
     side: f64,
     direction: Direction,
     /// A whole step.
     whole: f64,
-    /// Whether the step under way begins at a state that the action left.
+    /// Whether the current step begins at a state that the action left.
     is_changed: bool,
 }
 

@@ -15,7 +15,7 @@ pub(crate) struct Panic(Box<dyn Any + Send>);
 
 #[cfg(feature = "std")]
 impl Panic {
-    /// Lets the panic go on.
+    /// Resumes the panic.
     pub(crate) fn resume(self) -> ! {
         resume_unwind(self.0)
     }
@@ -71,7 +71,7 @@ impl Panics {
         }
     }
 
-    /// Lets the first panic go on, if there was one.
+    /// Resumes the first panic, if there was one.
     pub(crate) fn resume(self) {
         if let Some(panic) = self.0.into_inner().unwrap_or_else(PoisonError::into_inner) {
             panic.resume();

@@ -8,7 +8,7 @@ use crate::{
     trajectory::{engine::BLOCK, run::Run},
 };
 
-/// The part of the way to a time that is gone at once, at the mean pace.
+/// The fraction of the time to a target that is integrated in one block, at the mean rate.
 const CAUTION: f64 = 0.875;
 
 /// After so many shorter steps the time is as near as it gets.
@@ -76,8 +76,8 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// The same where the time is part of the state: ever more steps at once, but fewer than would lead there at the mean
-    /// pace of the last ones. Those that lead beyond the time are taken back.
+    /// The same where the time is part of the state: blocks with more and more steps, but fewer than lead there at the
+    /// mean rate of the last ones. Those that lead beyond the time are taken back.
     pub(crate) fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
         let mut block = 1;
         let mut before = self.time_at_step();
@@ -104,7 +104,7 @@ impl<C: Coords> Run<C> {
                 block / 2
             } else {
                 before = after;
-                // A watch looks at each step; a block of the engine is what it takes back.
+                // A watch reads each step; it can undo at most a block of the engine.
                 if self.watch.is_some() { 1 } else { BLOCK.min(2 * block) }
             };
             block = steps_at_once(time - before, step).clamp(1, longest);

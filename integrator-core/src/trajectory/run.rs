@@ -42,7 +42,7 @@ use core::ops::ControlFlow;
 pub struct Run<C: Coords> {
     pub(crate) engine: Engine,
     energies: Arc<dyn Energies<C>>,
-    /// A state of the size of the run, where the type does not tell it.
+    /// A state of the size of the run, if the type does not determine it.
     shape: Phase<C>,
     pub(crate) clock: Clock,
     /// How many steps were done when the state was last changed from outside.
@@ -86,7 +86,7 @@ impl<C: Coords> Run<C> {
         Self::carrying::<H, X, K, Nothing>(system, method, start, (&[], Vec::new()), h)
     }
 
-    /// A run whose motion carries points in lanes behind those of the state, and perhaps constants of theirs.
+    /// A run that carries points in the lanes after those of the state, and perhaps constants of theirs.
     pub(crate) fn carrying<H, X, K, V>(
         system: &H,
         method: X,
@@ -122,7 +122,7 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// A run from a state in the middle of the step under way at the clock, where the state was last changed from
+    /// A run from a state in the middle of the current step at the clock, where the state was last changed from
     /// outside after
     /// `opened` steps.
     ///
@@ -171,7 +171,7 @@ impl<C: Coords> Run<C> {
         Ok(run)
     }
 
-    /// A run of which no more is known than how it goes on: a member of an ensemble has no name of its own.
+    /// A run without a description: a member of an ensemble has no name of its own.
     pub(crate) fn of_engine(
         engine: Engine,
         energies: Arc<dyn Energies<C>>,
@@ -198,7 +198,7 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// The run of a member of an ensemble, with what this tells of its method and system.
+    /// The run of a member of an ensemble, with the method and system of the ensemble.
     #[cfg(feature = "std")]
     pub(crate) fn known_as(
         self,
@@ -621,25 +621,25 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// The state in the middle of the step under way, in [`Run::form`].
+    /// The state in the middle of the current step, in [`Run::form`].
     #[cfg(feature = "checkpoint")]
     pub(crate) fn unfinished(&self) -> Phase<C> {
         self.unfinished_lane(0)
     }
 
-    /// A lane in the middle of the step under way, in [`Run::form`].
+    /// A lane in the middle of the current step, in [`Run::form`].
     pub(crate) fn unfinished_lane(&self, lane: usize) -> Phase<C> {
         let mut point = self.shape.clone();
         self.engine.unfinished(self.form(), lane, &mut point);
         point
     }
 
-    /// The coordinates of states in the middle of the step under way.
+    /// The coordinates of states in the middle of the current step.
     fn form(&self) -> Form {
         Form::after(self.since_opened().steps)
     }
 
-    /// Goes on with lanes in the middle of the step under way, in [`Run::form`].
+    /// Continues with lanes in the middle of the current step, in [`Run::form`].
     pub(crate) fn resume_lanes(&mut self, lanes: &[Phase<C>]) {
         let lanes: Vec<_> = lanes.iter().map(|point| point as &dyn Point).collect();
         self.engine.resume(self.form(), &lanes);
@@ -675,13 +675,13 @@ impl<C: Coords> Run<C> {
     }
 }
 
-/// The points in lanes behind a state, and the constants that go with these, where they have some of their own.
+/// The points in the lanes after a state, and their own constants if they have some.
 pub(crate) type Behind<'p, C, P> = (&'p [Phase<C>], Vec<P>);
 
 /// A point in a lane, and what this has of a time that is part of the state.
 pub(crate) type Lane<C> = (Phase<C>, Option<[f64; 2]>);
 
-/// What a motion carries in its lanes, behind the state.
+/// The contents of the lanes of a motion, after the state.
 fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p dyn Point> {
     // A plain loop: it is compiled for every system.
     let mut lanes: Vec<&dyn Point> = Vec::with_capacity(1 + carried.len());

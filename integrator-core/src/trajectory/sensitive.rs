@@ -77,7 +77,7 @@ pub trait Sensitive: Hamiltonian {
 }
 
 /// The derivatives of prepared constants that go with some vectors, of which the `first` ones lead along starts. These, and
-/// those that fill up a register behind the last, leave parameters as they are.
+/// those that fill up a register after the last, leave parameters as they are.
 pub(crate) fn slopes_of<H: Sensitive>(
     system: &H,
     length: usize,

@@ -36,7 +36,7 @@ pub struct StepFunctions<M> {
     pub(crate) together: usize,
     /// Takes so many steps, on so many threads or all that the machine has.
     pub(crate) advance: fn(&mut [M], Clock, u64, Option<usize>),
-    /// Completes the step under way, on so many threads or all that the machine has.
+    /// Completes the current step, on so many threads or all that the machine has.
     pub(crate) complete: fn(&mut M, Clock, Option<usize>),
     /// Makes of a completed step the state that is shown, where that differs.
     pub(crate) show: Option<fn(&mut M, Clock)>,
@@ -45,7 +45,7 @@ pub struct StepFunctions<M> {
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
     /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
-    /// Writes the sums of the squares of the vectors behind the states of all lanes, where each state has one; the point is
+    /// Writes the sums of the squares of the vectors after the states of all lanes, where each state has one; the point is
     /// of the shape of a state, and is written to.
     #[cfg(feature = "check")]
     pub(crate) squares: Option<Squares<M>>,
@@ -93,8 +93,8 @@ impl<M> StepFunctions<M> {
         (self.advance)(core::slice::from_mut(motion), clock, steps, Some(1));
     }
 
-    /// One motion with the step under way completed, up to the state that is shown: the end of the step of the kernel,
-    /// where what undoes the processor leaves the finite numbers.
+    /// One motion with the current step completed, up to the state that is shown: the end of the step of the kernel,
+    /// where the inverse of the processor gives a state that is not finite.
     #[cfg(feature = "check")]
     pub(crate) fn shown<C: Coords, P>(&self, mut motion: M, clock: Clock) -> M
     where
@@ -189,7 +189,7 @@ const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E
     H::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1 && !carried_apart
 }
 
-/// What completes a step, or undoes the processor behind it.
+/// What completes a step, or undoes the processor after it.
 fn ending<H, X, R, K, E, const SHOWN: bool>() -> fn(&mut H::Motion<R, K>, Clock, Option<usize>)
 where
     H: Hamiltonian,
@@ -230,7 +230,7 @@ where
     }
 }
 
-/// The end of the step under way: its last stages, or what undoes the processor behind them.
+/// The end of the current step: its last stages, or the inverse of the processor after them.
 fn end<H, X, R, K, E, const SHOWN: bool>(motion: &mut H::Motion<R, K>, clock: Clock, threads: Option<usize>)
 where
     H: Hamiltonian,

@@ -1,4 +1,4 @@
-//! The loop over steps, and the end of the step under way: compositions applied to the flows of an executor.
+//! The loop over steps, and the end of the current step: compositions applied to the flows of an executor.
 
 use crate::{
     composition::{
@@ -139,7 +139,7 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for Advanc
     }
 }
 
-/// The end of the step under way: its last stages, or what undoes the processor behind them.
+/// The end of the current step: its last stages, or the inverse of the processor after them.
 pub(crate) struct End<F, H, X, const SHOWN: bool> {
     flows: F,
     clock: Clock,

@@ -46,13 +46,13 @@ pub struct Tangent<C: Coords> {
     room: usize,
     /// The powers of two by which vectors were divided.
     exponents: Vec<i64>,
-    /// How many of the vectors may be divided: those along parameters behind them grow by a force of their own, and what
+    /// How many of the vectors may be divided: those along parameters, after them, grow by a force of their own, and what
     /// a method has beside states belongs to the vectors as they are.
     linear: usize,
     /// How many lead along parameters.
     #[cfg_attr(not(feature = "checkpoint"), allow(dead_code, reason = "checkpoints alone tell it"))]
     parameters: usize,
-    /// The motions before the steps under way, where there are several that have to stop at one step.
+    /// The motions before the steps in progress, where there are several that have to stop at one step.
     before: Vec<Box<dyn Motions>>,
     /// The lanes of all runs where they are shown while they stand at the step before.
     between: Option<Vec<Vec<Lane<C>>>>,
@@ -62,11 +62,11 @@ pub struct Tangent<C: Coords> {
 pub(crate) struct Beginning<C: Coords> {
     pub(crate) start: Phase<C>,
     pub(crate) vectors: Vec<Phase<C>>,
-    /// How many vectors lead along parameters: behind the others, or, where it goes on, the last of these.
+    /// The number of vectors along parameters: after the others, or, in a resumed run, the last of these.
     pub(crate) parameters: usize,
     pub(crate) h: f64,
-    /// The clock, and after how many steps the state was last changed from outside, where it goes on from the middle of the
-    /// step under way.
+    /// The clock, and after how many steps the state was last changed from outside, where it continues from the middle of the
+    /// step in progress.
     pub(crate) at: Option<(Clock, u64)>,
 }
 
@@ -91,8 +91,8 @@ impl<C: Coords> Tangent<C> {
         Self::along::<H, X, K, false>(system, method, beginning, |_| Vec::new())
     }
 
-    /// Along vectors at the start, and along so many parameters behind them; `slopes` gives the derivatives of prepared
-    /// constants that go with some of the vectors.
+    /// Along vectors at the start, followed by vectors along this number of parameters; `slopes` gives the derivatives
+    /// of prepared constants that belong to some of the vectors.
     pub(crate) fn along<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,
@@ -111,7 +111,7 @@ impl<C: Coords> Tangent<C> {
         Self::begin::<H, X, K, SENSITIVE>(system, method, beginning, slopes)
     }
 
-    /// The same from where nothing is to be refused.
+    /// The same if nothing has to be checked.
     fn begin<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,
@@ -355,7 +355,7 @@ impl<C: Coords> fmt::Debug for Tangent<C> {
     }
 }
 
-/// Whether steps of a system in a precision have no derivatives, or more of them than a state tells.
+/// Whether steps of a system in a precision have no derivatives, or derivatives that a state does not determine.
 ///
 /// # Errors
 /// [`Error::NoTangent`]
@@ -364,17 +364,19 @@ pub(crate) fn refused<H: Hamiltonian, K: Precision>(start: &Phase<Shaped<H, K>>)
         return Err(Error::NoTangent { reason: "the state has no coordinates" });
     }
     if K::REVERSIBLE {
-        return Err(Error::NoTangent { reason: "a state on a grid moves by whole spacings: take `Phase::new`" });
+        return Err(Error::NoTangent {
+            reason: "a state on a grid moves by multiples of its spacing\nhelp: use `Phase::new`",
+        });
     }
     if H::COPIES {
         let reason =
-            "steps by `split = symmetric` move two copies of the state: take `split = none` and `GaussLegendre4`";
+            "`split = symmetric` evolves two copies of the state\nhelp: use `split = none` with `GaussLegendre4`";
         return Err(Error::NoTangent { reason });
     }
     Ok(())
 }
 
-/// A run with what it carries: from its start, or from the middle of the step under way at a clock.
+/// A run with what it carries: from its start, or from the middle of the current step at a clock.
 fn run<H, X, K, V>(
     system: &H,
     method: X,
@@ -420,7 +422,7 @@ fn check<C: Coords>(start: &Phase<C>, vectors: &[Phase<C>]) -> Result<(), Error>
     Ok(())
 }
 
-/// The error of a run that could not go on: that of a vector, where the state could.
+/// The error of a run that failed: that of a vector, if the state is finite.
 fn of_vector<C: Coords>(run: &Run<C>, first: usize, error: Error) -> Error {
     let finite = |lane: usize| numbers(&run.tried_lane(lane)).all(f64::is_finite);
     match error {

@@ -16,7 +16,7 @@ impl Watch {
         Self { bound, energy: total, scale: kinetic.abs() + potential.abs() }
     }
 
-    /// Whether a step may lead to this energy; what is not finite is refused.
+    /// Whether a step may lead to this energy, which has to be finite.
     pub(crate) fn admits(&self, energy: f64) -> bool {
         // A state of no energy at rest, such as an equilibrium, has no scale: nothing may change then.
         let allowed = if self.scale == 0.0 { 0.0 } else { self.bound * self.scale };

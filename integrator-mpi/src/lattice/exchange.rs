@@ -8,7 +8,7 @@ use mpi::{
 };
 use std::ops::Range;
 
-/// The numbers of some sites: those of their positions, and behind them those of their momenta.
+/// The numbers of some sites: those of their positions, and after them those of their momenta.
 pub(crate) fn numbers_of<C: Coords>(state: &Phase<C>, sites: Range<usize>) -> Vec<f64> {
     let leaves = sites.start * C::COMPONENTS..sites.end * C::COMPONENTS;
     let halves = [&state.q, &state.p].into_iter().flat_map(|half| &half.flat()[leaves.clone()]);
@@ -69,7 +69,7 @@ pub(crate) fn differing<C: Coords>(slab: &Slab, state: &Phase<C>, received: &[Ve
     (0..2).filter(|side| slab.neighbours[*side].is_some()).find_map(|side| {
         let (site, halo) = (slab.known_to_both(side), slab.halo(side));
         let (own, width) = (numbers_of(state, site..site + 1), count::<C>(1) / 2);
-        // Behind the positions of all sites of the halo are their momenta.
+        // After the positions of all sites of the halo are their momenta.
         let theirs = [0, halo.len()].map(|first| &received[side][(first + site - halo.start) * width..][..width]);
         let same = own
             .iter()

@@ -36,10 +36,10 @@ pub struct Lattice<'w, W: Communicator, C: Coords> {
     world: &'w W,
     run: Run<C>,
     slab: Slab,
-    /// The slab in the middle of the step under way, when the neighbours last said what its halos are, and after how many
+    /// The slab in the middle of the current step, when the neighbours last said what its halos are, and after how many
     /// steps that was.
     exchanged: (Phase<C>, u64),
-    /// After how many steps the state was last changed from outside, which a run may have been that this goes on from.
+    /// After how many steps the state was last changed from outside, which a run may have been that this continues from.
     opened: u64,
     run_of: RunOf<'w, C>,
     /// The borders with its neighbours.
@@ -126,7 +126,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
             let (given, asked) = (start.q.length(), of_rank.indices().len());
             match given == asked {
                 true => system.run_with(composition, start.clone(), h).map_err(failure),
-                false => Err(Failure::Other(format!("a start of {given} sites where {asked} were asked for"))),
+                false => Err(Failure::Other(format!("the initial state has {given} sites, but {asked} are required"))),
             }
         };
         let run = agree(world, begun())?;
@@ -147,7 +147,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         Ok(lattice)
     }
 
-    /// Takes a step from a state in which all sites move: it tells of a formula that is not the same for all of them.
+    /// Takes a step from a state in which all sites move: it detects a formula that is not the same for all of them.
     fn probe(&mut self, probe: Run<C>) -> Result<(), Error> {
         let started = (unfinished(&probe), 0);
         let (run, start) = (replace(&mut self.run, probe), replace(&mut self.exchanged, started));
@@ -195,7 +195,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         Ok(())
     }
 
-    /// Takes steps for which the halos are wide enough; fewer, with new halos behind them, where the end of a slab has left the
+    /// Takes steps for which the halos are wide enough; fewer, with new halos after them, where the end of a slab has left the
     /// finite numbers.
     fn take_steps(&mut self, steps: u64) -> Result<(), Error> {
         let outcome = self.run.advance(steps);
@@ -236,7 +236,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         self.slab.inner().contains(&place).then(|| self.slab.indices()[place])
     }
 
-    /// Asks the neighbours what the halos are, and takes steps while their messages travel: those of the interior, behind which
+    /// Asks the neighbours what the halos are, and takes steps while their messages travel: those of the interior, after which
     /// the borders come once they know their halos.
     fn exchange(&mut self, ahead: u64) -> Result<(), Error> {
         let (mut state, steps) = (unfinished(&self.run), self.steps());

@@ -26,7 +26,7 @@ const AHEAD: usize = 8;
 /// How far the steps of a composition carry what is wrong at the ends of a slab.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reach {
-    /// Whatever the number of steps: ends that differ, the first step, and the look at a state.
+    /// Whatever the number of steps: ends that differ, the first step, and the reading of a state.
     once: usize,
     /// In each step.
     step: usize,
@@ -79,9 +79,9 @@ pub(crate) struct Slab {
     pub(crate) sites: usize,
     /// The numbers of those that this rank shows.
     pub(crate) own: Range<usize>,
-    /// How many sites of others are before these and behind them.
+    /// How many sites of others are before these and after them.
     pub(crate) halos: [usize; 2],
-    /// Where, among its sites, the halo before its own begins, its own, and the halo behind them.
+    /// Where, among its sites, the halo before its own begins, its own, and the halo after them.
     places: [usize; 3],
     pub(crate) neighbours: [Option<Neighbour>; 2],
     /// How many steps may be taken between two exchanges.
@@ -96,7 +96,7 @@ impl Slab {
     /// The slab of a rank of so many.
     ///
     /// # Errors
-    /// [`Error::FewSites`], if a rank has fewer of its own than the halo of another one asks for.
+    /// [`Error::FewSites`], if a rank has fewer of its own than the halo of another one requires.
     pub(crate) fn of(reach: Reach, sites: usize, rank: usize, ranks: usize) -> Result<Self, Error> {
         let (own, least) = (share_of(rank, ranks, sites), sites / ranks);
         let alone = ranks == 1;
@@ -143,7 +143,7 @@ impl Slab {
         start..start + self.own.len()
     }
 
-    /// Where the sites are that a neighbour asks for: those next to the border on this side.
+    /// Where the sites are that a neighbour requests: those next to the border on this side.
     pub(crate) fn edge(&self, side: usize, width: usize) -> Range<usize> {
         let Range { start, end } = self.inner();
         if side == 0 { start..start + width } else { end - width..end }

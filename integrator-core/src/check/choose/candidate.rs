@@ -53,7 +53,7 @@ pub struct Candidate<'s, C: Coords> {
     pub(super) counts: bool,
     /// Evaluations of the processor and its inverse.
     pub(super) once: u64,
-    /// Fictitious time for a unit of time, where steps have a time of their own; else nothing.
+    /// The fictitious time per unit of physical time, for methods with a fictitious time; otherwise none.
     pub(super) pace: Option<f64>,
     begin: Begin<'s, C>,
 }
@@ -89,7 +89,7 @@ impl<C: Coords> Candidate<'_, C> {
 }
 
 impl<'s, C: Coords> Candidate<'s, C> {
-    /// A system under a method with a time of its own over a composition, whose step is that of physical time at this pace.
+    /// A system under a method with a fictitious time over a composition, whose step is that of physical time at this pace.
     pub(super) fn paced<H, X, M>(system: &'s H, composition: X, method: M, pace: f64) -> Self
     where
         H: Hamiltonian,

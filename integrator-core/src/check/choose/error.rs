@@ -15,24 +15,27 @@ pub enum ChooseError {
     #[error(transparent)]
     Check(#[from] CheckError),
     /// There is no splitting to choose.
-    #[error("no splitting is given: name at least one system")]
+    #[error("there is no splitting\nhelp: name at least one system")]
     NoSplitting,
     /// The span is zero or not finite.
-    #[error("the span is {span}: it has to be finite and not zero (negative spans run backwards)", span = Number(*span))]
+    #[error(
+        "the span has to be finite and not zero, but it is {span}\nnote: negative spans run backwards",
+        span = Number(*span)
+    )]
     Span {
         /// The requested span.
         span: f64,
     },
     /// The tolerance is not a positive number.
-    #[error("the tolerance is {tolerance}: it has to be positive and finite", tolerance = Number(*tolerance))]
+    #[error("the tolerance has to be positive and finite, but it is {tolerance}", tolerance = Number(*tolerance))]
     Tolerance {
         /// The requested tolerance.
         tolerance: f64,
     },
     /// The Hamiltonian has pieces in time, and no equal steps over the span end at all of their edges.
     #[error(
-        "the Hamiltonian changes its formula at t = {time}, where no equal steps over a span of {span} end, and a step over the \
-         edge costs the order: choose a span that is a multiple of the time between edges",
+        "H changes its formula at t = {time}, where no equal steps over a span of {span} end\nhelp: choose a span that \
+         is a multiple of the time between the changes\nnote: a step across a change reduces the order",
         time = Number(*time), span = Number(*span)
     )]
     Edge {
@@ -43,8 +46,8 @@ pub enum ChooseError {
     },
     /// The reference solution is not known to the tolerance.
     #[error(
-        "the motion cannot be followed to {tolerance:e} over this span: halving the step of a run of high order changes it \
-         by {difference:e} at the least. A shorter span, a looser tolerance, or the energy as the goal helps"
+        "no reference solution is known to {tolerance:e} over this span: halving the step changes it by at least \
+         {difference:e}\nhelp: choose a shorter span, a larger tolerance, or the energy as the goal"
     )]
     Unfollowed {
         /// The requested tolerance.
@@ -54,8 +57,9 @@ pub enum ChooseError {
     },
     /// No composition reaches the tolerance.
     #[error(
-        "no composition reaches {tolerance:e}; {composition} comes closest with {error:e}. Below that, rounding or the \
-         length of the span prevails: a compensated start, a shorter span or a looser tolerance helps"
+        "no composition reaches {tolerance:e}, and {composition} comes closest with {error:e}\nhelp: use a compensated \
+         initial state, a shorter span or a larger tolerance\nnote: below this error, rounding or the length of the span \
+         dominates"
     )]
     Unreached {
         /// The requested tolerance.

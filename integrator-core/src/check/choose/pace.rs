@@ -149,13 +149,13 @@ where
     Ok(pace)
 }
 
-/// Why a run in a time of its own has ended.
+/// The reason why a run in a fictitious time has ended.
 fn reason(error: &Error) -> &'static str {
     match error {
         Error::NotSolved { reason: Unsolved::Domain { .. }, .. } => {
-            "V is not below zero all along: subtract a constant"
+            "V is not negative along the whole orbit: subtract a constant"
         }
-        Error::NotSolved { reason: Unsolved::Rate { .. }, .. } => "the rate is not above zero all along",
-        _ => "its time stands still, or its run leaves the finite numbers",
+        Error::NotSolved { reason: Unsolved::Rate { .. }, .. } => "`rate` is not positive along the whole orbit",
+        _ => "its time does not advance, or its run diverges",
     }
 }

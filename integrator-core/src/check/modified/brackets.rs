@@ -21,7 +21,7 @@ use crate::{
 };
 use std::{array, sync::Arc};
 
-/// A number with three infinitesimals: bit `i` of a lane tells whether the lane is a factor of the one numbered `i`.
+/// A number with three infinitesimals: bit `i` of a lane is set if the lane is a factor of lane `i`.
 type Jet = Dual<Dual<Dual>>;
 
 /// The operators of the longest bracket.

@@ -15,7 +15,7 @@ use std::fmt;
 /// The highest degree of a bracket: that of `h⁴` in the modified Hamiltonian.
 pub(crate) const HIGHEST: usize = 5;
 
-/// The letters of a word behind a leading one bit: `T` is a zero, `V` a one.
+/// The letters of a word after a leading one bit: `T` is a zero, `V` a one.
 type Word = usize;
 
 const WORDS: usize = 2 << HIGHEST;

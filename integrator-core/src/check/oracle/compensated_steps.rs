@@ -46,7 +46,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
     /// Takes `steps` steps.
     ///
     /// # Errors
-    /// As those of a run: steps that the clock does not notice, and those that leave the finite numbers.
+    /// The errors are those of a run: steps that the clock does not resolve, and states that are not finite.
     pub(crate) fn advance(&mut self, steps: u64) -> Result<Flat, Error> {
         self.clock.end(steps)?;
         if self.take(steps) { Ok(flat(&self.state)) } else { Err(self.divergence()) }
@@ -62,7 +62,7 @@ impl<H: Hamiltonian, X: Method<H>> CompensatedSteps<H, X> {
         shown.finite()
     }
 
-    /// The divergence of the first step that left the finite numbers.
+    /// The divergence of the first step whose state is not finite.
     fn divergence(&self) -> Error {
         let clock = Clock { steps: 0, ..self.clock };
         let mut again = Self::begin(self.method, self.constants.clone(), self.start.clone(), clock);

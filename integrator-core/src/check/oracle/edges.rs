@@ -82,7 +82,7 @@ struct Pieces<'p, H: Hamiltonian> {
 impl<H: Hamiltonian> Pieces<'_, H> {
     /// The edge between two times, if there is one.
     fn edge(&self, mut before: f64, mut behind: f64) -> Option<f64> {
-        // Where formulas meet without a jump, they differ behind the edge.
+        // Where formulas meet without a jump, they differ after the edge.
         let time = behind;
         if !self.differ(before, behind, time) {
             return None;

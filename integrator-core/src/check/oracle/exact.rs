@@ -30,7 +30,7 @@ use crate::{
     },
 };
 
-/// The part of a step that tells how fast time passes at the start: what is left of its change within is a thousandth.
+/// The part of a step that shows how fast time passes at the start: what is left of its change within is a thousandth.
 const SHORT: f64 = 1.0 / 1024.0;
 
 /// A system, as the search for its exact motion sees it.

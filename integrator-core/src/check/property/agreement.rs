@@ -77,7 +77,7 @@ pub(crate) fn agreement(
             let point = Point { system, function, state, time: *time };
             point.directions().iter().try_for_each(|direction| {
                 let slope = point.slope(direction)?;
-                // The tangents of flows that are no shears are held against these flows by their laws.
+                // The tangents of flows that are no shears are compared with these flows by their laws.
                 let tangent = if system.energies().is_separable() { Some(point.tangent(direction)?) } else { None };
                 for held in [Some(slope), tangent].into_iter().flatten() {
                     if held { agreement.derivatives += 1 } else { agreement.left_out += 1 }

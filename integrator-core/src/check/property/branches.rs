@@ -118,7 +118,7 @@ pub fn branches<H: Hamiltonian, X: Method<H>, K: Precision>(
     let Start { phase, time } = start.into_start();
     let parameters = system.parameters(phase.q.length());
     let mut run = system.run_with::<K, X>(method, phase, h)?.at_time(time);
-    // An unsuitable time is told before any energy is looked at.
+    // An unsuitable time is an error before any energy is evaluated.
     run.advance(0)?;
     let mut before = sides_at::<H, K>(&parameters, &run.state(), run.time());
     let mut found = Branches { comparisons: before.iter().map(Vec::len).sum(), crossed: Vec::new(), steps };

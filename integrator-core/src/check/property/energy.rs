@@ -87,7 +87,7 @@ impl EnergyDrift {
     }
 
     /// Whether the energy stays, or walks without a slope that is certain: a single encounter of bodies is a step from
-    /// which it does not return. Whether the length of the steps explains the walk, finer ones tell.
+    /// which it does not return. Finer steps show whether the step size explains the walk.
     pub(crate) fn may_stay(&self) -> bool {
         self.is_bounded() || (self.course == Course::RandomWalk && !self.is_lost())
     }

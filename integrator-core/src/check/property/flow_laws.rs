@@ -49,10 +49,12 @@ impl fmt::Display for FlowLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Symplecticity => "is not symplectic",
-            Self::Inverse => "is not undone by the flow backwards",
-            Self::Addition => "does not add up: in two pieces it leads elsewhere than at once",
+            Self::Inverse => "is not inverted by the flow for the negative duration",
+            Self::Addition => {
+                "does not add up: two flows in sequence give another state than one flow for the whole duration"
+            }
             Self::Energy => "does not conserve the energy of its part",
-            Self::Generator => "does not lead where the energy of its part drives",
+            Self::Generator => "does not have the vector field of the energy of its part",
         })
     }
 }

@@ -240,7 +240,7 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     }
 }
 
-/// The same of a field that moves both halves at once.
+/// The same for a field that moves positions and momenta together.
 fn half_of_field<H: Hamiltonian, R: Real>(
     parameters: &H::Parameters<f64>,
     part: Part,
@@ -332,7 +332,7 @@ impl<'s> Gradient<'s> {
         if differences.iter().any(agrees) {
             return Ok(());
         }
-        // Terms that cancel in the energy round by more than its size tells.
+        // Terms that cancel in the energy have larger rounding errors than its size suggests.
         let rounding = |narrowing: f64| self.difference_rounding(point, index, narrowing * scale);
         let bounded = differences.iter().zip(NARROWING);
         let mut bounded = bounded.map(|((value, uncertainty), narrowing)| (*value, uncertainty + rounding(narrowing)));

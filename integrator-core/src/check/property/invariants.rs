@@ -55,7 +55,7 @@ impl InvariantDrift {
 impl fmt::Display for InvariantDrift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, bracket, deviation, rounding, steps } = self;
-        write!(f, "{name}: bracket with H {bracket:.1e}; strays by {deviation:.1e} in {steps} steps ")?;
+        write!(f, "{name}: bracket with H {bracket:.1e}; deviates by {deviation:.1e} in {steps} steps ")?;
         write!(f, "(rounding tolerance {rounding:.1e})")
     }
 }
@@ -101,7 +101,7 @@ pub(crate) fn scale(system: &dyn Differentiable, number: usize, state: &Flat) ->
     slopes_of(system, number, state).iter().zip(numbers(state)).map(|(slope, number)| (slope * number).abs()).sum()
 }
 
-/// How far invariants stray in a run.
+/// The deviation of invariants in a run.
 pub(crate) struct Strayed {
     pub(crate) deviations: Vec<f64>,
     pub(crate) steps: u64,

@@ -120,7 +120,7 @@ impl Order {
 ///
 /// If the errors do not lie on a line or fall short of the claimed order, the span is shortened, down to one step of
 /// `h`. This happens if one part of the motion is faster than the rest. A short span shows the order of the
-/// composition; [`certify`](crate::check::certify()) finds where along the orbit the order is lost.
+/// composition; [`certify`](crate::check::certify()) finds up to which time of the orbit the order is observed.
 ///
 /// If conditions on the time select pieces of the Hamiltonian, the span contains edges and all steps end there.
 ///

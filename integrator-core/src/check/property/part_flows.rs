@@ -60,7 +60,7 @@ impl<H: Hamiltonian> Flows for Energies<'_, H> {
     }
 
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat) {
-        // Nobody asks for those of T and V, and nothing is compiled for them.
+        // T and V have no separate flows to test, and nothing is compiled for them.
         if const { H::SEPARABLE } {
             return (point.clone(), point.clone());
         }

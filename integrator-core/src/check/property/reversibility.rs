@@ -151,7 +151,7 @@ impl Size {
 /// begins with one unit.
 fn growth(tangents: &dyn Carry, point: &Flat, size: Size, (t0, h): (f64, f64), steps: u64) -> f64 {
     /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
-    /// of all bodies at once, for one, would meet no force between them.
+    /// of all bodies together, for example, would not change the forces between them.
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     largest([1.0, -1.0].map(|sign_of_p| {
         let (mut point, mut tangent) = (point.clone(), origin(point));

@@ -30,7 +30,7 @@ pub(crate) fn size_of_second_part(system: &dyn Differentiable, states: &[Visited
         let by_coordinate = || first.iter().zip(&second).map(|(one, other)| [one[coordinate], other[coordinate]]);
         let one = length(by_coordinate().map(|[one, _]| one));
         let other = length(by_coordinate().map(|[_, other]| other));
-        // Numbers that are not finite stay, for whoever reads the result.
+        // Numbers that are not finite stay, so that the result shows them.
         if one != 0.0 && other != 0.0 {
             let unit = one + other;
             of_first.push(one / unit);

@@ -70,9 +70,9 @@ impl fmt::Display for Stability {
             return write!(f, "h·ω is unknown: no sample has finite second derivatives");
         }
         let share = Number(100.0 * self.share());
-        write!(f, "h·ω = {turn:.2e} at most (t = {time:.3e}), {share:.1} % of the limit {limit:.2}")?;
+        write!(f, "h·ω is at most {turn:.2e} (t = {time:.3e}), {share:.1} % of the limit {limit:.2}")?;
         if self.is_near() {
-            write!(f, "; WARNING: from half of it on, take a smaller step")?;
+            write!(f, "; WARNING: above half of the limit, use a smaller step")?;
         }
         Ok(())
     }

@@ -119,7 +119,7 @@ composition! {
 
     /// Nine kicks, order 6 for every `T`.
     ///
-    /// Close behind [`BlanesMoan6`], with one evaluation less per step.
+    /// Slightly less accurate than [`BlanesMoan6`], with one evaluation less per step.
     pub struct Teloy6A: order 6, symmetric,
         citation "E. Teloy, in Schlier and Seiter 2000, Comput. Phys. Commun. 130, 176"
     = symmetric(

@@ -12,7 +12,7 @@ composition! {
         V(0.756320000515668291264290794964469486) T(0.441583023616466524250195001287251255)
         V(_) T(_);
 
-    /// Four kicks behind a first one that merges across steps, order 4 where `T` is quadratic; not time-reversible.
+    /// Four kicks after a first one that merges across steps, order 4 where `T` is quadratic; not time-reversible.
     #[doc(alias("CalvoSanz4"))]
     pub struct CalvoSanzSerna4: order 4,
         citation "Calvo and Sanz-Serna 1993, SIAM J. Sci. Comput. 14, 936"

@@ -2,7 +2,7 @@
 //!
 //! Comes in: positions and momenta of bodies in any number of dimensions, the inverse mass and the strength `k` of each
 //! body, and a duration of either sign. Goes out: both moved by increments, through their slots. Always true: what
-//! happens to a body depends on that body alone, bit for bit, however many are computed side by side; one whose orbit
+//! happens to a body depends on that body alone, bitwise, however many are computed in lanes; one whose orbit
 //! could not be solved for becomes NaN, with a note of it.
 
 mod fall;
@@ -26,7 +26,7 @@ use alloc::{vec, vec::Vec};
 use slope::Way;
 use universal::{Body, Increments};
 
-/// The largest number of bodies that are computed side by side.
+/// The largest number of bodies that are computed in lanes.
 const ROW: usize = 8;
 
 /// A prepared constant of every body: one number for all, or a table.
@@ -87,7 +87,7 @@ impl Kepler {
         }
     }
 
-    /// The same with so many bodies side by side as `W` has room for.
+    /// The same with as many bodies in lanes as `W` has room for.
     #[inline(always)]
     fn in_rows<R: Real, W: Row<R>, L: Slot<R>, const D: usize>(
         &mut self,
@@ -102,7 +102,7 @@ impl Kepler {
             let count = width.min(q.len() - first);
             let [mut masses, mut strengths] = [[duration; ROW]; 2];
             for lane in 0..width {
-                // Lanes behind the last body repeat the first ones.
+                // Lanes after the last body repeat the first ones.
                 masses[lane] = inverse_mass.of_body(first + lane % count);
                 strengths[lane] = strength.of_body(first + lane % count);
             }

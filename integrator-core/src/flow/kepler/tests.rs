@@ -98,7 +98,7 @@ fn orbits_in_single_precision_are_those_of_the_table() {
         let found = flown(start.map(|x| x as f32), constants.map(|x| x as f32), duration);
         for (i, condition) in [cx, cy, cpx, cpy].into_iter().enumerate() {
             let rounding = f64::from(f32::EPSILON) * (condition + after[i].abs() + start[i].abs());
-            // Where all digits are lost, the first order of errors says nothing.
+            // Where no digit is correct, the first order of errors is meaningless.
             let lost = rounding > 1e-2 * (after[i].abs() + start[i].abs());
             let bound = 8.0 * rounding * growth([start, after], constants);
             let error = f64::from(found[i]) - after[i];
@@ -108,7 +108,7 @@ fn orbits_in_single_precision_are_those_of_the_table() {
 }
 
 /// By how many times what the roundings of the data make the end of a fall is off, the larger one of position and momentum. Where
-/// all digits are lost, the first order of errors says nothing.
+/// no digit is correct, the first order of errors is meaningless.
 fn error_of_fall(start: [f64; 4], found: [f64; 4], after: [f64; 4], conditions: [f64; 4], unit: f64) -> f64 {
     let part = |i: usize| {
         let size = |numbers: [f64; 4]| numbers[i].hypot(numbers[i + 1]);

@@ -257,7 +257,7 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let s = orbit.short_arc(inverse);
     let place = orbit.at(s);
     let (d, near) = place.correction(orbit.beta, s);
-    // Within half a period no arc is longer. Where the series has gone astray, what follows is no number to judge by.
+    // Within half a period no arc is longer. If the series has diverged, the later numbers are meaningless.
     let failed = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST))).not();
     if failed.any() { search(orbit, s, failed) } else { Root { place, s, d, failed } }
 }
@@ -293,7 +293,7 @@ fn number<W: Real>(x: W) -> W {
 }
 
 /// The root of `d + a d² + b d³ + c d⁴ = y`, up to terms of the fifth order. Sums of powers, because all of these are
-/// computed side by side.
+/// computed in lanes.
 #[inline(always)]
 fn reverted<W: Real>(y: W, [a, b, c]: [W; 3]) -> W {
     let square = y * y;
@@ -390,7 +390,7 @@ impl<W: Real> Place<W> {
         let a = (W::of(0.5) * slope) * inverse;
         let b = (W::of(1.0 / 6.0) * curvature) * inverse;
         let c = (W::of(-1.0 / 12.0) * beta) * a;
-        // The first order tells whether the series is one at all: far from the root its sum may be small by chance.
+        // The first order shows whether the series converges: far from the root its sum may be small by chance.
         let linear = -self.late * inverse;
         let square = linear * linear;
         let near = (a * linear).abs().less_or_equal(W::of(SHORT / 2.0));

@@ -1,8 +1,8 @@
-//! The durations that a flow is asked for, in the order in which they recur.
+//! The durations of a flow, in the order in which they recur.
 
 use alloc::vec::Vec;
 
-/// The most uses that are remembered: a composition has fewer stages. Then all begins anew.
+/// The largest number of uses that are remembered. A composition has fewer stages; after more, the memory is cleared.
 const MOST: usize = 1024;
 
 /// The durations of a flow, which compositions repeat in their order: at each use, the one that came next the last time
@@ -14,7 +14,7 @@ pub(super) struct Durations {
     distinct: usize,
 }
 
-/// A duration behind another one.
+/// A duration that follows another one.
 #[derive(Clone, Copy, Debug)]
 struct Use {
     duration: f64,

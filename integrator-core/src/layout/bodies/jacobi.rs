@@ -55,7 +55,7 @@ struct Weights<W> {
     attraction: W,
     /// One for the first body of all, zero for others.
     first: W,
-    /// One where there is a body of the row so many lanes further on: one, two, four.
+    /// One where the row has a body one, two or four lanes ahead.
     later: [W; 3],
     /// The same, for so many lanes back.
     earlier: [W; 3],
@@ -138,7 +138,7 @@ fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> 
 }
 
 /// The way of the bodies of a row, and one in the lanes of those whose orbits could not be solved, if there are any. Where a row
-/// is so many numbers, the bodies go one by one: the code for all of them at once would be as many times as long.
+/// is so many numbers, the bodies go one by one: code for all of them together would be that many times longer.
 #[inline(always)]
 fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[L::Row; D]; 2], Option<L::Row>) {
     if const { <L::Row as Row<L::Scalar>>::PARTS == 0 } {
@@ -418,7 +418,7 @@ fn note<L: Rows<D>, const D: usize>(
 }
 
 impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
-    /// Sets the time at which conditions are read: the middle of the step under way.
+    /// Sets the time at which conditions are read: the middle of the current step.
     #[inline(always)]
     pub fn begin_step(&mut self, middle: f64) {
         self.bodies.begin_step(middle);

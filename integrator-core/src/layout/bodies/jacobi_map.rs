@@ -65,10 +65,10 @@ pub fn are_masses(masses: &[f64], bodies: usize) -> Result<(), Error> {
         let reason = match mass {
             _ if !mass.is_finite() => "it has to be finite",
             0.0 => {
-                "the velocity of a test particle is p / m: give it a tiny mass that moves no other body, such as \
-                 `2f64.powi(-100)`, and the momentum that belongs to it"
+                "Jacobi coordinates require the velocity p / m\nhelp: give a test particle a mass that moves no other \
+                 body, such as `2f64.powi(-100)`, and the momentum for this mass"
             }
-            _ if mass < 0.0 => "a centre of mass needs masses above zero",
+            _ if mass < 0.0 => "a centre of mass requires positive masses",
             _ => continue,
         };
         return Err(Error::Mass { body, mass, reason });

@@ -30,7 +30,7 @@ pub(crate) const WIDTH: usize = 8;
 const CHUNKS: [(usize, usize); 2] = [(512, 32), (64, 8)];
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last row may have fewer bodies than
-/// lanes; what is behind them never acts on anything.
+/// lanes; those after them never act on anything.
 pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     /// Positions.
     pub q: Vec<[K::Slot<R::Row<WIDTH>>; D]>,
@@ -87,7 +87,7 @@ fn values_of_rows<W: Real, L: Slot<W>, const D: usize>(slots: &[[L; D]]) -> Vec<
     values_of_rows
 }
 
-/// Whether so many lanes of rows are finite. Lanes behind the last body drift on without a force, and may leave the
+/// Whether this number of lanes of rows is finite. Lanes after the last body drift without a force, and may leave the
 /// finite numbers when no body does.
 fn finite<W: Real, L: Slot<W>, const D: usize>(rows: &[[L; D]], mut lanes: usize) -> bool {
     for row in rows {
@@ -329,7 +329,7 @@ impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
     }
 }
 
-/// A chunk of the pairs: those of every `count`th row with itself and with the rows behind it; where action is not
+/// A chunk of the pairs: those of every `count`th row with itself and with the later rows; where action is not
 /// reaction, with all others.
 struct PairChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
     q: &'s [[K::Slot<R::Row<WIDTH>>; D]],

@@ -2,7 +2,7 @@
 //! two.
 //!
 //! Always true: pairs are summed in the order of rotations, which no hardware decides, so that every sum has the same
-//! bits whatever a row is made of; the lanes behind the last body change no sum.
+//! bits whatever a row is made of; the lanes after the last body change no sum.
 
 use crate::{
     hamiltonian::Hamiltonian,
@@ -74,7 +74,7 @@ pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
     }
 
     /// The number of bodies from which on the neighbours within a cutoff are listed. A system without a cutoff has none, and
-    /// what follows is asked of no other.
+    /// only such a pair function is used below.
     const LISTED_FROM: usize = usize::MAX;
 
     /// The square of the distance beyond which a pair has neither a force nor an energy, the same for all pairs.
@@ -260,7 +260,7 @@ fn masked<W: Real, const D: usize>(mut force: [W; D], active: ActiveMask<W>) -> 
 /// The forces within a row: on each of its `N` bodies from the others, and the one-body force, as the gradient of the
 /// energy.
 ///
-/// Rotation `s` pairs each body with the one `s` lanes further on. Where action is reaction, the rotations by up to
+/// Rotation `s` pairs each body with the one `s` lanes ahead. Where action is reaction, the rotations by up to
 /// half the row suffice; of an even number of bodies, the rotation by half the row meets every pair twice, once from
 /// either side.
 #[inline(always)]

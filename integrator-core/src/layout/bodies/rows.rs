@@ -36,11 +36,11 @@ pub trait Rows<const D: usize>: Clone + Send + Sync + 'static {
     fn rows(&self) -> [&[Coordinates<Self, D>]; 2];
     /// The same, to be written.
     fn rows_mut(&mut self) -> [&mut [Coordinates<Self, D>]; 2];
-    /// Rotates a row: each lane gets the body so many lanes further on.
+    /// Rotates a row: each lane gets the body that is this number of lanes ahead.
     fn rotate(row: Self::Row, by: usize) -> Self::Row;
     /// The same positions and no momenta.
     fn at_rest(&self) -> Self::AtRest;
-    /// Sets the time at which conditions are read: the middle of the step under way.
+    /// Sets the time at which conditions are read: the middle of the current step.
     fn begin_step(&mut self, middle: f64);
 }
 
@@ -148,7 +148,7 @@ pub(crate) fn points<L: Rows<D>, const D: usize>(layout: &L, rows: &[Coordinates
     points
 }
 
-/// A row of the bodies of a range; lanes behind the last of them repeat the first ones.
+/// A row of the bodies of a range; lanes after the last of them repeat the first ones.
 fn row_of<R: Real, W: Row<R>>(bodies: &Range<usize>, number: impl Fn(usize) -> R) -> W {
     let mut row = W::state(&|lane| {
         let (body, lane) = body_and_lane::<R>(bodies, lane);

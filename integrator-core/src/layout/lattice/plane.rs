@@ -81,8 +81,9 @@ impl<R: Real, K: Precision, P> MovedSites<'_, R, K, P> {
 
 /// The contributions of rows at which passes ended to the rows after them, where the next passes begin.
 ///
-/// Each flow begins where it ended in the tile before, and the row tells whose carry it is: whatever follows a flow whose rows
-/// contribute to the next ones ends at least a row short of it, so that no two of these end at one row.
+/// Each flow begins where it ended in the tile before, and the row determines to which flow its carry
+/// belongs: the flow after one whose rows contribute to the next ones ends at least a row before it, so no two of these
+/// end at one row.
 pub(crate) struct RowCarries<R> {
     waiting: Vec<(usize, Vec<R>)>,
     /// Rows for others to write to.
@@ -131,7 +132,7 @@ pub(super) struct AdjacentPlanes<'m, S> {
     pub(super) plane: [usize; 2],
     /// Whether the plane differs from those of the volume's interior.
     pub(super) at_boundary: bool,
-    /// The coordinates that the flow depends on in the planes before and behind; nothing beyond an end.
+    /// The coordinates that the flow depends on in the planes before and after; nothing beyond an end.
     pub(super) read: [&'m [S]; 2],
 }
 

@@ -1,4 +1,4 @@
-//! Segments of a lattice, which threads move side by side.
+//! Segments of a lattice, which threads advance concurrently.
 
 use crate::{
     hamiltonian::Hamiltonian,
@@ -14,13 +14,13 @@ use crate::{
 use alloc::{boxed::Box, vec::Vec};
 use core::ops::Range;
 
-/// A segment of a lattice behind a pointer, whatever it is computed in: how a lattice is split is compiled once.
+/// A segment of a lattice behind a pointer, for every scalar type: the splitting of a lattice is compiled once.
 pub(super) trait Segment: Send {
     /// The number of sites or rows of the whole lattice, and how many sites each of them has.
     fn size(&self) -> [usize; 2];
     /// Applies a flow to some of the sites or rows.
     fn apply(&mut self, flow: &Flow, sites: Range<usize>);
-    /// Forgets what was kept of a flow for the sites behind those that it moved last.
+    /// Forgets what was kept of a flow for the sites after those that it moved last.
     fn forget(&mut self);
     /// The segments that end at these borders.
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;

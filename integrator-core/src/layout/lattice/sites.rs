@@ -1,4 +1,4 @@
-//! The sites of a lattice, all of them or a segment: what a flow moves where it does not move everything at once. In a plane
+//! The sites of a lattice, all of them or a segment: the range that a flow advances in one pass. In a plane
 //! they are counted in rows.
 
 use crate::{

@@ -1,7 +1,7 @@
-//! Stencil passes over lattices in gather form: a site gets all its addends at once, and each of them is computed once.
+//! Stencil passes over lattices in gather form: a site gets all addends in one pass, and each of them is computed once.
 //!
 //! Each site computes contributions from its neighbourhood, those of the bond to the next site for instance: one to
-//! itself and others to sites further on. A pass carries them forward, so that it fills no buffer and computes no bond
+//! itself and others to later sites. A pass carries them forward, so that it fills no buffer and computes no bond
 //! twice; in a plane it runs along a row, and the contributions of the row to the next one are a row carry. A site adds
 //! its contributions in the order of their offsets, whatever the width of a block is and wherever a pass begins, and so
 //! are the bits.
@@ -32,7 +32,7 @@ pub struct Boundary {
     pub last: usize,
     /// The largest forward offset of a contribution.
     pub forward: usize,
-    /// The stencil's radius backwards: how far behind a site its contributions depend on coordinates.
+    /// The stencil's radius backwards: how far before a site its contributions depend on coordinates.
     pub behind: usize,
     /// The stencil's radius forwards.
     pub ahead: usize,
@@ -58,7 +58,7 @@ impl Boundary {
     }
 }
 
-/// Whether a stencil reads what is before and what is behind along a direction that the lattice may not have.
+/// Whether a stencil reads earlier and later sites along a direction that the lattice may not have.
 const fn is_read(boundary: Option<Boundary>) -> [bool; 2] {
     match boundary {
         Some(boundary) => [boundary.behind > 0, boundary.ahead > 0],
@@ -126,7 +126,7 @@ pub(crate) struct AdjacentRows<'m, R, S> {
     /// Whether the row differs from those of the lattice's interior.
     pub(crate) at_boundary: bool,
     /// The coordinates that the flow depends on in the rows above and below, and in the same row of the planes before and
-    /// behind; nothing beyond an end.
+    /// after; nothing beyond an end.
     pub(crate) read: [&'m [S]; ADJACENT],
     /// The contributions of the row above to this one; after the pass those of this one to the row below.
     pub(crate) carry: &'m mut [R],

@@ -118,7 +118,7 @@ impl StencilRadii {
         if drift > kick { drift } else { kick }
     }
 
-    /// How far behind a site and ahead of it a flow depends on coordinates.
+    /// How far before and after a site a flow depends on coordinates.
     fn radius(&self, flow: &Flow) -> [usize; 2] {
         let boundary = if flow.drifts { &self.drift } else { &self.kick };
         [boundary.behind + boundary.forward, boundary.ahead]

@@ -1,7 +1,7 @@
-//! Flows of volumes: planes of rows, one behind the other.
+//! Flows of volumes, which are consecutive planes of rows.
 //!
 //! A plane hands nothing on to the next one: where a bond goes across, what it contributes is computed on both sides, from the
-//! rows of the planes before and behind. Within a plane rows are passed as those of a plane alone.
+//! rows of the planes before and after. Within a plane rows are passed as those of a plane alone.
 
 use crate::{
     layout::lattice::{

@@ -13,7 +13,7 @@ pub(crate) const MAX_RADIUS: usize = 2;
 /// The number of rows that are adjacent to a row: two in its plane, and two in the planes around.
 pub(crate) const ADJACENT: usize = 4;
 
-/// The blocks of a window behind, here and ahead; those that the stencil does not read hold no coordinates.
+/// The blocks of a window before, at and after the position; those that the stencil does not read hold no coordinates.
 pub(crate) type Blocks<W> = [W; 2 * MAX_RADIUS + 1];
 
 /// Where a row is in its lattice.
@@ -32,7 +32,7 @@ pub(crate) struct RowPosition {
 /// The coordinates around a block of sites, and the position of the block in the lattice.
 pub struct Window<R: Real, W: Block<R>> {
     pub(crate) blocks: Blocks<W>,
-    /// The same in the adjacent rows: in those above and below, and in the same row of the planes before and behind.
+    /// The same in the adjacent rows: in those above and below, and in the same row of the previous and the next plane.
     pub(crate) adjacent: [Blocks<W>; ADJACENT],
     /// The index of the block's first site.
     pub(crate) site: usize,
@@ -61,7 +61,7 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         self.row.plane[1]
     }
 
-    /// The coordinates at an offset, behind the sites if it is negative.
+    /// The coordinates at an offset, before the sites if it is negative.
     #[inline(always)]
     pub fn at(&self, offset: isize) -> W {
         Self::shifted(self.blocks, offset)
@@ -79,13 +79,13 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         Self::shifted(self.adjacent[1], offset)
     }
 
-    /// The coordinates in the same row of the plane before.
+    /// The coordinates in the same row of the previous plane.
     #[inline(always)]
     pub fn previous_plane(&self, offset: isize) -> W {
         Self::shifted(self.adjacent[2], offset)
     }
 
-    /// The coordinates in the same row of the plane behind.
+    /// The coordinates in the same row of the next plane.
     #[inline(always)]
     pub fn next_plane(&self, offset: isize) -> W {
         Self::shifted(self.adjacent[3], offset)
@@ -135,14 +135,14 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         self.of_row(table, down).map_or(W::of(0.0), |row| self.table(row.as_ref(), offset))
     }
 
-    /// The element of a table over planes, so many planes behind the block's; zero where it has none.
+    /// The element of a table over planes, at an offset from the plane of the block; zero if the table has none.
     #[inline(always)]
     pub fn table_over_planes(&self, table: &[R], behind: isize) -> W {
         W::splat(self.of_plane(table, behind).copied().unwrap_or(R::of(0.0)))
     }
 
-    /// The elements of a table over planes, rows and sites, so many planes behind the block's, rows below it, and at an offset
-    /// from its sites; zero where it has none.
+    /// The elements of a table over planes, rows and sites, at offsets from the plane, row and sites of the block; zero if
+    /// the table has none.
     #[inline(always)]
     pub fn table_of_planes<Rows: AsRef<[R]>>(
         &self,

@@ -1,4 +1,4 @@
-//! The vector field of a Hamiltonian at a point: as it is written, or as its flows of `T` and of `V` tell it.
+//! The vector field of a Hamiltonian at a point: as written, or from its flows of `T` and `V`.
 
 use crate::{
     flow::doubled::{Moved, Read},
@@ -52,7 +52,7 @@ pub(crate) struct Constants<'m, H: Hamiltonian, R: Real> {
     pub(crate) of_lanes: &'m [H::Parameters<f64>],
     /// A point in the shape of the coordinates.
     pub(crate) shape: &'m Phase<H::Coords>,
-    /// The middle of the step under way.
+    /// The middle of the current step.
     pub(crate) middle: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Members of an ensemble side by side.
+//! Members of an ensemble in SIMD lanes.
 
 use super::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 use crate::{

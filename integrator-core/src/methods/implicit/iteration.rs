@@ -116,7 +116,7 @@ struct Solution<H: Hamiltonian, R: Real, const S: usize> {
 }
 
 impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
-    /// The lanes that are settled keep what they have found, so that no lane goes on for the sake of another one.
+    /// Converged lanes keep their result, so no lane iterates because of another one.
     #[inline(always)]
     fn solution(&self) -> Solution<H, R, S> {
         let first = field::<H, R>(&self.constants, self.y, self.time);

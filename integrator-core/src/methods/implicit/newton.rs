@@ -37,7 +37,7 @@ pub(super) fn solve<H: Hamiltonian, R: Real, const S: usize>(
     evaluations: &mut u64,
 ) -> Vec<Option<Unsolved>> {
     let mut unsolved = vec![None; R::LANES];
-    // A member may have its tangents in the lanes behind its own.
+    // A member may have its tangents in the lanes after its own.
     let together = R::LANES / R::MEMBERS.max(1);
     for own in (0..R::LANES).step_by(together.max(1)) {
         let lanes = own..own + together;
@@ -134,7 +134,7 @@ fn updates(
 }
 
 /// The largest update of positions, and of momenta, in units of these at the stage and at the beginning: where the end is zero,
-/// the beginning tells what is rounding, since they differ by what rounds.
+/// the beginning shows the size of the rounding, since they differ by what rounds.
 fn moved_by(moved: &[f64], stage: &[f64], beginning: &[f64]) -> f64 {
     let half = moved.len() / 2;
     let of = |range: Range<usize>| {

@@ -20,7 +20,7 @@ pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Pa
 /// Each flow checks at its own state that the number it divides by, or takes a power of, is positive. These are the only
 /// checks, so that no outcome depends on where a call of `advance` ends.
 pub trait Transformation<H: Hamiltonian>: 'static {
-    /// What the motion has beside its state and time, at the start; with derivatives along starts where they are asked for.
+    /// What the motion has beside its state and time, at the start; with derivatives if requested.
     fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R;
     /// Moves positions and time.
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
@@ -143,7 +143,7 @@ impl<H: Rated> Transformation<H> for OfRate {
 ///
 /// The drift comes first: of the two orders of the flows of `ln`, this one stays on the orbit of two bodies exactly, and
 /// the other does not. A composition that begins with a kick has its letters exchanged, which leaves the order of one of
-/// general class as it is, since its proof knows nothing that tells the letters apart.
+/// general class as it is, since its proof does not distinguish the letters.
 pub(super) struct Transformed<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
     motion: &'m mut TimedOf<H, R, K>,
     marker: PhantomData<(F, X)>,
@@ -193,7 +193,7 @@ where
     /// There is no third part.
     #[inline(always)]
     fn middle(&mut self, _duration: f64, _time: f64, _backwards: bool) {}
-    /// Compositions with these kicks are refused, since `f(T + B)` is not quadratic in the momenta.
+    /// Compositions with these kicks are rejected, since `f(T + B)` is not quadratic in the momenta.
     #[inline(always)]
     fn gradient_kick(&mut self, _duration: f64, _gradient: f64, _time: f64)
     where

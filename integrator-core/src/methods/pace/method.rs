@@ -232,7 +232,7 @@ where
     }
 }
 
-/// Completes the step under way, with the check of the drift after it: so a step that is shown was checked as a whole.
+/// Completes the current step, with the check of the drift after it: so a step that is shown was checked as a whole.
 fn complete<F, X, H, R, K>(motion: &mut TimedOf<H, R, K>, clock: Clock)
 where
     F: Transformation<H>,

@@ -92,15 +92,15 @@ fn increment<R: Real>(from: &Place<'_, R>, tolerance: f64, solve: Solve) -> Resu
     Ok(lanes(&moved))
 }
 
-/// What the crate says, without the state, which the run tells.
+/// The reason of the crate, without the state, which the error of the run contains.
 fn unsolved(failure: Failure<f64, Vec<f64>>) -> Unsolved {
     Unsolved::Adaptive(match failure {
         Failure::BadInput { msg } => msg,
-        Failure::MaxSteps { t, .. } => format!("too many of them up to t = {t}"),
-        Failure::StepSize { t, .. } => format!("they become too small at t = {t}"),
+        Failure::MaxSteps { t, .. } => format!("too many steps up to t = {t}"),
+        Failure::StepSize { t, .. } => format!("the steps become too small at t = {t}"),
         Failure::Stiffness { t, .. } => format!("the equations are stiff at t = {t}"),
         Failure::LinearAlgebra { t, msg, .. } => format!("{msg} at t = {t}"),
-        _ => "for no reason that is known".to_owned(),
+        _ => "for an unknown reason".to_owned(),
     })
 }
 

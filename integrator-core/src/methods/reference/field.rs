@@ -28,7 +28,7 @@ pub(crate) trait Field<R> {
 pub(crate) struct Generated<'s, H: Hamiltonian> {
     pub(crate) parameters: &'s H::Parameters<f64>,
     pub(crate) shape: &'s Phase<H::Coords>,
-    /// The middle of the step that asks for it.
+    /// The middle of the step that evaluates it.
     pub(crate) middle: f64,
     /// How often it was evaluated; a Jacobian counts once for each of its columns.
     pub(crate) evaluations: Cell<u64>,

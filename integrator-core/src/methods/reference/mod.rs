@@ -53,7 +53,7 @@
 //! let mut run = Pendulum.run_with(RungeKutta4, start, 0.1)?;
 //! let energy = run.energy();
 //! run.advance(10_000)?;
-//! assert!(run.energy() < energy - 1e-4, "it loses energy, and goes on to lose it");
+//! assert!(run.energy() < energy - 1e-4, "it loses energy, and continues to lose it");
 //! assert!(symplectic_defect(&Pendulum, RungeKutta4, start, 0.1)? > 1e-10); // rounding explains 1e-13
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

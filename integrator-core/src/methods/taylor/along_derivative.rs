@@ -40,7 +40,7 @@ impl Segment {
 }
 
 impl<R: Real, C: Coords, P: Prepared<R>, T> Expansion<R, C, P, T> {
-    /// Cuts the polynomials of the members that move along their derivative behind the first order.
+    /// Cuts the polynomials of the members that move along their derivative after the first order.
     #[inline(always)]
     pub(super) fn cut_linear(&mut self, layout: Layout) {
         if self.segments[..R::MEMBERS].iter().any(|segment| segment.is_linear) {

@@ -357,7 +357,7 @@ mod tests {
         let reads = &schedule.reads;
         let whole =
             reads.iter().filter(|pattern| matches!(pattern, AccessPattern::Contiguous(begin) if begin % EIGHT == 0));
-        // All but those of the neighbours of the last vector, which are one lane further on in the first.
+        // All but those of the neighbours of the last vector, which are shifted by one lane in the first vector.
         assert_eq!((reads.len(), whole.count()), (8, 7));
         // One value is added and one subtracted, both in all lanes but where the chain ends and at the seam.
         assert_eq!(pass_counts(schedule.addends(&iterations, &targets, 1, 1), layout.width()), [6, 2]);

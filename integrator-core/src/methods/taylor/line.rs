@@ -1,9 +1,9 @@
-//! Lines of sites that are all alike, several vectors of sites at once.
+//! Lines of identical sites, several vectors of sites at a time.
 //!
 //! Comes in: what a kernel computes at each site from its own coordinate and that of the next one. Goes out: what a site
 //! gets from itself and from the site before. Always true: where `n` vectors hold the sites, site `i` is in lane `i / n`
-//! of vector `i % n`, so that the vector behind another one has its next sites, but for the last vector, whose next sites
-//! are those of the first one, a lane further on. What a site computes depends on its number alone, whether it is computed
+//! of vector `i % n`, so that the vector after another one has its next sites, but for the last vector, whose next sites
+//! are those of the first one, a lane ahead. What a site computes depends on its number alone, whether it is computed
 //! in a vector or on its own.
 
 use super::table::{Coefficients, EIGHT, Layout, Wide, is_narrow};
@@ -19,9 +19,9 @@ pub type Bundle<R> = <R as Real>::Bundle;
 pub enum Ends {
     /// The last site is followed by the first.
     Ring,
-    /// Before the first site and behind the last one is a site at rest, whose coordinate is zero, or nothing.
+    /// Before the first site and after the last one is a site at rest, with the coordinate zero, or nothing.
     Open {
-        /// Whether a site at rest is before the first. Of one behind the last site the sums know.
+        /// Whether a site at rest is before the first. The sums treat one after the last site.
         first_at_rest: bool,
     },
 }
@@ -34,7 +34,7 @@ impl Ends {
     }
 }
 
-/// The most vectors that are computed at once.
+/// The largest number of vectors that are computed together.
 const MOST: usize = 4;
 
 /// The number of vectors in `V`.
@@ -53,7 +53,7 @@ fn count<R: Real>(layout: Layout) -> usize {
     layout.width() / lanes::<R>()
 }
 
-/// The number of vectors that compute: behind those that hold sites is the one of the site at rest before the first.
+/// The number of vectors that are computed. After those with sites is the one of the site at rest before the first.
 #[inline(always)]
 fn computing<R: Real>(layout: Layout, ends: Ends) -> usize {
     count::<R>(layout) + ends.before()
@@ -281,14 +281,14 @@ impl<R: Real, V: Row<Wide<R>>, T, const VALUES: usize, const ORDERS: usize> Vect
     }
 }
 
-/// The coefficients of the sites of a vector: behind the last one are sites at rest.
+/// The coefficients of the sites of a vector; after the last one are sites at rest.
 #[inline(always)]
 fn own<R: Real>(slice: &[R], vector: usize) -> Wide<R> {
     let begin = vector * lanes::<R>();
     if begin < slice.len() { Row::read(&slice[begin..]) } else { Wide::<R>::of(0.0) }
 }
 
-/// The coefficients of the sites that are next to those of a vector; behind sites at rest are the first ones.
+/// The coefficients of the sites next to those of a vector; after sites at rest are the first ones.
 #[inline(always)]
 fn next<R: Real>(slice: &[R], vector: usize, ends: Ends) -> Wide<R> {
     let begin = vector * lanes::<R>() + EIGHT;

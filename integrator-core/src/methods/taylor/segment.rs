@@ -25,7 +25,7 @@ pub(super) struct Segment {
     pub(super) free: f64,
     /// Whether the step ends at an edge of the state, and not of the time alone.
     pub(super) ends_at_edge: bool,
-    /// Whether the polynomial is cut behind its first order, because higher coefficients are not finite.
+    /// Whether the polynomial is cut after its first order, because higher coefficients are not finite.
     pub(super) is_linear: bool,
     /// How many polynomials in a row, the present one not included, are cut in this way.
     pub(super) linear_steps: u8,

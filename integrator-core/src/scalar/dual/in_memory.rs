@@ -1,4 +1,4 @@
-//! Numbers with derivatives as they are in memory: each value, and behind it its derivatives.
+//! Numbers with derivatives as they are in memory: each value, followed by its derivatives.
 
 use super::Dual;
 use core::slice;

@@ -1,4 +1,4 @@
-//! Numbers with derivatives side by side, as bodies in a row and as sites in a block: a vector of the values, and one of
+//! Numbers with derivatives in lanes, as bodies in a row and as sites in a block: a vector of the values, and one of
 //! the derivatives along each direction.
 
 use super::{Dual, dual};

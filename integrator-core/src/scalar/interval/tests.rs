@@ -1,4 +1,4 @@
-//! Enclosures of all functions, held against their values.
+//! Enclosures of all functions, compared with their values.
 
 use super::*;
 

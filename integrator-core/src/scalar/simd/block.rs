@@ -19,13 +19,13 @@ pub trait Block<R: Real>: Real {
     /// One bit for each lane, the first lane lowest: whether it is less than that of `other`.
     fn less_bits(self, other: Self) -> u64;
     /// Writes those of the words whose bits are set, the first one's lowest, to the beginning of others, and returns how many
-    /// they are. What is behind them may be written too.
+    /// they are. Elements after them may be written too.
     fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize;
     /// The block that begins one element later, where `next` follows this one.
     fn after(self, next: Self) -> Self;
     /// The block that begins one element earlier, where this one follows `previous`.
     fn before(self, previous: Self) -> Self;
-    /// The elements with even numbers, and those with odd ones, of this block and the one behind it.
+    /// The elements with even indices, and those with odd ones, of this block and the next one.
     fn deinterleave(self, next: Self) -> [Self; 2];
     /// Two blocks of elements from this one and `odd` in turn.
     fn interleave(self, odd: Self) -> [Self; 2];

@@ -1,4 +1,4 @@
-//! Vectors: several numbers computed at once.
+//! SIMD vectors.
 
 pub(crate) mod block;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

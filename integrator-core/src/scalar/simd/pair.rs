@@ -1,9 +1,9 @@
-//! Pairs: two numbers side by side, in one register where there is one for them.
+//! Pairs: two numbers, in one register if the instruction set has such.
 
 use crate::scalar::{real::Real, simd::lanes::Lanes};
 use core::ops::{Add, Mul};
 
-/// Two numbers side by side. Every operation has the bits of the two operations on `R`.
+/// Two numbers. Every operation is bitwise identical to the two operations on `R`.
 pub trait Pair<R: Real>: Copy + Send + Sync + 'static + Add<Output = Self> + Mul<Output = Self> {
     /// The pair of these two.
     fn of(parts: [R; 2]) -> Self;

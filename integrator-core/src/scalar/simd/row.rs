@@ -3,7 +3,7 @@
 use crate::scalar::{real::Real, simd::lanes::Lanes};
 
 /// A row: a vector of up to eight bodies, each an `R`. Every operation has the bits of `R`'s own, so that no result
-/// depends on the width of the hardware. Lanes behind the last body repeat the first ones: whatever is computed there
+/// depends on the width of the hardware. Lanes after the last body repeat the first ones: whatever is computed there
 /// is finite where the bodies are, and never read.
 pub trait Row<R: Real>: Real {
     /// Whether loops over rotations are unrolled, because rows are few registers: rotations by a known number of lanes
@@ -14,8 +14,8 @@ pub trait Row<R: Real>: Real {
 
     /// The row with `x` in every lane.
     fn splat(x: R) -> Self;
-    /// Rotates a row of `N` bodies: each lane gets the body so many lanes further on, the first bodies coming after the
-    /// last one.
+    /// Rotates a row of `N` bodies: each lane gets the body that is this number of lanes ahead. The first
+    /// bodies follow the last one.
     fn rotate<const N: usize>(self, by: usize) -> Self;
     /// The row of the first numbers of a slice that has as many at least.
     fn read(from: &[R]) -> Self;
@@ -23,9 +23,9 @@ pub trait Row<R: Real>: Real {
     fn write(self, to: &mut [R]);
     /// Permutes the eight lanes: each gets the lane with its index.
     fn permute(self, indices: &[u64; 8]) -> Self;
-    /// Four rows of the numbers of eight points: those at `stride` times each of the indices, and `offset` behind it.
+    /// Four rows of the numbers of eight points: those at `stride` times each of the indices, plus `offset`.
     fn transposed(points: &[[R; 4]], indices: &[u32; 8], stride: usize, offset: usize) -> [Self; 4];
-    /// Asks for what will be read at an address soon, once and by nobody else. Nothing is read here.
+    /// Prefetches an address that will be read soon and once, by this thread only. Nothing is read here.
     #[inline(always)]
     fn fetch_once<T>(_address: *const T) {}
     /// The parts, if a row is made of such: each may fill registers of its own.

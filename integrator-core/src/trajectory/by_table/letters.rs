@@ -44,7 +44,7 @@ impl Table {
         Self { stages: X::STAGES, processor: X::PROCESSOR, between: const { Between::of::<H>() } }
     }
 
-    /// The flows of the first step, behind the processor.
+    /// The flows of the first step, after the processor.
     pub(super) fn opening(&self) -> Vec<Letter> {
         let mut opening = self.moving(self.processor.before.lead, self.processor.before.rows);
         opening.extend(self.steps(&self.stages.opening));

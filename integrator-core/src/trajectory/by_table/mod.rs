@@ -55,7 +55,7 @@ pub(super) fn advance<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Execu
     }
 }
 
-/// Completes the step under way, or undoes the processor behind it, in the same way.
+/// Completes the current step, or undoes the processor after it, in the same way.
 pub(super) fn end<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor, const SHOWN: bool>(
     motion: &mut H::Motion<R, K>,
     clock: Clock,

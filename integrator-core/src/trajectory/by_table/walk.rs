@@ -23,9 +23,9 @@ use core::{marker::PhantomData, ops::Range};
 pub(super) enum Portion {
     /// So many steps.
     Steps(u64),
-    /// The end of the step under way.
+    /// The end of the current step.
     Closing,
-    /// What undoes the processor behind it.
+    /// The inverse of the processor, after the step.
     Undoing,
 }
 

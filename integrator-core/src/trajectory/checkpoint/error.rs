@@ -13,27 +13,33 @@ debug_as_display!(CheckpointError);
 pub enum CheckpointError {
     /// The file could not be read or written.
     #[cfg(feature = "std")]
-    #[error("the file of the checkpoint: {0}")]
+    #[error("the file of the checkpoint could not be read or written: {0}")]
     File(#[from] io::Error),
     /// The bytes are not a checkpoint.
-    #[error("this is no checkpoint of what is to be resumed: it does not begin like one")]
+    #[error("this is not a checkpoint of the kind that is to be resumed: its first bytes differ")]
     Foreign,
     /// The checkpoint has a later format than this version of the library.
     #[error(
-        "this checkpoint has version {version} of its format, which is newer than this library: update integrator-core"
+        "this checkpoint has version {version} of its format, which is newer than this library\nhelp: update \
+         integrator-core"
     )]
     Newer {
         /// The version of the format.
         version: u16,
     },
     /// The checkpoint has an earlier format than this version of the library.
-    #[error("this checkpoint has version {version} of its format, which this library no longer reads: begin anew")]
+    #[error(
+        "this checkpoint has version {version} of its format, which this library does not read\nhelp: integrate again \
+         from the start"
+    )]
     Older {
         /// The version of the format.
         version: u16,
     },
     /// Bytes are missing or were changed, or are from several ensembles.
-    #[error("this checkpoint is damaged: its bytes do not fit together")]
+    #[error(
+        "this checkpoint is damaged\nnote: bytes are missing or were changed, or its parts are of several ensembles"
+    )]
     Damaged,
     /// The checkpoint is for another system, composition or precision, or for a power with another exponent.
     #[error("this checkpoint was made with the {what} `{stored}`, not `{asked}`")]
@@ -47,7 +53,8 @@ pub enum CheckpointError {
     },
     /// The composition has the stored name but different stages.
     #[error(
-        "`{composition}` has other stages than when this checkpoint was made: they were changed, or it is another one of this name"
+        "`{composition}` has other stages than in this checkpoint\nnote: its declaration was changed, or it is another \
+         composition of this name"
     )]
     Stages {
         /// The name of the composition, including the composition that it wraps.
@@ -55,8 +62,8 @@ pub enum CheckpointError {
     },
     /// The flows or energies of the system differ: its functions or the library changed.
     #[error(
-        "`{system}` has other formulas than when this checkpoint was made, or another version of the library wrote its flows: \
-         if that is meant, `Run::resume_with_changed_parameters` goes on"
+        "`{system}` has other formulas than in this checkpoint, or another version of the library generated its \
+         flows\nhelp: if this is intended, resume with `Run::resume_with_changed_parameters`"
     )]
     Formulas {
         /// The type name of the system.
@@ -64,8 +71,8 @@ pub enum CheckpointError {
     },
     /// The run evolves two copies of the state, and a checkpoint contains only one.
     #[error(
-        "`{system}` is split by `symmetric`: its runs carry a copy of the state, which is in no checkpoint, so that another \
-         motion would go on from here. A run that begins at `state()` couples a new copy to it"
+        "`{system}` is split by `symmetric`, and a checkpoint contains only one of the two copies of the state\nhelp: \
+         start a run at `state()`, which couples a new copy to it"
     )]
     Copies {
         /// The type name of the system.
@@ -73,8 +80,8 @@ pub enum CheckpointError {
     },
     /// The parameters of the system differ from those in the checkpoint.
     #[error(
-        "`{system}` has other parameters than when this checkpoint was made: if that is meant, \
-         `Run::resume_with_changed_parameters` goes on"
+        "`{system}` has other parameters than in this checkpoint\nhelp: if this is intended, resume with \
+         `Run::resume_with_changed_parameters`"
     )]
     Parameters {
         /// The type name of the system.
@@ -82,9 +89,9 @@ pub enum CheckpointError {
     },
     /// A method that the generated code calls unchanged reads a field whose values cannot be compared.
     #[error(
-        "a `#[flow]` or a method with a stated derivative of `{system}` reads `{field}`, which is neither made of numbers nor \
-         `Hash`, so that nothing tells whether it has changed: add `fn fingerprint(&self) -> u64` to the annotated impl, or \
-         resume with `Run::resume_with_changed_parameters`"
+        "the checkpoint cannot tell whether `{field}` of `{system}` has changed\nhelp: add `fn fingerprint(&self) -> \
+         u64` to the annotated impl, or resume with `Run::resume_with_changed_parameters`\nnote: a `#[flow]` or a method \
+         with a stated derivative reads it, and it is neither made of numbers nor `Hash`"
     )]
     Incomparable {
         /// The type name of the system.
@@ -93,7 +100,9 @@ pub enum CheckpointError {
         field: &'static str,
     },
     /// The number of systems differs from the number of members of the ensemble.
-    #[error("this checkpoint has {stored} members, not {asked}: give the system of every member, lost ones included")]
+    #[error(
+        "this checkpoint has {stored} members, not {asked}\nhelp: pass the system of every member, including failed ones"
+    )]
     Members {
         /// The number of members in the checkpoint.
         stored: usize,
@@ -102,8 +111,8 @@ pub enum CheckpointError {
     },
     /// The system of a member has other parameters than in the checkpoint, or the systems have other formulas.
     #[error(
-        "member {member}: `{system}` has other parameters or formulas than when this checkpoint was made, and an ensemble goes on \
-         with those that it was begun with"
+        "member {member}: `{system}` has other parameters or formulas than in this checkpoint\nnote: an ensemble resumes \
+         with the systems that it started with"
     )]
     Member {
         /// The index of the member.
@@ -112,7 +121,7 @@ pub enum CheckpointError {
         system: String,
     },
     /// The state has another number of coordinates than the system.
-    #[error("this checkpoint has {positions} positions and {momenta} momenta, which this system does not have")]
+    #[error("this checkpoint has {positions} positions and {momenta} momenta, but the system has another number")]
     Shape {
         /// The number of positions.
         positions: usize,

@@ -134,7 +134,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes)?;
     file.sync_all()?;
     fs::rename(&partial, path)?;
-    // A name is on the disk once its folder is. The file is in its place also where a file system cannot be asked for that.
+    // A name is on the disk once its folder is. The file is in place also on file systems that cannot confirm this.
     #[cfg(unix)]
     if let Some(folder) = path.parent() {
         let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
@@ -320,7 +320,7 @@ impl<C: Coords> Run<C> {
         Ok(run)
     }
 
-    /// Goes on from a state in the middle of the step under way, and from what the run had beside it.
+    /// Continues from a state in the middle of the current step, and from what the run had beside it.
     fn resume_stored(
         &mut self,
         form: Form,

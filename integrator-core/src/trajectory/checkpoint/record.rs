@@ -192,7 +192,7 @@ fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes
 }
 
-/// A number that tells the stages of compositions apart.
+/// A number that distinguishes the stages of compositions.
 pub(super) fn fingerprint(table: Option<&(Stages, Processor)>) -> u64 {
     let mut digest = CHECKSUM.digest();
     let rows = table.into_iter().flat_map(|(stages, processor)| {

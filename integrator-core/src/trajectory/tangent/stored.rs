@@ -1,4 +1,4 @@
-//! Tangents as bytes: the checkpoint of a run, and behind it the vectors in the middle of the step under way.
+//! Tangents as bytes: the checkpoint of a run, followed by the vectors in the middle of the current step.
 //!
 //! ```text
 //! magic (8 bytes) | version (2 bytes) | vectors | CRC-64 of all before (8 bytes)
@@ -30,7 +30,7 @@ const VERSION: u16 = 2;
 struct Record {
     /// The checkpoint of its first run.
     run: Vec<u8>,
-    /// How many vectors lead along parameters, behind the others.
+    /// The number of vectors along parameters, after the others.
     parameters: usize,
     /// Positions and momenta of each vector.
     vectors: Vec<[Vec<f64>; 2]>,
@@ -38,7 +38,7 @@ struct Record {
 }
 
 impl<C: Coords> Tangent<C> {
-    /// State and vectors as bytes, from which [`Tangent::resume`] goes on bit for bit: as [`Run::checkpoint`].
+    /// State and vectors as bytes, from which [`Tangent::resume`] continues bitwise, like [`Run::checkpoint`].
     pub fn checkpoint(&self) -> Vec<u8> {
         let vectors = (0..self.exponents.len()).map(|vector| {
             let (run, lane) = self.place(vector);
@@ -59,7 +59,7 @@ impl<C: Coords> Tangent<C> {
     ///
     /// # Errors
     /// As [`Run::resume_with`]; a checkpoint of a run without vectors, or with derivatives by parameters, which
-    /// [`Tangent::resume_sensitivities`] goes on with.
+    /// [`Tangent::resume_sensitivities`] continues with.
     pub fn resume<H, X>(system: &H, method: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
         H: Hamiltonian,

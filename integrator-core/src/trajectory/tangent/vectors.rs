@@ -86,7 +86,7 @@ mod tests {
                 for vector in [Phase::new([number, 0.0], [0.0, 0.0]), Phase::new([number, -number], [number; 2])] {
                     let may_be = may_be_far(&vector, square(&vector));
                     assert!(may_be || far_exponent(&vector) == 0, "{number:e}");
-                    // Else each sample would look at all vectors.
+                    // Otherwise, each sample would read all vectors.
                     assert!(!may_be || exponent.abs() > 250, "{number:e}");
                 }
             }

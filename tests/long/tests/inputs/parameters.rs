@@ -20,8 +20,8 @@ fn parameters_that_spoil_the_motion() {
     let error = Pendulum { mass: 0.0, length: 1.0 }.run(Phase::new([1.0], [0.0]), 0.01).expect_err("no mass");
     assert_eq!(
         error.to_string(),
-        "the motion from this start is not finite. Look at the parameters of the system: \
-         `1 / (mass length^2)` is inf; `1 / (2 mass length^2)` is inf"
+        "the equations of motion are not finite at the initial state: `1 / (mass length^2)` is inf; \
+         `1 / (2 mass length^2)` is inf\nhelp: check these parameters of the system"
     );
 }
 
@@ -57,6 +57,7 @@ fn parameters_that_are_infinite_on_purpose() {
     let outside = walled.run(Phase::new([11.0, 1.0], [0.0, 1.0]), 0.01).expect_err("in the wall");
     assert_eq!(
         outside.to_string(),
-        "the motion from this start is not finite. Look at the parameters of the system: `cutoff` is inf; `height` is inf"
+        "the equations of motion are not finite at the initial state: `cutoff` is inf; `height` is inf\nhelp: check these \
+         parameters of the system"
     );
 }

@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 /// The candidates of a cell: those of the bodies in it and in those beside it that may be near one of its own. `T` is single
 /// precision.
 pub(crate) struct Candidates<T: Real, const D: usize> {
-    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity behind
+    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity after
     /// the last one.
     found: Vec<u32>,
     found_at: [Vec<T>; D],
@@ -27,7 +27,7 @@ pub(crate) struct Candidates<T: Real, const D: usize> {
     /// Room for the sort, and how many keys have each digit.
     sorted: Vec<u64>,
     tally: Vec<u32>,
-    /// In the order of numbers, the slots and places of candidates; zero and infinity behind the last one.
+    /// In the order of numbers, the slots and places of candidates; zero and infinity after the last one.
     slots: Vec<u32>,
     places: [Vec<T>; D],
     /// Cell by cell, where candidates are in the order of numbers.
@@ -129,7 +129,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
     }
 
     /// Keeps the cell's own bodies, so many of them, and those that are near the box around these. Differences and squares are
-    /// rounded in the same way as those of two bodies, and are not greater: nobody is left out who is near a body.
+    /// rounded in the same way as those of two bodies, and are not greater: no body near another one is left out.
     #[inline(always)]
     fn keep(&mut self, own: usize) {
         let (home, count) = (self.home..self.home + own, self.found.len());

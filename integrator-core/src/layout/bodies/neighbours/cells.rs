@@ -1,6 +1,6 @@
-//! Cells: bodies sorted by where they are, so that those near one are found without a look at all others.
+//! Cells: bodies sorted by position, so that those near one are found without a search through all others.
 //!
-//! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that whoever is within
+//! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that every body within
 //! the radius of a body is in its cell or in one beside it. Computed in `f64`, whatever the bodies are computed in: this
 //! decides who is looked at and never what is added. Lengths are in units of a power of two at or below the radius, so that
 //! neither single precision nor a square overflows or underflows, whatever the units of the system.

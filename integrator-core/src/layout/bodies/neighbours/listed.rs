@@ -1,4 +1,4 @@
-//! Lists of a motion, with where bodies were when these were made: they hold for as long as nobody has moved too far.
+//! Lists of a motion, with the positions of bodies when they were built. They are valid until a body has moved too far.
 
 use super::{Cutoffs, cells::Cells, lists::Lists};
 use crate::{

@@ -116,7 +116,7 @@ impl<R: Real, const D: usize> Clone for Neighbours<R, D> {
 }
 
 impl<R: Real, const D: usize> Neighbours<R, D> {
-    /// Those of a motion whose neighbours were never asked for.
+    /// The lists of a motion that has not needed neighbours yet.
     pub(crate) fn none() -> Self {
         let points = Aligned::filled(0, R::of(0.0));
         Self { listed: None, borrowed: Weak::new(), sums: 0, points, results: Vec::new() }
@@ -319,7 +319,7 @@ fn in_portions<T: Send>(lists: &Lists, results: &mut [T], threads: usize, of: Of
     at_once(jobs);
 }
 
-/// A row of results of the bodies in these slots; lanes behind the last of them repeat it.
+/// A row of results of the bodies in these slots; lanes after the last of them repeat it.
 #[inline(always)]
 fn gathered<R: Real, W: Row<R>, const N: usize>(results: &[[[R; WIDTH]; N]], slots: &[u32]) -> [W; N] {
     let mut numbers = [[R::of(0.0); WIDTH]; N];

@@ -1,9 +1,9 @@
-//! How wide the skin of a list is: wide ones hold more pairs, narrow ones are made anew more often.
+//! The width of the skin of a list: wide ones contain more pairs, narrow ones are rebuilt more often.
 
 /// The first skin, in cutoffs.
 pub(crate) const FIRST_SKIN: f64 = 0.12;
 
-/// What it takes to look at a candidate for a list, for each pair of a list in a sum: measured on liquid argon.
+/// The cost of testing a candidate for a list, relative to a pair of a list in a sum. Measured on liquid argon.
 const LOOK: f64 = 0.8;
 
 /// Skins that are tried, in cutoffs: from `NARROWEST`, each wider than the one before by `STEP`.

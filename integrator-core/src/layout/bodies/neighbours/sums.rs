@@ -13,7 +13,7 @@ use crate::{
 };
 use core::{marker::PhantomData, ops::Range};
 
-/// How many slots ahead lists are asked for: two kibibytes, as much as is read in some hundreds of nanoseconds.
+/// Lists are prefetched this number of slots ahead: 2 KiB, which are read in some hundreds of nanoseconds.
 const AHEAD: usize = 512;
 
 /// The forces on the bodies of some rows.
@@ -119,7 +119,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
 /// The mask of some lanes of a row.
 type Lanes<R> = <<R as Real>::Row<WIDTH> as Real>::Mask;
 
-/// The slots of a row; lanes behind the last body repeat it.
+/// The slots of a row; lanes after the last body repeat it.
 #[inline(always)]
 fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
     let mut slots = [0; WIDTH];
@@ -217,7 +217,7 @@ fn others_than<R: Real>(own: usize) -> Lanes<R> {
     Real::less(Real::of(0.0), <R::Row<WIDTH> as Row<R>>::read(&acting))
 }
 
-/// The lanes of a row behind a body.
+/// The lanes of a row after a body.
 #[inline(always)]
 fn behind<R: Real>(body: usize, row: usize) -> Lanes<R> {
     let mut acting = [R::of(0.0); WIDTH];

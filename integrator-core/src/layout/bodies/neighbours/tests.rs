@@ -1,4 +1,4 @@
-//! Lists have every pair that acts, and no bit tells when they were made.
+//! Lists contain every interacting pair, and results do not depend on when they were built.
 
 use super::{Arc, Cutoffs, Neighbours, Sum, cells::Cells, listed::Listed, lists::Lists};
 use crate::{

@@ -37,7 +37,7 @@ pub(in super::super) struct Unresolved;
 pub(in super::super) struct Edge {
     /// The duration from the origin of the polynomials.
     pub(in super::super) duration: f64,
-    /// Whether it is one of the time alone, which all neighbours of the motion cross at once.
+    /// Whether it depends on the time alone, so that all neighbouring orbits cross it at the same time.
     pub(in super::super) is_of_time: bool,
 }
 
@@ -84,7 +84,7 @@ impl Sides {
             MarginKind::Radicand => self.origin[number].value.low > 0.0 && !self.passed[number],
         }
     }
-    /// Those that are beyond their edges, by their rounding if that is asked for.
+    /// Those that are beyond their edges, by more than their rounding if this is requested.
     fn crossed(&self, margins: &[Margin], by_floor: bool) -> Vec<usize> {
         let is_beyond = |(number, margin): &(usize, &Margin)| {
             let floor = if by_floor { self.floors[*number] } else { 0.0 };
@@ -318,7 +318,7 @@ impl Search<'_> {
         if !is_zero && grows > 8.0 * self.resolution {
             return Ok(None);
         }
-        // As far from the zero as a few roundings of the step, so that it certainly is behind and the coefficients of low
+        // As far from the zero as a few roundings of the step, so that it certainly is after it and the coefficients of low
         // orders are finite.
         let (mut further, apart) = (self.shortest(grows), APART * self.epsilon);
         while grows < end {

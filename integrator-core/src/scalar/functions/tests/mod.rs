@@ -12,7 +12,7 @@ use dashu_float::{FBig, round::mode::HalfEven};
 use points::Points;
 use table::{ROWS, Row};
 
-/// A number of as many digits as asked for.
+/// A number with the requested number of digits.
 type Big = FBig<HalfEven, 2>;
 
 /// Digits in base 2 of the references for single points.

@@ -73,7 +73,7 @@ fn pick(words: &[u32; PICKED], bits: u64, to: &mut [u32; PICKED]) -> usize {
     let mut count = 0;
     for (part, words) in words.as_chunks::<16>().0.iter().enumerate() {
         let bits = (bits >> (16 * part)) as u16;
-        // SAFETY: sixteen words are read. As many are written behind those of the parts before, which had sixteen each at
+        // SAFETY: sixteen words are read. As many are written after those of the earlier parts, which had sixteen each at
         // most; for the instruction set as in `instruction!`.
         unsafe {
             let picked = _mm512_maskz_compress_epi32(bits, _mm512_loadu_si512(words.as_ptr().cast()));

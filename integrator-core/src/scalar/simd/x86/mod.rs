@@ -4,8 +4,8 @@
 //! operations are the same IEEE ones, elementary functions have one kernel for both or are called lane by lane. Only
 //! code that runs where the instruction set was chosen names these types; that is what makes their instructions sound.
 
-/// Runs instructions of the set that a vector belongs to. Those that read or write through a pointer stand in blocks of
-/// their own, which tell how much memory is behind it.
+/// Runs instructions of the set that a vector belongs to. Those that read or write through a pointer are in separate
+/// blocks, which state how much memory it refers to.
 macro_rules! instruction {
     ($call:expr) => {
         // SAFETY: a vector is named only where its instruction set was chosen, which means that it was detected.

@@ -211,7 +211,7 @@ mod tests {
     use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, X4, X8};
     use crate::scalar::instruction_set::InstructionSet;
 
-    /// All rotations of `N` bodies: each lane gets the body so many lanes further on, and lanes behind the last
+    /// All rotations of `N` bodies: each lane gets the body that is this number of lanes ahead, and lanes after the last
     /// body repeat the first ones.
     fn rotations<W: Row<R>, R: Real, const N: usize>() {
         let number = |body: usize| 1.5 + body as f64;
@@ -244,7 +244,7 @@ mod tests {
 
     fn all_rotations<W: Row<R>, R: Real>(set: InstructionSet) {
         if InstructionSet::available().contains(&set) {
-            // Nothing is read at an address that is asked for.
+            // A prefetch reads nothing.
             W::fetch_once(core::ptr::null::<R>());
             permutations::<W, R>();
             rotations::<W, R, 2>();
