@@ -52,13 +52,13 @@ pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
 /// The smallest number of bytes for which copying or reading them is given to a thread.
 const FEWEST_BYTES: usize = 1 << 19;
 
-/// How many of these elements each of so many threads has, or of all that the machine has.
+/// How many of these elements each of this number of threads has, or of all that the machine has.
 fn each<T>(elements: &[T], threads: Option<usize>) -> usize {
     let most = size_of_val(elements) / FEWEST_BYTES;
     elements.len().div_ceil(threads.unwrap_or_else(all_threads).min(most).max(1)).max(1)
 }
 
-/// Copies elements to as many others, on so many threads or all that the machine has.
+/// Copies elements to as many others, on this number of threads or on all.
 pub(crate) fn copy<T: Copy + Send + Sync>(from: &[T], to: &mut [T], threads: Option<usize>) {
     let each = each(from, threads);
     if from.len() <= each {
@@ -74,7 +74,7 @@ pub(crate) fn copy<T: Copy + Send + Sync>(from: &[T], to: &mut [T], threads: Opt
     at_once(jobs);
 }
 
-/// Whether all parts of a slice pass a test, on so many threads or all that the machine has.
+/// Whether all parts of a slice pass a test, on this number of threads or on all.
 pub(crate) fn all<T: Sync>(elements: &[T], threads: Option<usize>, test: fn(&[T]) -> bool) -> bool {
     let each = each(elements, threads);
     if elements.len() <= each {

@@ -158,8 +158,8 @@ impl Members {
         let mut arguments = stream.launch_builder(if advances { advance } else { show });
         arguments.arg(launch).arg(&*stages).arg(&*constants).arg(&*state).arg(other).arg(lost);
         let config = LaunchConfig { grid_dim: (*blocks, 1, 1), block_dim: (THREADS, 1, 1), shared_mem_bytes: 0 };
-        // SAFETY: the arguments are those of both kernels, and the arrays as long as the members of the launch require, since
-        // all were made of the same `Memory`; threads beyond the members return at once.
+        // SAFETY: the arguments are those of both kernels, and the arrays as long as the members of the launch require,
+        // since all were made of the same `Memory`; threads beyond the members return at once.
         unsafe { arguments.launch(config) }.map_err(call)?;
         stream.synchronize().map_err(call)
     }

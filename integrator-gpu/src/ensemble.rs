@@ -371,7 +371,7 @@ impl<C: Coords> Ensemble<C> {
         if self.place.is_some() { self.opened + self.launch.done } else { self.processor.steps() }
     }
 
-    /// The time after so many steps.
+    /// The time after this number of steps.
     pub(crate) fn time_after(&self, steps: u64) -> f64 {
         self.t0 + steps as f64 * self.launch.h
     }

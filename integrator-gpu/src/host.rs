@@ -60,8 +60,8 @@ pub(crate) fn compile(compiler: &str, text: &str, folder: &Path) -> io::Result<P
     }
 }
 
-/// What a launch works on, and what it leaves behind: the states as they continue, as they are shown, and one more than the last
-/// finite step of those that failed, with whether there are any.
+/// What a launch works on, and what it leaves behind: the states as they continue, as they are shown, and one more than
+/// the last finite step of those that failed, with whether there are any.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
     pub(crate) stages: Vec<Row>,

@@ -25,7 +25,7 @@ impl Blob {
 /// How long the blob is followed, in periods, and how often it is looked at.
 const PERIODS: f64 = 1.5;
 const LOOKS: usize = 30;
-/// Every so many looks, the outline is kept.
+/// The interval in samples at which the outline is kept.
 const SHOWN: usize = 5;
 
 /// Follows the outline of the blob.

@@ -95,7 +95,7 @@ pub(crate) fn tolerances<'s, H: Hamiltonian>(
     rungs.filter_map(Result::transpose).filter(is_seen).collect()
 }
 
-/// The error of so many steps; none where these do not lead to an end. A step may be too coarse to stay finite.
+/// The error of this number of steps; none where these do not lead to an end. A step may be too coarse to stay finite.
 fn climb<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,

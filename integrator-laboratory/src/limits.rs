@@ -14,7 +14,8 @@ pub(crate) const PERIODS: f64 = 30.0;
 /// An energy beyond this has left.
 pub(crate) const LEFT: f64 = 1e3;
 
-/// Steps, and the largest relative change of the energy in so many periods. Of one that has left, as much as an energy that has.
+/// Steps, and the largest relative change of the energy in this number of periods. Of one that has left, as much as an
+/// energy that has.
 pub(crate) fn limits<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,

@@ -31,8 +31,8 @@ pub(crate) struct Adaptive {
 /// The tolerance with which energies of methods that choose their steps are followed.
 pub(crate) const LOOSE: f64 = 1e-4;
 
-/// Measures the methods that choose their own steps: over the whole time in one go, for all they begin again with each step
-/// of a run.
+/// Measures the methods that choose their own steps: over the whole time in one go, for all they begin again with each
+/// step of a run.
 pub(crate) fn adaptive<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     plan: &Plan,

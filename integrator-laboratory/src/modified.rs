@@ -34,7 +34,7 @@ pub(crate) struct Levels {
 
 /// Steps to a period, from long to short ones.
 const COUNTS: [u32; 8] = [8, 12, 16, 24, 34, 48, 68, 96];
-/// For so many periods.
+/// For this number of periods.
 const PERIODS: f64 = 2.0;
 /// The series is of use where the modified Hamiltonian changes by no more than this part of what `H` does.
 const USEFUL: f64 = 0.1;

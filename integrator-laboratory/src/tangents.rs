@@ -22,9 +22,9 @@ pub(crate) struct Deviation {
 /// How far deviations are followed, in periods.
 pub(crate) const PERIODS: f64 = 4.0;
 
-/// By how much a bracket that is one may be off by rounding after so many steps, in units of the square of the largest element:
-/// less than two hundred flows a step, each rounds the entries of the map a few times, and a bracket has two products of them for
-/// each coordinate.
+/// By how much a bracket that is one may be off by rounding after this number of steps, in units of the square of the
+/// largest element: less than two hundred flows a step, each rounds the entries of the map a few times, and a bracket
+/// has two products of them for each coordinate.
 const ROUNDING: f64 = 200.0 * 8.0 * f64::EPSILON;
 
 impl Deviation {

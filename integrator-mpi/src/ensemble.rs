@@ -26,7 +26,7 @@ pub fn share(world: &impl Communicator, members: usize) -> Range<usize> {
     share_of(world.rank() as usize, world.size() as usize, members)
 }
 
-/// The members of a rank of so many.
+/// The members of a rank of this number.
 pub(crate) fn share_of(rank: usize, ranks: usize, members: usize) -> Range<usize> {
     // The first ranks have one more.
     let (each, more) = (members / ranks, members % ranks);
@@ -34,7 +34,7 @@ pub(crate) fn share_of(rank: usize, ranks: usize, members: usize) -> Range<usize
     first(rank)..first(rank + 1)
 }
 
-/// The index of this rank's first member, and how many all ranks have, where it has so many.
+/// The index of this rank's first member, and the number of members of all ranks, if this rank has the given number.
 ///
 /// # Errors
 /// [`Error::NoMembers`]

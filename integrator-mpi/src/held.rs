@@ -32,7 +32,7 @@ impl<C: Coords> Held<C> {
         }
     }
 
-    /// Uses at most so many threads.
+    /// Uses at most this number of threads.
     pub(crate) fn with_threads(self, threads: usize) -> Self {
         match self {
             Self::Processor(local) => Self::Processor(Box::new(local.with_threads(threads))),

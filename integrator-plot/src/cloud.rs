@@ -6,7 +6,8 @@ use crate::colour::Colour;
 /// white, so that densities up to some ten points per pixel can be distinguished.
 const COVER: f64 = 0.45;
 
-/// Where there are fewer points than one for so many pixels, a point takes two pixels each way, so that it is seen.
+/// Where there are fewer points than one for this number of pixels, a point takes two pixels each way, so that it is
+/// seen.
 const SPARSE: usize = 15;
 
 /// A sheet of pixels, white at first.
@@ -18,7 +19,7 @@ pub(crate) struct Cloud {
 }
 
 impl Cloud {
-    /// A sheet for so many points.
+    /// A sheet for this number of points.
     pub(crate) fn new(size: (u32, u32), points: usize) -> Self {
         let pixels = (size.0 * size.1) as usize;
         Self { size, point: if SPARSE * points < pixels { 2 } else { 1 }, pixels: vec![[255.0; 3]; pixels] }

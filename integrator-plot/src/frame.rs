@@ -173,7 +173,7 @@ impl<'c> Frame<'c> {
         self.canvas.bitmap((left, top), (f64::from(size.0), f64::from(size.1)), size.0 as usize, sheet.into_bytes());
     }
 
-    /// A bitmap of so many columns that fills the rectangle between two points. It covers what was drawn before.
+    /// A bitmap of this number of columns that fills the rectangle between two points. It covers what was drawn before.
     pub(crate) fn bitmap(&mut self, [from, to]: [(f64, f64); 2], columns: usize, bytes: Vec<u8>) {
         if let Some((from, to)) = self.place(from).zip(self.place(to)) {
             let corner = (from.0.min(to.0), from.1.min(to.1));

@@ -7,7 +7,7 @@ use crate::{
 };
 use zeno::{Cap, Command, Fill, Join, Mask, PathBuilder, Point, Stroke, Style};
 
-/// Three bytes for each pixel, row after row, of so many times the size.
+/// Three bytes for each pixel, row after row, of this number of times the size.
 pub(crate) fn pixels(canvas: &Canvas, times: u32) -> Vec<u8> {
     let size = [canvas.size.0, canvas.size.1].map(|length| (length * times) as usize);
     let times = f64::from(times);
@@ -59,7 +59,8 @@ struct Cover {
     covered: Vec<u8>,
 }
 
-/// How many points of a line are rasterised together: the time for a row grows with the square of the edges that cross it.
+/// How many points of a line are rasterised together: the time for a row grows with the square of the edges that cross
+/// it.
 const CHUNK: usize = 64;
 
 impl Sheet {

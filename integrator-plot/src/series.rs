@@ -37,7 +37,7 @@ pub(crate) struct Series {
 pub const DASHES: &[f32] = &[7.0, 4.0];
 
 impl Series {
-    /// The series that has so many before it, with the colour of its place. Colours come again after the last one; lines
+    /// The series with this index, with the colour of its place. Colours come again after the last one; lines
     /// are dashed then.
     pub(crate) fn new(place: usize, name: String, mark: Mark, points: Vec<(f64, f64)>) -> Self {
         let dashed = (place / COLOURS.len()) % 2 == 1;

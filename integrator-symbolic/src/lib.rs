@@ -213,7 +213,8 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
     }
 }
 
-/// Reports why there is no device code, if it is requested. This prints a second model, since a printer adds to its graph.
+/// Reports why there is no device code, if it is requested. This prints a second model, since a printer adds to its
+/// graph.
 fn check_device(input: &Input, errors: &mut Errors) {
     let Some(gpu) = &input.gpu else { return };
     let Some(mut model) = model::model(input, &mut Errors::default()) else { return };

@@ -105,7 +105,7 @@ fn a_run_tells_what_its_system_conserves() {
     let turned = (run.invariant("perihelion").expect("declared") - before[1]).abs();
     assert!(turned > 1e-9 && turned < 1e-2, "{turned}");
     let unknown = run.invariant("spin").expect_err("not declared").to_string();
-    assert_eq!(unknown, "the system has no invariant `spin`: it has angular_momentum, perihelion");
+    assert_eq!(unknown, "the system has no invariant `spin`\nnote: its invariants are angular_momentum, perihelion");
 }
 
 #[test]

@@ -292,7 +292,7 @@ struct Orbit {
     end: Option<End>,
 }
 
-/// Every so many samples energies are read, which takes about as long as a step without a vector.
+/// The interval in samples at which energies are read, which takes about as long as a step without a vector.
 const BETWEEN_ENERGIES: u64 = 8;
 
 impl<C: Coords> Batch<C> {
@@ -312,7 +312,7 @@ impl<C: Coords> Batch<C> {
         }
     }
 
-    /// What an indicator is after so many steps.
+    /// What an indicator is after this number of steps.
     fn follow(mut self, mut clock: Clock, steps: u64, indicator: Indicator, look: Look<'_, C>) -> Vec<Mapped> {
         let every = steps_between_samples(steps);
         while clock.steps < steps && self.orbits.iter().any(|orbit| orbit.end.is_none()) {

@@ -47,13 +47,13 @@ pub(crate) trait Measurable {
     /// The defect of one step.
     fn defect(&self) -> Result<Defect, CheckError>;
 
-    /// The round trip in so many steps of `h` each way.
+    /// The round trip in this number of steps of `h` each way.
     fn round_trip(&self, h: f64, steps: u64) -> Result<RoundTrip, CheckError>;
 
     /// The drift of the energy over `steps` steps of `h`.
     fn energy_drift(&self, h: f64, steps: u64) -> Result<EnergyDrift, CheckError>;
 
-    /// The first jump of an energy in so many steps of `h`, or in those before the state diverges: an unstable
+    /// The first jump of an energy in this number of steps of `h`, or in those before the state diverges: an unstable
     /// motion that follows its equations until then is no reason to refuse a certificate.
     fn jump(&self, h: f64, steps: u64) -> Result<Option<Jump>, CheckError>;
 

@@ -149,8 +149,8 @@ pub enum Shortfall {
     },
     /// The flow of a part of H is none, or is not that of its energy.
     #[error(
-        "the flow of `{part}` {law}: the error is {error:.1e}, and the tolerance {tolerance:.1e} (t = {time}, duration \
-         {duration:.1e})\nhelp: check your own `#[flow]`; if there is none, please report this part as a bug",
+        "the flow of `{part}` {law} (error {error:.1e}, tolerance {tolerance:.1e}, t = {time}, duration {duration:.1e})\nhelp: \
+         check your own `#[flow]`; if there is none, please report this part as a bug",
         time = Number(*time)
     )]
     Flow {

@@ -195,7 +195,7 @@ mod tests {
         Big::try_from(x).expect("a finite number").with_precision(400).value()
     }
 
-    /// By how much the durations of so many cycles miss `h` times as many, with corrections and without.
+    /// By how much the durations of this number of cycles miss `h` times as many, with corrections and without.
     fn off(h: f64, cycles: u64, fractions: &[f64]) -> [f64; 2] {
         let correction = Correction::new(h, fractions.iter().copied());
         let first = h * fractions[0];
@@ -294,8 +294,8 @@ mod tests {
         }
     }
 
-    /// By how much an oscillator is off after so many steps from (1, 0), first as it runs and then with durations that
-    /// are rounded as they are, from one whose durations add up to the step.
+    /// By how much an oscillator is off after this number of steps from (1, 0), first as it runs and then with
+    /// durations that are rounded as they are, from one whose durations add up to the step.
     fn errors<X: Composition<Oscillator>>(composition: X, h: f64, steps: u64) -> [f64; 2] {
         let start = Phase::compensated([1.0], [0.0]);
         let mut run = Hamiltonian::run_with(&Oscillator, composition, start, h).expect("a start");

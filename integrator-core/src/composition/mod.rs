@@ -168,13 +168,13 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const PROCESSOR: Processor = Processor::NONE;
 }
 
-/// Checks, in a constant, that a composition can integrate a Hamiltonian of so many parts.
+/// Checks, in a constant, that a composition can integrate a Hamiltonian of this number of parts.
 ///
 /// A processor need not be a composition of whole steps, and generalised orders count powers of a small second part
 /// only. Both are therefore limited to two parts.
 ///
 /// # Panics
-/// If the composition cannot integrate so many parts: a compile error, because the call is in a constant.
+/// If the composition cannot integrate this number of parts: a compile error, because the call is in a constant.
 pub const fn admits<X: Scheme>(parts: usize) {
     assert!(
         parts > 0,

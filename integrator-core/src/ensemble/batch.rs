@@ -98,7 +98,7 @@ impl Batch {
         clock.since(self.opened)
     }
 
-    /// The time of a member after so many steps, or by its own time.
+    /// The time of a member after this number of steps, or by its own time.
     fn time(&self, index: usize, clock: Clock, elapsed: Option<[f64; 2]>) -> f64 {
         match elapsed {
             Some(elapsed) => time_after(clock.t0, durations(self.opened_at[index], elapsed)),

@@ -1,5 +1,5 @@
-//! Ensembles whose steps are taken elsewhere, as on a device: how members leave one in the middle of the current step, how
-//! they come back, and what it says of steps that it does not take itself.
+//! Ensembles whose steps are taken elsewhere, as on a device: how members leave one in the middle of the current step,
+//! how they come back, and what it says of steps that it does not take itself.
 
 use crate::{
     ensemble::{
@@ -12,8 +12,8 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the current step
-/// unless it is.
+/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the current
+/// step unless it is.
 pub type MemberElsewhere<C> = (Option<(u64, f64)>, Phase<C>);
 
 /// All that steps have to know of the members of an ensemble.
@@ -40,7 +40,8 @@ pub fn leave<C: Coords>(ensemble: &Ensemble<C>) -> Elsewhere<C> {
     Elsewhere { t0, h, steps, opened: ensemble.members.opened(), members }
 }
 
-/// Lets members continue where steps elsewhere have led them: after so many steps of all, since the states were changed after
+/// Lets members continue where steps elsewhere have led them: after this number of steps of all, since the states were
+/// changed after
 /// `opened` of them.
 pub fn come_back<C: Coords>(ensemble: &mut Ensemble<C>, steps: u64, opened: u64, members: &[MemberElsewhere<C>]) {
     let clock = Clock { steps, ..ensemble.members.clock };

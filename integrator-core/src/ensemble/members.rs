@@ -17,7 +17,7 @@ use crate::{
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
-/// microseconds each, in which one thread does about so many.
+/// microseconds each, in which one thread does about this number.
 const WORTH_A_THREAD: u64 = 1 << 17;
 
 /// The end of a failed or finished member.
@@ -206,7 +206,7 @@ impl Members {
         ended.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// How many threads so many steps of all members are worth.
+    /// How many threads this number of steps of all members are worth.
     pub(super) fn threads_for(&self, steps: u64) -> usize {
         if self.coordinates.saturating_mul(steps) < WORTH_A_THREAD { 1 } else { self.threads }
     }
@@ -308,7 +308,7 @@ pub(crate) fn of_member(member: usize) -> impl Fn(Error) -> Error + Copy {
     move |error| Error::Member { member, error: Box::new(error) }
 }
 
-/// The error for some invalid members of so many: the first one, if it is the only one or all are invalid.
+/// The error for some invalid members of this number: the first one, if it is the only one or all are invalid.
 pub(crate) fn refusal(mut members: Vec<(usize, Error)>, count: usize) -> Error {
     if members.len() > 1 && members.len() < count {
         return Error::Members { members, count };

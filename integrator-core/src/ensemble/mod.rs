@@ -52,8 +52,8 @@ use crate::{
 };
 use std::{fmt, marker::PhantomData, ops::ControlFlow, sync::Arc};
 
-/// The least number of steps in a portion of a call that reports its progress: reading a member from memory takes about as
-/// long as a few of them.
+/// The least number of steps in a portion of a call that reports its progress: reading a member from memory takes about
+/// as long as a few of them.
 const FIRST_PORTION: u64 = 32;
 
 /// How many vector registers there are without AVX-512, which has 32.

@@ -1,8 +1,8 @@
 //! Ensembles at a given time: whole steps with all members together, and from there each member alone, on a copy.
 //!
-//! Always true: the ensemble itself is at the end of a step of all members, and no member is beyond the time, so reading it
-//! does not change it. In a fictitious time, some members need more steps than others. They take these on their copies,
-//! from which a later reading continues.
+//! Always true: the ensemble itself is at the end of a step of all members, and no member is beyond the time, so
+//! reading it does not change it. In a fictitious time, some members need more steps than others. They take these on
+//! their copies, from which a later reading continues.
 
 use crate::{
     ensemble::{

@@ -16,7 +16,8 @@ pub(crate) struct AdvanceRequest<'a> {
     pub(crate) interval: u64,
     /// Whether the member with this index continues from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
-    /// Why the member with this index may not continue from this state after so many steps, if a watch reads all of them.
+    /// Why the member with this index may not continue from this state after this number of steps, if a watch reads all
+    /// of them.
     pub(crate) strays: Option<&'a Strays<'a>>,
     /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go
     /// on.

@@ -16,7 +16,7 @@ const TERMS: usize = 24;
 /// The norm that a matrix is scaled down to.
 const REACH: f64 = 0.25;
 
-/// `exp(A) - I` of a matrix of so many rows.
+/// `exp(A) - I` of a matrix of this number of rows.
 pub(crate) fn exponential_less_one(size: usize, matrix: Vec<DoubleDouble>) -> Vec<DoubleDouble> {
     DoubleDouble::enter(Exponential(Square { size, entries: matrix })).entries
 }

@@ -30,7 +30,7 @@ pub trait QuadraticPart<const PART: usize> {
     fn components(_parameters: &Self) -> usize {
         1
     }
-    /// Adds the derivatives of the part; positions are so many numbers or points.
+    /// Adds the derivatives of the part; positions are this number of numbers or points.
     fn derivatives(parameters: &Self, length: usize, form: &mut Form);
 }
 
@@ -58,8 +58,8 @@ struct Matrices<R> {
 
 impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solver<P> for Quadratic<R, PART, LONE> {
     /// By measurement, two oscillators and a rest, ns per stage in memory and in registers: 16 and 6 where a stage begins with
-    /// a kick, which stores two numbers of four that are then loaded together, and 7.6 and 10 where it begins with a drift,
-    /// as the call for a new duration is prepared for at each stage.
+    /// a kick, which stores two numbers of four that are then loaded together, and 7.6 and 10 where it begins with a
+    /// drift, as the call for a new duration is prepared for at each stage.
     const IN_REGISTERS: InRegisters = InRegisters::Kicked;
 
     fn of(constants: &[&P], length: usize) -> Self {
@@ -81,7 +81,7 @@ impl<R: Real, const PART: usize, const LONE: bool> Default for Quadratic<R, PART
 }
 
 impl<R: Real, const PART: usize, const LONE: bool> Quadratic<R, PART, LONE> {
-    /// The flow of one form per lane of so many degrees of freedom.
+    /// The flow of one form per lane of this number of degrees of freedom.
     fn of_forms(forms: &[Form], degrees: usize) -> Self {
         let groups = groups(forms);
         let alike = match &groups[..] {

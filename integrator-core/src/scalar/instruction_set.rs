@@ -155,8 +155,8 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
     enter_baseline(kernel)
 }
 
-/// Runs `kernel` as [`enter_fused`] where the machine has what that requires, and otherwise as [`enter_baseline`], with the
-/// same result: for scalars that every machine computes in.
+/// Runs `kernel` as [`enter_fused`] where the machine has what that requires, and otherwise as [`enter_baseline`], with
+/// the same result: for scalars that every machine computes in.
 #[inline]
 pub(crate) fn enter_fused_or_baseline<K: Kernel>(kernel: K) -> K::Out {
     if fused_available() { enter_fused(kernel) } else { enter_baseline(kernel) }

@@ -23,14 +23,14 @@ impl<T: Copy> Aligned<T> {
         Self { elements, first }
     }
 
-    /// The array with the same element so many times.
+    /// The array with the same element this number of times.
     pub(crate) fn filled(length: usize, element: T) -> Self {
         let (mut elements, first) = Self::room(length);
         elements.resize(first + length, element);
         Self { elements, first }
     }
 
-    /// Room for so many elements, and how many unused ones are before them.
+    /// Room for this number of elements, and how many unused ones are before them.
     fn room(length: usize) -> (Vec<T>, usize) {
         if length == 0 {
             return (Vec::new(), 0);

@@ -1,4 +1,5 @@
-//! Numbers or references to numbers in the code of a system. Only the type of a pattern or call of the user decides which.
+//! Numbers or references to numbers in the code of a system. Only the type of a pattern or call of the user decides
+//! which.
 
 /// A number, or a reference to one.
 pub trait ByValue {

@@ -14,8 +14,8 @@ pub struct OwnSteps {
     pub shortest: f64,
     /// The longest, zero before the first one.
     pub longest: f64,
-    /// The length of the current step, infinite where its polynomial is the motion at all times; `None` where no polynomial is
-    /// expanded yet.
+    /// The length of the current step, infinite where its polynomial is the motion at all times; `None` where no
+    /// polynomial is expanded yet.
     pub under_way: Option<f64>,
 }
 

@@ -93,7 +93,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
-    /// The same on so many threads, or all that the machine has.
+    /// The same on this number of threads or on all.
     fn copy_state_on(&mut self, from: &Self, _threads: Option<usize>) {
         self.copy_state(from);
     }
@@ -127,7 +127,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
-    /// The same by so many threads, or all that the machine has.
+    /// The same by this number of threads or by all.
     fn finite_on(&self, _threads: Option<usize>) -> bool {
         self.finite()
     }
@@ -255,7 +255,7 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     /// For which steps a small motion gains from registers.
     const IN_REGISTERS: InRegisters = InRegisters::Always;
 
-    /// That of members with these constants, one per lane, whose positions are so many numbers or points.
+    /// That of members with these constants, one per lane, whose positions are this number of numbers or points.
     fn of(constants: &[&P], length: usize) -> Self;
     /// Takes over what belongs to the state of another motion with the same constants.
     fn copy_state(&mut self, _from: &Self) {}

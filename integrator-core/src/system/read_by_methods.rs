@@ -3,8 +3,8 @@
 //!
 //! Generated code names every field and not its type. Which of three traits has the method `read_into` for it, the compiler
 //! decides: that of numbers and what is made of them ([`Compared`]), that of what has the standard library's `Hash`
-//! ([`Hashed`]), or that of everything else ([`Unknown`]), whose values are rejected when a checkpoint is resumed. The call is
-//! on `&&&Field`, and a method is looked for at a type before it is looked for behind its reference.
+//! ([`Hashed`]), or that of everything else ([`Unknown`]), whose values are rejected when a checkpoint is resumed. The
+//! call is on `&&&Field`, and a method is looked for at a type before it is looked for behind its reference.
 
 use crate::state::digest::{Digest, Digested};
 use core::{any::type_name, hash::Hash};

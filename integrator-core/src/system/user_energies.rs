@@ -30,7 +30,7 @@ const ROUNDINGS: f64 = 1024.0;
 const NEIGHBOURS: u64 = 8;
 const NEARBY: f64 = 256.0;
 
-/// The largest system whose every run is checked at the start: a sum over the pairs of so many coordinates takes a
+/// The largest system whose every run is checked at the start: a sum over the pairs of this number of coordinates takes a
 /// second where code is not optimised.
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;

@@ -98,7 +98,7 @@ pub(super) struct HandedOver {
 }
 
 impl HandedOver {
-    /// Nothing yet, with room for so many.
+    /// Nothing yet, with room for this number.
     pub(super) fn with_room_for(workers: usize) -> Self {
         Self { workers: Vec::with_capacity(workers), panics: Vec::new() }
     }

@@ -15,7 +15,7 @@ use crate::{
 };
 use core::{borrow::BorrowMut, fmt, mem};
 
-/// After so many evaluations without an end, intervals are halved.
+/// After this number of evaluations without an end, intervals are halved.
 const IMPATIENT: u32 = 32;
 
 /// The direction in which a function passes through zero along a run.

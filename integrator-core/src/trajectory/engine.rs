@@ -16,7 +16,7 @@ use crate::{
 };
 use alloc::{boxed::Box, vec::Vec};
 
-/// The number of steps between two checks of whether the state is finite. A divergence replays at most so many.
+/// The number of steps between two checks of whether the state is finite. A divergence replays at most this number.
 pub(crate) const BLOCK: u64 = 1024;
 
 /// An engine: the motions of one trajectory or of members in lanes, and the copies that steps need.
@@ -257,7 +257,7 @@ impl Engine {
         !self.clone().take_steps(Clock { h: 0.0, ..clock }, 1)
     }
 
-    /// Lets so many threads share the work, or all that the machine has.
+    /// Lets this number of threads share the work, or all that the machine has.
     pub(crate) fn share_among(&mut self, threads: Option<usize>) {
         self.threads = threads;
         self.motions.share_among(threads);

@@ -60,7 +60,7 @@ impl Facts {
         table: None,
     };
 
-    /// The number of roundings of the state in so many steps, as a double, which no number of steps exceeds.
+    /// The number of roundings of the state in this number of steps, as a double, which no number of steps exceeds.
     #[cfg(feature = "check")]
     pub(crate) fn roundings_in(&self, steps: u64) -> f64 {
         self.roundings as f64 * steps as f64

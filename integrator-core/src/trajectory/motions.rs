@@ -30,7 +30,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn together(&self) -> usize;
     /// How many motions there are.
     fn count(&self) -> usize;
-    /// An empty list of such motions, with room for so many.
+    /// An empty list of such motions, with room for this number.
     fn none(&self, room: usize) -> Box<dyn Motions>;
     /// Adds a motion of members, one in each lane, from their states in this form.
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
@@ -40,17 +40,17 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn take_over(&mut self, lanes: &[Lane]);
     /// Adds a copy of one of others.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
-    /// Copies the states of as many motions with the same constants, in place, on so many threads or all that the machine has.
+    /// Copies the states of as many motions with the same constants, in place, on this number of threads or on all.
     fn copy_states(&mut self, from: &dyn Motions, threads: Option<usize>);
-    /// Takes so many steps, on so many threads or all that the machine has.
+    /// Takes this number of steps, on this number of threads or on all.
     fn advance(&mut self, clock: Clock, steps: u64, threads: Option<usize>);
-    /// Completes the current step, on so many threads or all that the machine has.
+    /// Completes the current step, on this number of threads or on all.
     fn complete(&mut self, clock: Clock, threads: Option<usize>);
     /// Whether the states that are shown at the ends of completed steps differ from these.
     fn shows(&self) -> bool;
     /// Makes these of them.
     fn show(&mut self, clock: Clock);
-    /// Whether all numbers are finite, by so many threads or all that the machine has.
+    /// Whether all numbers are finite, by this number of threads or by all.
     fn finite(&self, threads: Option<usize>) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
@@ -79,7 +79,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn found(&self) -> Option<Found>;
     /// Continues with what a single trajectory has found out.
     fn use_found(&mut self, found: &Found);
-    /// Lets so many threads share the pairs of many bodies of a single trajectory, or all that the machine has.
+    /// Lets this number of threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
 }
 
@@ -93,7 +93,7 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// That of states which were given before the first of so many steps.
+    /// That of states which were given before the first of this number of steps.
     pub(crate) fn after(steps: u64) -> Self {
         if steps == 0 { Self::Given } else { Self::Own }
     }
@@ -205,7 +205,7 @@ where
     Q: Send + Sync + 'static,
     C: Coords,
 {
-    /// An empty list of motions of some of these members, with room for so many.
+    /// An empty list of motions of some of these members, with room for this number.
     pub(crate) fn empty(functions: StepFunctions<L>, constants: Constants<Q>, room: usize) -> Box<dyn Motions> {
         Box::new(Self { motions: Vec::with_capacity(room), functions, constants, shape: PhantomData })
     }

@@ -11,7 +11,7 @@ use crate::{
 /// The fraction of the time to a target that is integrated in one block, at the mean rate.
 const CAUTION: f64 = 0.875;
 
-/// After so many shorter steps the time is as near as it gets.
+/// After this number of shorter steps the time is as near as it gets.
 const TRIALS: u32 = 200;
 
 /// How many steps lead over a part of the way, at a pace.

@@ -324,7 +324,7 @@ impl<C: Coords> Run<C> {
         in_portions(steps, 1, &mut |steps| self.advance(steps), &mut progress)
     }
 
-    /// Takes steps until so many are done.
+    /// Takes steps up to this number of steps.
     fn take_steps_to(&mut self, end: u64) -> Result<(), Error> {
         let clock = self.since_opened();
         self.engine.advance(clock, end - self.clock.steps, &mut self.clock.steps);
@@ -645,7 +645,7 @@ impl<C: Coords> Run<C> {
         self.engine.resume(self.form(), &lanes);
     }
 
-    /// Goes back to motions of the same lanes, after so many steps.
+    /// Goes back to motions of the same lanes, after this number of steps.
     pub(crate) fn go_back(&mut self, steps: u64, motions: &dyn Motions) {
         self.engine.go_back(motions);
         self.clock.steps = steps;

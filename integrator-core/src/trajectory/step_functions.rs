@@ -34,19 +34,19 @@ pub struct StepFunctions<M> {
     pub(crate) lanes: usize,
     /// How many motions a group has, whose members go through each stage together.
     pub(crate) together: usize,
-    /// Takes so many steps, on so many threads or all that the machine has.
+    /// Takes this number of steps, on this number of threads or on all.
     pub(crate) advance: fn(&mut [M], Clock, u64, Option<usize>),
-    /// Completes the current step, on so many threads or all that the machine has.
+    /// Completes the current step, on this number of threads or on all.
     pub(crate) complete: fn(&mut M, Clock, Option<usize>),
     /// Makes of a completed step the state that is shown, where that differs.
     pub(crate) show: Option<fn(&mut M, Clock)>,
-    /// Whether all numbers are finite, by so many threads or all that the machine has.
+    /// Whether all numbers are finite, by this number of threads or by all.
     pub(crate) finite: fn(&[M], Option<usize>) -> bool,
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
     /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
-    /// Writes the sums of the squares of the vectors after the states of all lanes, where each state has one; the point is
-    /// of the shape of a state, and is written to.
+    /// Writes the sums of the squares of the vectors after the states of all lanes, where each state has one; the point
+    /// is of the shape of a state, and is written to.
     #[cfg(feature = "check")]
     pub(crate) squares: Option<Squares<M>>,
 }
@@ -87,7 +87,7 @@ impl<M> StepFunctions<M> {
         }
     }
 
-    /// Takes so many steps with one motion.
+    /// Takes this number of steps with one motion.
     #[cfg(feature = "check")]
     pub(crate) fn advance_one(&self, motion: &mut M, clock: Clock, steps: u64) {
         (self.advance)(core::slice::from_mut(motion), clock, steps, Some(1));
@@ -129,7 +129,7 @@ pub struct InTiles;
 /// As flow by flow, beside deviation vectors.
 pub struct BesideVectors;
 
-/// Several small motions together, as fit into so many registers.
+/// Several small motions together, as fit into this number of registers.
 #[cfg(feature = "std")]
 pub struct Interleaved<const REGISTERS: usize>;
 

@@ -28,7 +28,7 @@ pub(crate) use vectors::{far_exponent, numbers, scaled};
 #[cfg(feature = "check")]
 pub(crate) use vectors::{may_be_far, square, unit_vectors};
 
-/// After so many steps vectors are looked at, whether they are far from one.
+/// After this number of steps vectors are looked at, whether they are far from one.
 pub(crate) const BETWEEN_SCALES: u64 = 64;
 
 /// How many vectors go with one copy of the state, where there are several: as many numbers as fill a register of 256
@@ -65,8 +65,8 @@ pub(crate) struct Beginning<C: Coords> {
     /// The number of vectors along parameters: after the others, or, in a resumed run, the last of these.
     pub(crate) parameters: usize,
     pub(crate) h: f64,
-    /// The clock, and after how many steps the state was last changed from outside, where it continues from the middle of the
-    /// step in progress.
+    /// The clock, and after how many steps the state was last changed from outside, where it continues from the middle
+    /// of the step in progress.
     pub(crate) at: Option<(Clock, u64)>,
 }
 
@@ -178,7 +178,7 @@ impl<C: Coords> Tangent<C> {
         Ok(())
     }
 
-    /// Takes steps until so many are done, or as many as all runs can take.
+    /// Takes steps up to this number of steps, or as many as all runs can take.
     fn take_steps_to(&mut self, end: u64) -> Result<(), Error> {
         let begin = self.steps();
         if let [run] = &mut self.runs[..] {

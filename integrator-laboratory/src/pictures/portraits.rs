@@ -12,7 +12,7 @@ use integrator_plot::{
 
 /// How much further the axes reach than the exact orbit, on either side, in units of the orbit.
 const ROOM: f64 = 0.4;
-/// From so many steps to a period, the points of an orbit are joined.
+/// From this number of steps to a period, the points of an orbit are joined.
 const JOINED: u32 = 40;
 /// The shades of an orbit that gains or loses, from its beginning to its end: how much of white is mixed in.
 const SHADES: [f64; 5] = [0.75, 0.55, 0.35, 0.15, 0.0];

@@ -40,7 +40,7 @@ impl<C: Coords> Border<C> {
         Self { run: self.run.at_time(t0), ..self }
     }
 
-    /// Uses at most so many threads.
+    /// Uses at most this number of threads.
     pub(crate) fn with_threads(self, threads: usize) -> Self {
         Self { run: self.run.with_threads(threads), ..self }
     }

@@ -26,7 +26,7 @@ pub(crate) fn put<C: Coords>(state: &mut Phase<C>, sites: Range<usize>, numbers:
     }
 }
 
-/// How many numbers so many sites are.
+/// How many numbers this number of sites are.
 pub(crate) fn count<C: Coords>(sites: usize) -> usize {
     2 * sites * C::COMPONENTS * C::Leaf::PARTS
 }

@@ -195,8 +195,8 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         Ok(())
     }
 
-    /// Takes steps for which the halos are wide enough; fewer, with new halos after them, where the end of a slab has left the
-    /// finite numbers.
+    /// Takes steps for which the halos are wide enough; fewer, with new halos after them, where the end of a slab has
+    /// left the finite numbers.
     fn take_steps(&mut self, steps: u64) -> Result<(), Error> {
         let outcome = self.run.advance(steps);
         let (own, mut first) = (last_step(&outcome), u64::MAX);
@@ -236,8 +236,8 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         self.slab.inner().contains(&place).then(|| self.slab.indices()[place])
     }
 
-    /// Asks the neighbours what the halos are, and takes steps while their messages travel: those of the interior, after which
-    /// the borders come once they know their halos.
+    /// Asks the neighbours what the halos are, and takes steps while their messages travel: those of the interior,
+    /// after which the borders come once they know their halos.
     fn exchange(&mut self, ahead: u64) -> Result<(), Error> {
         let (mut state, steps) = (unfinished(&self.run), self.steps());
         let (received, moved) = halos(self.world, &self.slab, &state, || self.run.advance(ahead));
@@ -266,7 +266,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
         Ok(())
     }
 
-    /// What the borders are so many steps after a state of the slab; nothing where one of them cannot take these.
+    /// What the borders are this number of steps after a state of the slab; nothing where one of them cannot take these.
     fn move_borders(&mut self, from: &Phase<C>, steps: u64, ahead: u64) -> Option<Vec<Moved>> {
         let since = [steps, self.opened];
         let moved: Result<Vec<_>, _> =

@@ -48,7 +48,8 @@ impl Reach {
         Some(Self { once, step, periodic: radii.periodic() })
     }
 
-    /// The fewest sites that stay right for so many steps in each halo, and one more, which both sides of a border have.
+    /// The fewest sites that stay right for this number of steps in each halo, and one more, which both sides of a
+    /// border have.
     fn halo(&self, steps: usize) -> usize {
         self.once + steps * self.step + 1
     }
@@ -93,7 +94,7 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// The slab of a rank of so many.
+    /// The slab of a rank of this number.
     ///
     /// # Errors
     /// [`Error::FewSites`], if a rank has fewer of its own than the halo of another one requires.
@@ -155,7 +156,7 @@ impl Slab {
         start..start + self.halos[side]
     }
 
-    /// Where the sites of a border are: the halo on this side and so many of its own sites, in the order of all.
+    /// Where the sites of a border are: the halo on this side and this number of of its own sites, in the order of all.
     pub(crate) fn border(&self, side: usize, own: usize) -> [Range<usize>; 2] {
         let mut parts = [self.halo(side), self.edge(side, own)];
         parts.sort_unstable_by_key(|part| part.start);

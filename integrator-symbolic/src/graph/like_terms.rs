@@ -179,12 +179,13 @@ const LARGEST: i32 = 1 << 14;
 /// products of its factors.
 const LONG: usize = 8;
 
-/// Whether a power of so many halves is a product.
+/// Whether a power of this number of halves is a product.
 fn is_whole(halves: i32) -> bool {
     halves > 0 && halves % 2 == 0 && halves / 2 <= LARGEST
 }
 
-/// What a value is the product of, down to what is no product or no part of it alone; of more factors than are requested, one more.
+/// What a value is the product of, down to what is no product or no part of it alone; of more factors than are
+/// requested, one more.
 fn factors(graph: &Graph, value: NodeId, is_part: impl Fn(NodeId) -> bool, most: usize) -> Factors {
     let mut found = Factors::default();
     let mut open = vec![(value, 1)];

@@ -199,7 +199,7 @@ impl Reader<'_> {
         Some(Sequence { from, to, at: Rc::new(at), filtered: false, literal })
     }
 
-    /// Every so many items, counted from the first.
+    /// Every `n`th item, counted from the first.
     fn strided(&mut self, base: Sequence, stride: &Expr) -> Option<Sequence> {
         let stride = self.bound(stride)?;
         let zero = self.literal_index(0);

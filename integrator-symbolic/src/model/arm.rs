@@ -206,8 +206,8 @@ impl Reader<'_> {
         value
     }
 
-    /// The body of so many arms inside of each other: what leaves it is a number, since the names of the patterns mean
-    /// nothing outside.
+    /// The body of this number of arms inside of each other: what leaves it is a number, since the names of the
+    /// patterns mean nothing outside.
     pub(super) fn settled_body(&mut self, body: Body<'_>, flow: Flow, arms: usize) -> Option<Outcome> {
         let mut assigned = Assigned::default();
         body.visit(&mut assigned);

@@ -317,8 +317,8 @@ impl Reader<'_> {
         Some((quote!(#(#texts),*), loops))
     }
 
-    /// The text of an argument, if it is a parameter. That of a parameter shows whether it is a reference; of integers and
-    /// numbers their place does.
+    /// The text of an argument, if it is a parameter. That of a parameter shows whether it is a reference; of integers
+    /// and numbers their place does.
     pub(super) fn argument(&self, value: &Value, place: &Expr) -> Option<Opaque> {
         let Opaque { text, loops } = self.opaque(value)?;
         let is_reference = !matches!(value, Value::Opaque(_)) && is_reference(place);

@@ -167,8 +167,8 @@ impl Reader<'_> {
         self.first_of(&arms, &matched, integer, flow, branch)
     }
 
-    /// `if a && let Some(x) = y && b { ... } else { ... }`: the conditions after a pattern know its names, and are tested where
-    /// it fits alone.
+    /// `if a && let Some(x) = y && b { ... } else { ... }`: the conditions after a pattern know its names, and are
+    /// tested where it fits alone.
     fn let_chain(&mut self, branch: &ExprIf, flow: Flow) -> Option<Outcome> {
         let mut conditions = Vec::new();
         joined_by_and(&branch.cond, &mut conditions);
@@ -294,7 +294,8 @@ impl Reader<'_> {
         Some(whole)
     }
 
-    /// `let pattern = value else { ... };`, which leaves here, and what is after it, which knows the names of the pattern.
+    /// `let pattern = value else { ... };`, which leaves here, and what is after it, which knows the names of the
+    /// pattern.
     pub(super) fn let_else(
         &mut self,
         pattern: &Pat,

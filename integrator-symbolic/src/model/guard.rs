@@ -91,7 +91,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The conditions with so many loops around them that bear on a text.
+    /// The conditions with this number of loops around them that bear on a text.
     fn conditions_at(&self, depth: usize, needs: Needs) -> Option<Opaque> {
         let here = self.conditions.iter().filter(|condition| condition.depth == depth);
         here.flat_map(|condition| self.parts_on(condition.node, condition.holds, needs)).map(Some).fold(None, both)

@@ -137,8 +137,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a pattern of so many items fits a value with a known number of them, with its names bound if it does;
-    /// nothing is said of other patterns and values.
+    /// Whether a pattern of this number of items fits a value with a known number of them, with its names bound if it
+    /// does; nothing is said of other patterns and values.
     pub(super) fn fits_length(&mut self, pattern: &Pat, value: &Expr) -> Option<Option<bool>> {
         let mut inner = pattern;
         while let Pat::Reference(PatReference { pat, .. }) | Pat::Paren(PatParen { pat, .. }) = inner {

@@ -9,8 +9,8 @@ use crate::{
     },
 };
 
-/// The strength `c` of the attraction `-c / r` of a pair, `r` the distance of its two bodies with so many components; all
-/// other terms of its energy are left out. `None` where no term is of this form.
+/// The strength `c` of the attraction `-c / r` of a pair, `r` the distance of its two bodies with this number of
+/// components; all other terms of its energy are left out. `None` where no term is of this form.
 pub(crate) fn attraction(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2], dimension: u64) -> Option<NodeId> {
     let one = graph.constant(-1.0);
     let mut open = vec![(energy, one)];
@@ -74,8 +74,8 @@ fn all_terms_move(graph: &Graph, id: NodeId) -> bool {
     }
 }
 
-/// What the momentum of a body is multiplied by, for its velocity, in so many components; `None` where the velocity is
-/// something else.
+/// What the momentum of a body is multiplied by, for its velocity, in this number of components; `None` where the
+/// velocity is something else.
 pub(crate) fn inverse_mass(graph: &mut Graph, velocity: &[Contribution], dimension: u64) -> Option<NodeId> {
     let factor = multiple(graph, velocity, dimension, |graph, element| {
         let momentum = graph.coordinate(element);
@@ -84,7 +84,8 @@ pub(crate) fn inverse_mass(graph: &mut Graph, velocity: &[Contribution], dimensi
     graph.is_prepared(factor).then_some(factor)
 }
 
-/// The number that each component of a vector, or of its opposite, is multiplied by in a gradient of so many components.
+/// The number that each component of a vector, or of its opposite, is multiplied by in a gradient of this number of
+/// components.
 fn multiple(
     graph: &mut Graph,
     gradient: &[Contribution],

@@ -17,7 +17,7 @@ use moving::{Moving, components};
 /// The most terms that are looked at.
 const MANY: usize = 256;
 
-/// The canonical form of an energy of so many bodies; `None` of one that is no sum over bodies and pairs.
+/// The canonical form of an energy of this number of bodies; `None` of one that is no sum over bodies and pairs.
 pub(crate) fn canonical(
     graph: &mut Graph,
     energy: NodeId,

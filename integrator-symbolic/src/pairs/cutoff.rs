@@ -21,7 +21,7 @@ pub(crate) struct Cutoff {
     pub(crate) sides: Vec<Contribution>,
 }
 
-/// The cutoff of the energy of a pair with so many coordinates each; `bodies` is the loop over all bodies.
+/// The cutoff of the energy of a pair with this number of coordinates each; `bodies` is the loop over all bodies.
 pub(crate) fn cutoff(
     graph: &mut Graph,
     energy: NodeId,

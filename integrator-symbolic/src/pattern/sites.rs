@@ -8,8 +8,8 @@ use crate::{
     stencil::{Components, Direction, Stencil, stencil},
 };
 
-/// What the gradient of the potential shows about coordinates with two indices. A kinetic energy looks the same for points as
-/// for rows of sites.
+/// What the gradient of the potential shows about coordinates with two indices. A kinetic energy looks the same for
+/// points as for rows of sites.
 pub(super) fn components(model: &mut Model, potential: &[Contribution]) -> Components {
     let Model { graph, parameters, extents, .. } = model;
     let has_unknown_width = matches!(extents[..], [_, width] if graph.loops.literal(width).is_none());

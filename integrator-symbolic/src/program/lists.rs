@@ -77,8 +77,8 @@ pub(super) fn by_point(graph: &Graph, stores: &[Store]) -> Vec<Store> {
 }
 
 impl<'p> ListSum<'p> {
-    /// The sum that a loop is, where points have so many components; `is_table` decides which prepared numbers are kept in
-    /// tables.
+    /// The sum that a loop is, where points have this number of components; `is_table` decides which prepared numbers
+    /// are kept in tables.
     pub(crate) fn of(
         graph: &Graph,
         components: Option<IndexId>,

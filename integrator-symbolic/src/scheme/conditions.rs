@@ -28,7 +28,7 @@ impl Word {
         self.0.count_ones() as usize - 1
     }
 
-    /// The Lyndon word of so many letters with one `V`, which is its last.
+    /// The Lyndon word of this number of letters with one `V`, which is its last.
     pub(super) fn with_one_kick(length: usize) -> Self {
         Self(1 << length | 1)
     }

@@ -17,7 +17,7 @@ use super::{
 /// The longest word with one `B` that is examined. Beyond, powers of times leave too few of the digits.
 pub(super) const LONGEST: usize = 30;
 
-/// What holds of the words with so many letters `B`.
+/// What holds of the words with this number of letters `B`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     /// All of them up to this length are right.
@@ -73,7 +73,7 @@ fn with_one(stages: &Stages) -> Found {
     Found { order: LONGEST as u32, violation: None }
 }
 
-/// The order of the words with so many `B`.
+/// The order of the words with this number of `B`.
 fn with(letters: usize, series: &Series, stages: &Stages, scheme: &Scheme) -> Found {
     for degree in 1..=HIGHEST {
         let tolerance = tolerance(stages, degree);

@@ -25,7 +25,7 @@ pub(super) fn are_kept(scheme: &Scheme) -> bool {
     scheme.class == Class::General && (3..=highest).all(|degree| vanish(scheme, degree))
 }
 
-/// The order of words with so many letters `B`.
+/// The order of words with this number of letters `B`.
 fn order(scheme: &Scheme, letters: u32) -> u32 {
     scheme.generalised.get(letters as usize - 1).copied().unwrap_or(scheme.order)
 }

@@ -74,7 +74,7 @@ impl Place {
         }
     }
 
-    /// The number of the place on a lattice of so many.
+    /// The number of the place on a lattice of this number.
     fn on(self, number: i64) -> i64 {
         match self {
             Place::FromBegin(place) => place,
@@ -138,7 +138,7 @@ struct Linear {
 }
 
 impl Direction {
-    /// The direction of so many places, inside the loop over another one.
+    /// The direction of this number of places, inside the loop over another one.
     pub(super) fn new(
         graph: &mut Graph,
         parent: Option<LoopId>,
@@ -189,7 +189,8 @@ impl Direction {
         Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole })
     }
 
-    /// Leaves of some iterations those in which a comparison of their number holds, or does not, and returns whether any may remain;
+    /// Leaves of some iterations those in which a comparison of their number holds, or does not, and returns whether
+    /// any may remain;
     /// `None` where these are no range, or where a lattice that is short may have another one.
     pub(super) fn narrow(&self, graph: &Graph, own: &mut Iterations, condition: Node, holds: bool) -> Option<bool> {
         let Node::CompareIndex(comparison, a, b) = condition else { return None };

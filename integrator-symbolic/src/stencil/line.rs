@@ -113,7 +113,7 @@ impl Stencil {
     }
 }
 
-/// The role of a contribution on a line of so many sites.
+/// The role of a contribution on a line of this number of sites.
 fn role(graph: &Graph, contribution: &SiteContribution, number: u64, periodic: bool) -> Option<Role> {
     let [Along { onward, places }] = contribution.along[..] else { return None };
     let range = |from: IndexId, to: IndexId| Some((graph.loops.literal(from)?, graph.loops.literal(to)?));

@@ -78,7 +78,7 @@ pub(super) fn search<C: Coords>(
     Ok(None)
 }
 
-/// The tolerance of so many quarters of a digit.
+/// The tolerance of this number of quarters of a digit.
 fn tolerance(quarters: i32) -> f64 {
     10.0_f64.powf(-f64::from(quarters) / f64::from(QUARTERS))
 }

@@ -89,7 +89,8 @@ impl<C: Coords> Candidate<'_, C> {
 }
 
 impl<'s, C: Coords> Candidate<'s, C> {
-    /// A system under a method with a fictitious time over a composition, whose step is that of physical time at this pace.
+    /// A system under a method with a fictitious time over a composition, whose step is that of physical time at this
+    /// pace.
     pub(super) fn paced<H, X, M>(system: &'s H, composition: X, method: M, pace: f64) -> Self
     where
         H: Hamiltonian,

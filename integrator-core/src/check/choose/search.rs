@@ -63,7 +63,8 @@ impl Found {
     }
 }
 
-/// The search among the candidates of a splitting; those that take sixteen times so many seconds are not looked for.
+/// The search among the candidates of a splitting; those that take sixteen times this number of seconds are not looked
+/// for.
 pub(super) fn search<C: Coords>(
     problem: &Problem<'_, C>,
     splitting: Split,
@@ -106,7 +107,7 @@ pub(super) fn search<C: Coords>(
     Ok(Found { choices, closest })
 }
 
-/// The evaluations that sixteen times so many seconds are enough for.
+/// The evaluations that sixteen times this number of seconds are enough for.
 fn affordable<C: Coords>(problem: &Problem<'_, C>, candidates: &[Candidate<'_, C>], best: f64) -> u64 {
     if best == f64::INFINITY {
         return MOST_EVALUATIONS;

@@ -90,8 +90,8 @@ pub(super) trait Measured<C: Coords> {
     /// The fewest steps that end where pieces do, of points along the motion; else the time of an edge.
     fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64>;
 
-    /// The motion in so many steps of order 10, or of order 6 where H stays in one piece, with a compensated state,
-    /// recorded after every step. It has no ends if the run diverges.
+    /// The motion in this number of steps of order 10, or of order 6 where H stays in one piece, with a compensated
+    /// state, recorded after every step. It has no ends if the run diverges.
     fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale);
 
     /// The motion by a Taylor series, where there is one.

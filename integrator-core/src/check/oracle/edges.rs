@@ -16,7 +16,7 @@ use crate::{
 const ROUNDINGS: f64 = 16.0;
 
 /// The greatest common divisor of the numbers of steps that lie between edges, from time `t0`; zero, if there are none
-/// among so many steps.
+/// among this number of steps.
 ///
 /// # Errors
 /// An edge inside of a step.

@@ -50,9 +50,7 @@ impl fmt::Display for FlowLaw {
         f.write_str(match self {
             Self::Symplecticity => "is not symplectic",
             Self::Inverse => "is not inverted by the flow for the negative duration",
-            Self::Addition => {
-                "does not add up: two flows in sequence give another state than one flow for the whole duration"
-            }
+            Self::Addition => "does not add up: two flows in sequence differ from one flow for the whole duration",
             Self::Energy => "does not conserve the energy of its part",
             Self::Generator => "does not have the vector field of the energy of its part",
         })

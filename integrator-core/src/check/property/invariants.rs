@@ -109,7 +109,7 @@ pub(crate) struct Strayed {
     pub(crate) rounding: f64,
 }
 
-/// Follows all invariants over so many steps.
+/// Follows all invariants over this number of steps.
 pub(crate) fn strayed<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

@@ -137,7 +137,7 @@ pub fn shadow<H: Hamiltonian, X: Composition<H>, K: Precision>(
     measure(&run, &modified, &flat_start(&values).phase, span)
 }
 
-/// The states of a run with a step, looked at every so many steps.
+/// The states of a run with a step, read at an interval of steps.
 type Looks<'r> = dyn Fn(f64, u64) -> Result<Vec<Flat>, Error> + 'r;
 
 fn measure(run: &Looks<'_>, modified: &OfFlat<'_>, start: &Flat, span: f64) -> Result<Shadow, CheckError> {

@@ -117,8 +117,8 @@ impl<W: Real, const D: usize> Kernel for Fall<W, D> {
     }
 }
 
-/// The derivatives of ways along a direction, where some bodies fall from far away: those of falls are recomputed, one after the other and
-/// in double precision, since falls are rare. Derivatives of these derivatives are not numbers.
+/// The derivatives of ways along a direction, where some bodies fall from far away: those of falls are recomputed, one
+/// after the other and in double precision, since falls are rare. Derivatives of these derivatives are not numbers.
 pub(super) struct AlongFalls<F: Real, const D: usize> {
     pub(super) body: Body<F, D>,
     pub(super) duration: F,

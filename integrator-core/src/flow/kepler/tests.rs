@@ -272,7 +272,7 @@ fn derivatives_of_a_root_are_those_through_the_search_for_it() {
     }
 }
 
-/// The relative error of the energy after so many stages of an orbit, the largest one along them and the mean over
+/// The relative error of the energy after this number of stages of an orbit, the largest one along them and the mean over
 /// the second half.
 fn walked<R: Real>(eccentricity: f64, duration: f64, stages: u32) -> [f64; 2] {
     let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
@@ -322,7 +322,7 @@ fn bodies<R: Real>() -> ([[[R; 3]; 5]; 2], [[R; 5]; 2]) {
 
 type Pair = Lanes<f64, 2>;
 
-/// The bits of the coordinates of these bodies after a flow, in the last lane, with so many of them in a call.
+/// The bits of the coordinates of these bodies after a flow, in the last lane, with this number of of them in a call.
 fn flown_by<R: Real>(some: usize) -> Vec<u64> {
     let ([mut q, mut p], [masses, strengths]) = bodies::<R>();
     for first in (0..5).step_by(some) {

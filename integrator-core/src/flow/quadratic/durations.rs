@@ -33,7 +33,7 @@ pub(super) enum Known {
     Before,
     /// It is a new one.
     New,
-    /// It is a new one, and there are so many that the others are forgotten.
+    /// It is a new one, and the others are forgotten, since there are too many.
     Anew,
 }
 

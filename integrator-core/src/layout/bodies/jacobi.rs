@@ -57,7 +57,7 @@ struct Weights<W> {
     first: W,
     /// One where the row has a body one, two or four lanes ahead.
     later: [W; 3],
-    /// The same, for so many lanes back.
+    /// The same, for this number of lanes back.
     earlier: [W; 3],
 }
 
@@ -114,7 +114,7 @@ fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<
     mapped
 }
 
-/// Puts what there is so many of for each body in the order of rows, where the leading one is first.
+/// Puts what there is this number of of for each body in the order of rows, where the leading one is first.
 fn in_order_of_rows<T>(of_bodies: &mut [T], leading: usize, many: usize) {
     if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
         moved.rotate_right(many);
@@ -138,7 +138,7 @@ fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> 
 }
 
 /// The way of the bodies of a row, and one in the lanes of those whose orbits could not be solved, if there are any. Where a row
-/// is so many numbers, the bodies go one by one: code for all of them together would be that many times longer.
+/// is this number of numbers, the bodies go one by one: code for all of them together would be that many times longer.
 #[inline(always)]
 fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[L::Row; D]; 2], Option<L::Row>) {
     if const { <L::Row as Row<L::Scalar>>::PARTS == 0 } {

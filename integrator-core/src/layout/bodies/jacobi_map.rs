@@ -107,7 +107,7 @@ pub(crate) struct Part {
     pub(crate) attraction: f64,
 }
 
-/// The parts of so many bodies, the leading one first.
+/// The parts of this number of bodies, the leading one first.
 pub(crate) fn parts(constants: &impl JacobiConstants, bodies: usize) -> Vec<Part> {
     let (mut parts, mut sum) = (Vec::with_capacity(bodies), 0.0);
     for body in 0..bodies {

@@ -50,12 +50,12 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     pub parameters: P,
 }
 
-/// The indices of the bodies of a row, out of so many bodies.
+/// The indices of the bodies of a row, out of this number of bodies.
 fn bodies_of_row(row: usize, bodies: usize) -> Range<usize> {
     row * WIDTH..bodies.min((row + 1) * WIDTH)
 }
 
-/// The number of chunks in which the pairs of so many bodies are summed.
+/// The number of chunks in which the pairs of this number of bodies are summed.
 fn chunks(bodies: usize) -> usize {
     CHUNKS.iter().find(|(rows, _)| bodies >= rows * WIDTH).map_or(1, |(_, chunks)| *chunks)
 }

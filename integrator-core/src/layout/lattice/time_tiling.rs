@@ -259,7 +259,7 @@ fn advance_lattice(
     }
 }
 
-/// Applies flows to tiles of so many sites or rows, in so many chunks.
+/// Applies flows to tiles of this number of sites or rows, in this number of chunks.
 fn advance_tiles(lattice: &mut dyn Segment, skewed: &SkewedFlows, tile: usize, count: usize) {
     let [length, _] = lattice.size();
     let borders: Vec<usize> = (0..=count).map(|number| number * length / count).collect();
@@ -312,8 +312,8 @@ impl Chunk<'_> {
     }
 }
 
-/// Applies the flows to the gaps that chunks left at these borders: one flow after the other, each of them in so many threads where
-/// that is worth it.
+/// Applies the flows to the gaps that chunks left at these borders: one flow after the other, each of them in this
+/// number of threads where that is worth it.
 fn fill_gaps(lattice: &mut dyn Segment, skewed: &SkewedFlows, borders: &[usize], threads: usize) {
     let [length, columns] = lattice.size();
     for (flow, [left, right]) in &skewed.flows {
@@ -331,7 +331,7 @@ fn fill_gaps(lattice: &mut dyn Segment, skewed: &SkewedFlows, borders: &[usize],
     }
 }
 
-/// Applies a flow to some of the sites; of layers, in so many threads.
+/// Applies a flow to some of the sites; of layers, in this number of threads.
 fn apply_shared(lattice: &mut dyn Segment, flow: &Flow, sites: &[Range<usize>], threads: usize) {
     if threads > 1 {
         let parts = dealt(sites, threads);
@@ -347,7 +347,7 @@ fn apply_shared(lattice: &mut dyn Segment, flow: &Flow, sites: &[Range<usize>], 
     lattice.forget();
 }
 
-/// Ranges in so many parts of about the same length.
+/// Ranges in this number of parts of about the same length.
 fn dealt(ranges: &[Range<usize>], parts: usize) -> Vec<Vec<Range<usize>>> {
     let all: usize = ranges.iter().map(Range::len).sum();
     let each = all.div_ceil(parts);

@@ -141,8 +141,8 @@ impl<R: Real, W: Block<R>> Window<R, W> {
         W::splat(self.of_plane(table, behind).copied().unwrap_or(R::of(0.0)))
     }
 
-    /// The elements of a table over planes, rows and sites, at offsets from the plane, row and sites of the block; zero if
-    /// the table has none.
+    /// The elements of a table over planes, rows and sites, at offsets from the plane, row and sites of the block; zero
+    /// if the table has none.
     #[inline(always)]
     pub fn table_of_planes<Rows: AsRef<[R]>>(
         &self,

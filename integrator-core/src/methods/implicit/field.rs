@@ -38,7 +38,7 @@ impl<H: Hamiltonian, R: Real> Pair<H, R> {
         [H::Coords::slots_mut(&mut self.q), H::Coords::slots_mut(&mut self.p)]
     }
 
-    /// Zeros, so many in each half.
+    /// Zeros, this number of them in each half.
     #[inline(always)]
     pub(crate) fn zero(count: usize) -> Self {
         let zeros = || H::Coords::slots_from(count, |_| R::of(0.0));

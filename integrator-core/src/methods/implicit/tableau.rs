@@ -9,7 +9,7 @@ pub struct Tableau<const S: usize> {
     pub(super) c: [f64; S],
 }
 
-/// A method with so many stages.
+/// A method with this number of stages.
 pub trait Stages<const S: usize>: Described {
     /// Its coefficients.
     const TABLEAU: Tableau<S>;

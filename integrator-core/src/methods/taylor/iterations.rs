@@ -19,8 +19,8 @@ pub fn splat<R: Real, V: Row<Wide<R>>>(x: R) -> V {
     V::splat(Wide::<R>::splat(x))
 }
 
-/// A block of eight iterations, or one, each of which reads so many points and has so many constants; `T` is their
-/// record.
+/// A block of eight iterations, or one, each of which reads this number of points and has this number of constants; `T`
+/// is their record.
 pub struct IterationBlock<R: Real, T, const READS: usize, const CONSTANTS: usize> {
     /// The record of the iterations.
     pub kept: T,
@@ -42,7 +42,7 @@ impl<R: Real, T, const READS: usize, const CONSTANTS: usize> IterationBlock<R, T
     }
 }
 
-/// The values that iterations compute, each of so many orders.
+/// The values that iterations compute, each of this number of orders.
 type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; VALUES];
 
 /// A coordinate that each iteration moves.
@@ -79,7 +79,8 @@ struct Schedule {
 }
 
 impl Schedule {
-    /// The schedule of iterations which read so many points each: in blocks of eight, or one by one in the same order.
+    /// The schedule of iterations which read this number of points each: in blocks of eight, or one by one in the same
+    /// order.
     #[cold]
     #[inline(never)]
     fn of(iterations: &IterationList, reads: usize, is_narrow: bool, layout: Layout, targets: &[Target]) -> Self {
@@ -110,7 +111,7 @@ impl Schedule {
         Self { blocks, reads }
     }
 
-    /// The addends of positions or momenta from iterations that compute so many values each.
+    /// The addends of positions or momenta from iterations that compute this number of values each.
     #[cold]
     #[inline(never)]
     fn addends(&self, iterations: &IterationList, targets: &[Target], half: usize, values: usize) -> Vec<Addend> {
@@ -131,8 +132,8 @@ impl Schedule {
     }
 }
 
-/// The iterations of a loop, or of nested loops: each reads so many points, has so many constants, and moves so many
-/// coordinates by so many values, of so many orders per call; `T` is the record of a block.
+/// The iterations of a loop, or of nested loops: each reads this number of points, has this number of constants, and
+/// moves this number of coordinates by this number of values, of this number of orders per call; `T` is the record of a block.
 pub struct Iterations<
     R: Real,
     T,

@@ -71,11 +71,11 @@ fn with_lane<R: Real>(vector: Wide<R>, lane: usize, other: Wide<R>) -> Wide<R> {
     Wide::<R>::select(is_other, other, vector)
 }
 
-/// The values that the sites of a vector compute, each of so many orders.
+/// The values that the sites of a vector compute, each of this number of orders.
 type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; VALUES];
 
-/// The sites of a line, which compute so many values of so many orders per call. `B` is the record of several vectors, `T`
-/// that of one.
+/// The sites of a line, which compute this number of values of this number of orders per call. `B` is the record of
+/// several vectors, `T` that of one.
 pub struct Line<R: Real, B, T, const VALUES: usize, const ORDERS: usize> {
     bundles: Vec<B>,
     /// The vectors that fill no bundle.

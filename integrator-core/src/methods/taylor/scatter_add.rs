@@ -214,7 +214,7 @@ fn in_lane<R: Real>(numbers: Wide<R>, lane: usize) -> R {
     lanes[lane]
 }
 
-/// Adds to a block of so many vectors by the first passes, and returns the passes of the next blocks.
+/// Adds to a block of this number of vectors by the first passes, and returns the passes of the next blocks.
 #[inline(always)]
 fn add_to<'r, R: Real, const ORDERS: usize, const VECTORS: usize>(
     block: &TargetBlock,

@@ -34,7 +34,7 @@ impl IterationList {
     }
 }
 
-/// The indices of one of so many iterations.
+/// The indices of one of this number of iterations.
 fn of_iteration(indices: &[usize], iteration: usize, count: usize) -> &[usize] {
     let each = indices.len() / count;
     &indices[iteration * each..][..each]

@@ -142,7 +142,7 @@ fn product<R: Real>(a: &[R; COEFFICIENTS], b: &[R; COEFFICIENTS], order: usize) 
     product
 }
 
-/// `x` to the power of so many halves.
+/// `x` to the power of this number of halves.
 #[inline(always)]
 pub fn half_power<R: Real>(x: R, halves: i32) -> R {
     let mut power = if halves % 2 == 0 { R::of(1.0) } else { x.sqrt() };

@@ -54,8 +54,9 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of so many numbers or points: a compile-time constant, where the type has it. Interleaved, points are
-    /// in the same lanes as their neighbours, so that iterations over points and neighbours read whole vectors.
+    /// The layout of this number of numbers or points: a compile-time constant, where the type has it. Interleaved,
+    /// points are in the same lanes as their neighbours, so that iterations over points and neighbours read whole
+    /// vectors.
     #[inline(always)]
     pub fn of<C: Coords>(length: usize, interleaved: bool) -> Self {
         let length = C::LENGTH.unwrap_or(length);

@@ -42,7 +42,7 @@ fn octant<R: Bits<Scalar: Arc>>(small: R, big: R) -> [R; 2] {
     [angle, cube.fma(R::Scalar::series(z), lost_by_quotient(t, small, big).fma(slope, lost))]
 }
 
-/// The sum of so many quarter turns, if there are any, and an angle that is smaller and in two parts.
+/// The sum of this number of quarter turns, if there are any, and an angle that is smaller and in two parts.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn add_quarters<R: Bits<Scalar: Arc>>(quarters: R, [angle, rest]: [R; 2]) -> R {
     let [quarter, small] = R::Scalar::QUARTER.map(R::of);

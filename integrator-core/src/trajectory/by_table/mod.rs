@@ -43,7 +43,8 @@ impl<H: Hamiltonian> Kicks<H> for Plain {
     fn gradient_kick(_: &mut impl Flows<H>, _: f64, _: f64, _: f64) {}
 }
 
-/// Takes so many steps with motions of [large flows](Hamiltonian::LARGE_FLOWS), by a composition without force gradients.
+/// Takes this number of steps with motions of [large flows](Hamiltonian::LARGE_FLOWS), by a composition without force
+/// gradients.
 pub(super) fn advance<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor>(
     motions: &mut [H::Motion<R, K>],
     clock: Clock,

@@ -148,7 +148,7 @@ pub fn numbers<C: Coords>(coordinates: &C) -> Vec<f64> {
     coordinates.flat().iter().flat_map(|leaf| leaf.parts().into_iter().take(C::Leaf::PARTS)).collect()
 }
 
-/// The coordinates that have these numbers, if their shape has so many.
+/// The coordinates that have these numbers, if their shape has this number of coordinates.
 pub fn coordinates<C: Coords>(numbers: &[f64]) -> Option<C> {
     let parts = C::Leaf::PARTS;
     let leaves =

@@ -6,11 +6,11 @@ use alloc::vec::Vec;
 
 impl<C: Coords> Tangent<C> {
     /// Goes to a time as [`Run::advance_to`](crate::Run::advance_to) does: the state has the bits of the run there, and the
-    /// vectors are the derivatives of the whole steps and of the shorter one after them. [`Tangent::advance`] continues from
-    /// the last whole step.
+    /// vectors are the derivatives of the whole steps and of the shorter one after them. [`Tangent::advance`] continues
+    /// from the last whole step.
     ///
-    /// By a method in a fictitious time, such as [`Logarithmic`](crate::Logarithmic), the shorter step is as long as that of
-    /// the state: neighbours arrive at other times, see [`Tangent::time_slopes`].
+    /// By a method in a fictitious time, such as [`Logarithmic`](crate::Logarithmic), the shorter step is as long as
+    /// that of the state: neighbours arrive at other times, see [`Tangent::time_slopes`].
     ///
     /// # Errors
     /// As [`Run::advance_to`](crate::Run::advance_to), and as [`Tangent::advance`] for vectors.

@@ -232,8 +232,8 @@ fn prepared_number(emitter: &mut Emitter<'_>, id: NodeId) -> TokenStream {
     if body.program.items.len() > 1 { quote!({ #lines }) } else { lines }
 }
 
-/// The derivative of a prepared constant by one of the parameters that are requested, by its number, or by none; what is no
-/// number of its own stays what it is.
+/// The derivative of a prepared constant by one of the parameters that are requested, by its number, or by none; what
+/// is no number of its own stays what it is.
 fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &TokenStream) -> TokenStream {
     match content {
         Content::Number(id) => match emitter.model.sensitive.get(parameter).copied() {

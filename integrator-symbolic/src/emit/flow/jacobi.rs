@@ -30,8 +30,8 @@ pub(crate) enum Obstacle {
     Softening(NodeId),
 }
 
-/// What Jacobi coordinates are made with, or what stands in their way. Energies that are not recognised as written are tried
-/// in their one form.
+/// What Jacobi coordinates are made with, or what stands in their way. Energies that are not recognised as written are
+/// tried in their one form.
 pub(crate) fn judged(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
     let obstacle = match read(coordinates, model, names) {
         Err(obstacle @ (Obstacle::Kinetic(_) | Obstacle::Potential(_))) => obstacle,

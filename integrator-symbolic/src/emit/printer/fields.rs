@@ -16,7 +16,7 @@ pub(crate) enum Content {
     Integer(ParameterId),
     /// One where a condition of parameters holds, else zero.
     Flag(ParameterId),
-    /// A method of the user with so many arguments.
+    /// A method of the user with this number of arguments.
     External(ExternalId),
     /// The flow of a part that the user wrote, by the number of the part.
     OwnFlow(usize),

@@ -11,8 +11,8 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites, after a zero
-/// for planes where there are any.
+/// The name of the contributions that go `onward`: `contribution_1`, or `contribution_1_0` over rows and sites, after a
+/// zero for planes where there are any.
 fn contribution(onward: &[usize]) -> Ident {
     let onward: Vec<_> = onward.iter().map(ToString::to_string).collect();
     format_ident!("contribution_{}", onward.join("_"))

@@ -54,7 +54,7 @@ impl Accumulation {
     }
 }
 
-/// The lines that declare the sums of so many derivatives: minus zero is the empty sum.
+/// The lines that declare the sums of this number of derivatives: minus zero is the empty sum.
 pub(super) fn declare_derivatives(count: usize, scalar: &Ident) -> TokenStream {
     let names = (0..count).map(derivative);
     quote!(#(let mut #names = #scalar::of(-0.0);)*)

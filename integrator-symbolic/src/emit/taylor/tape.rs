@@ -52,8 +52,8 @@ pub(super) enum Iterations {
     Once,
     /// One for each iteration.
     OneByOne,
-    /// One for each block of eight iterations, which read so many points, have so many constants, and move so many
-    /// coordinates by so many values, of so many orders per call.
+    /// One for each block of eight iterations, which read this number of points, have this number of constants, and
+    /// move this number of coordinates by this number of values, of this number of orders per call.
     Blocks([usize; 5]),
     /// One for each vector of the sites of a line, or for several, by the number of values and of orders per call.
     Sites([usize; 2]),

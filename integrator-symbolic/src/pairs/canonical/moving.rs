@@ -139,8 +139,8 @@ impl<'m> Moving<'m> {
         Some(sum)
     }
 
-    /// The replacements for some loops, those by other loops together; `None` where there are more, or where a loop stays that
-    /// must not.
+    /// The replacements for some loops, those by other loops together; `None` where there are more, or where a loop
+    /// stays that must not.
     fn renamings(&self, loops: LoopSet) -> Option<Vec<Renaming>> {
         let (mut renamings, mut moved) = (Vec::new(), Vec::new());
         for by in loops.iter() {

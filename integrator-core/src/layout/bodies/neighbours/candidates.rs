@@ -13,8 +13,8 @@ use alloc::vec::Vec;
 /// The candidates of a cell: those of the bodies in it and in those beside it that may be near one of its own. `T` is single
 /// precision.
 pub(crate) struct Candidates<T: Real, const D: usize> {
-    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity after
-    /// the last one.
+    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity
+    /// after the last one.
     found: Vec<u32>,
     found_at: [Vec<T>; D],
     /// Where the cell's own bodies begin among these.
@@ -128,8 +128,9 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         self.square = T::of(radius * radius);
     }
 
-    /// Keeps the cell's own bodies, so many of them, and those that are near the box around these. Differences and squares are
-    /// rounded in the same way as those of two bodies, and are not greater: no body near another one is left out.
+    /// Keeps the cell's own bodies, this number of of them, and those that are near the box around these. Differences
+    /// and squares are rounded in the same way as those of two bodies, and are not greater: no body near another one is
+    /// left out.
     #[inline(always)]
     fn keep(&mut self, own: usize) {
         let (home, count) = (self.home..self.home + own, self.found.len());
@@ -176,7 +177,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         self.kept.truncate(kept);
     }
 
-    /// Sorts keys by the numbers of so many bodies, digit by digit.
+    /// Sorts keys by the numbers of this number of bodies, digit by digit.
     fn sort(&mut self, bodies: usize) {
         let bits = usize::BITS - bodies.leading_zeros();
         let passes = bits.div_ceil(11).max(1);

@@ -1,9 +1,9 @@
 //! Cells: bodies sorted by position, so that those near one are found without a search through all others.
 //!
-//! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that every body within
-//! the radius of a body is in its cell or in one beside it. Computed in `f64`, whatever the bodies are computed in: this
-//! decides who is looked at and never what is added. Lengths are in units of a power of two at or below the radius, so that
-//! neither single precision nor a square overflows or underflows, whatever the units of the system.
+//! Always true: a cell is at least as wide as the radius along every axis that has more than one, so that every body
+//! within the radius of a body is in its cell or in one beside it. Computed in `f64`, whatever the bodies are computed
+//! in: this decides who is looked at and never what is added. Lengths are in units of a power of two at or below the
+//! radius, so that neither single precision nor a square overflows or underflows, whatever the units of the system.
 
 use crate::scalar::{
     exact::{exponent, power_of_two},
@@ -205,7 +205,7 @@ fn crowded(mut all: Vec<f64>) -> (f64, f64) {
     (low - span / 32.0, span * (1.0 + 1.0 / 16.0))
 }
 
-/// The number of cells along an axis with room for so many.
+/// The number of cells along an axis with room for this number.
 fn fitting(count: usize, side: f64) -> usize {
     if count < FEWEST && side > 0.0 { 1 } else { count.max(1) }
 }

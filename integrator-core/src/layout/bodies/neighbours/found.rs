@@ -20,7 +20,7 @@ struct FoundLists<const D: usize> {
 }
 
 impl<R: Real, const D: usize> Neighbours<R, D> {
-    /// The lists of one state, for another motion of so many bodies with the same constants.
+    /// The lists of one state, for another motion of this number of bodies with the same constants.
     pub(crate) fn found(&self, bodies: usize) -> Option<Found> {
         let listed = self.last().filter(|_| R::LANES == 1)?;
         let mut reference = Vec::with_capacity(bodies);

@@ -30,7 +30,7 @@ const MOST_NUMBERS: usize = 1 << 28;
 pub(crate) struct Lists {
     /// The slot of each body.
     pub(crate) slot_of: Vec<u32>,
-    /// The lists; none where so many bodies are near each other that lists of them would be too long.
+    /// The lists; none if lists would be too long, because the bodies are too close to each other.
     pub(crate) portions: Option<Vec<Portion>>,
 }
 
@@ -55,8 +55,8 @@ pub(crate) struct Head {
 }
 
 impl Lists {
-    /// Lists so many bodies that are within a radius of each other in any of the members, in whose cells they are; in the
-    /// memory of old lists.
+    /// Lists this number of bodies that are within a radius of each other in any of the members, in whose cells they
+    /// are; in the memory of old lists.
     pub(crate) fn new<const D: usize>(bodies: usize, cells: &[Cells<D>], threads: usize, old: Option<Self>) -> Self {
         let rows = bodies.div_ceil(WIDTH);
         let each = rows.div_ceil(PORTIONS).max(LEAST_ROWS);

@@ -290,7 +290,7 @@ where
     }
 }
 
-/// The number of quadruples for so many numbers.
+/// The number of quadruples for this number of numbers.
 const fn quads(numbers: usize) -> usize {
     numbers.div_ceil(4)
 }
@@ -298,7 +298,7 @@ const fn quads(numbers: usize) -> usize {
 /// What a thread does with a portion: its number, its rows, and where results go.
 type OfPortion<'p, T> = &'p (dyn Fn(usize, Range<usize>, &mut [T]) + Sync);
 
-/// Takes the rows of all portions, on so many threads.
+/// Takes the rows of all portions, on this number of threads.
 fn in_portions<T: Send>(lists: &Lists, results: &mut [T], threads: usize, of: OfPortion<'_, T>) {
     let rows = results.len();
     let each = match &lists.portions {

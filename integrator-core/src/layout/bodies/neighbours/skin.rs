@@ -11,8 +11,8 @@ const NARROWEST: f64 = 0.02;
 const STEP: f64 = 1.2;
 const TRIED: usize = 20;
 
-/// The skin with the least work for each sum, if lists with the last skin were good for so many sums: bodies move by as
-/// much in each.
+/// The skin with the least work for each sum, if lists with the last skin were good for this number of sums: bodies
+/// move by as much in each.
 pub(crate) fn next_skin(cutoff: f64, last: f64, sums: u32, dimension: usize) -> f64 {
     let by_sum = last / f64::from(sums.max(1));
     let work = |skin: f64| {

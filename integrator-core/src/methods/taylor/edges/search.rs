@@ -318,8 +318,8 @@ impl Search<'_> {
         if !is_zero && grows > 8.0 * self.resolution {
             return Ok(None);
         }
-        // As far from the zero as a few roundings of the step, so that it certainly is after it and the coefficients of low
-        // orders are finite.
+        // As far from the zero as a few roundings of the step, so that it certainly is after it and the coefficients of
+        // low orders are finite.
         let (mut further, apart) = (self.shortest(grows), APART * self.epsilon);
         while grows < end {
             let Margin { value, rate, .. } = self.at(sides, grows)?[number];

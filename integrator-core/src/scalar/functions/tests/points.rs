@@ -2,7 +2,8 @@
 
 use super::Precision;
 
-/// The number of points in each set, for each of four scalars, or the requested one: a million for a function in `.ci/run`.
+/// The number of points in each set, for each of four scalars, or the requested one: a million for a function in
+/// `.ci/run`.
 fn count() -> usize {
     std::env::var("FUNCTION_POINTS").ok().and_then(|count| count.parse().ok()).unwrap_or(50_000)
 }
