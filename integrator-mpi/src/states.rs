@@ -18,7 +18,7 @@ pub(crate) fn send_all<T: Equivalence>(to: &impl Destination, numbers: &[T]) {
     numbers.chunks(IN_A_MESSAGE).for_each(|chunk| to.send(chunk));
 }
 
-/// So many numbers that another rank sends.
+/// Receives this number of numbers from another rank.
 pub(crate) fn receive_all<T: Equivalence + Default + Clone>(from: &impl Source, count: usize) -> Vec<T> {
     let mut numbers = vec![T::default(); count];
     numbers.chunks_mut(IN_A_MESSAGE).for_each(|chunk| {

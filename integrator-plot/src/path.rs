@@ -30,7 +30,8 @@ pub(crate) fn pieces(points: impl Iterator<Item = Option<Place>>, border: Border
 
 /// How far a curve may be moved by leaving out a point, in pixels.
 const UNSEEN: f64 = 0.04;
-/// Points after each other in a column of half a pixel are a crowd if there are at least this many, and the curve through them is
+/// Points after each other in a column of half a pixel are a crowd if there are at least this many, and the curve
+/// through them is
 /// `TO_AND_FRO` times as long as the column is high: four of them are kept. A curve that turns around there once is not.
 const CROWD: usize = 8;
 const TO_AND_FRO: f64 = 4.0;

@@ -26,7 +26,7 @@ pub(crate) trait Carried {
 /// Nothing.
 pub(crate) struct Nothing;
 
-/// So many deviation vectors; `SENSITIVE`, where they lead along parameters as well.
+/// A number of deviation vectors; with `SENSITIVE`, some of them are derivatives by parameters.
 pub(crate) struct Deviations<const N: usize, const SENSITIVE: bool = false>;
 
 impl Carried for Nothing {

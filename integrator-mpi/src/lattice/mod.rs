@@ -196,7 +196,7 @@ impl<'w, W: Communicator, C: Coords> Lattice<'w, W, C> {
     }
 
     /// Takes steps for which the halos are wide enough; fewer, with new halos after them, where the end of a slab has
-    /// left the finite numbers.
+    /// diverged.
     fn take_steps(&mut self, steps: u64) -> Result<(), Error> {
         let outcome = self.run.advance(steps);
         let (own, mut first) = (last_step(&outcome), u64::MAX);

@@ -200,7 +200,7 @@ mod tests {
         let squares = graph.sum(by, squares);
         let form = graph.add(square, squares);
         assert!(!graph.multiplying_sums(form).is_empty());
-        let apart = graph.with_own_loops(form, &mut Untold).expect("no text is asked for");
+        let apart = graph.with_own_loops(form, &mut Untold).expect("no text is used");
         assert!(graph.multiplying_sums(apart).is_empty(), "{:?}", graph.node(apart));
         let q = [0.5, -2.0, 3.0];
         let [before, after] = [form, apart].map(|of| Point::new(&q, &[]).value(&graph, of));

@@ -114,7 +114,7 @@ impl Reader<'_> {
         self.graph.loops.intern(Index::Parameter(parameter))
     }
 
-    /// So many integers from a first one, which may be below zero.
+    /// A number of consecutive integers; the first one may be negative.
     fn counted(&mut self, from: IndexId, count: IndexId) -> Sequence {
         let zero = self.literal_index(0);
         Sequence::new(zero, count, move |reader, index| {

@@ -87,8 +87,8 @@ fn values_of_rows<W: Real, L: Slot<W>, const D: usize>(slots: &[[L; D]]) -> Vec<
     values_of_rows
 }
 
-/// Whether this number of lanes of rows is finite. Lanes after the last body drift without a force, and may leave the
-/// finite numbers when no body does.
+/// Whether this number of lanes of rows is finite. Lanes after the last body drift without a force, and may become
+/// infinite when no body does.
 fn finite<W: Real, L: Slot<W>, const D: usize>(rows: &[[L; D]], mut lanes: usize) -> bool {
     for row in rows {
         let here = lanes.min(W::LANES);

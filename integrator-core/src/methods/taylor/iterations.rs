@@ -133,7 +133,8 @@ impl Schedule {
 }
 
 /// The iterations of a loop, or of nested loops: each reads this number of points, has this number of constants, and
-/// moves this number of coordinates by this number of values, of this number of orders per call; `T` is the record of a block.
+/// moves this number of coordinates by this number of values, of this number of orders per call; `T` is the record of a
+/// block.
 pub struct Iterations<
     R: Real,
     T,

@@ -10,8 +10,8 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// The number of lowest orders that are summed one after the other. With the order that a tolerance near the rounding asks
-/// for, terms fall by a factor of four from one to the next, and the roundings of all higher ones count a fifteenth of those
+/// The number of lowest orders that are summed one after the other. With the order for a tolerance near the rounding,
+/// terms fall by a factor of four from one to the next, and the roundings of all higher ones count a fifteenth of those
 /// of the last two sums.
 const LOWEST: usize = 2;
 

@@ -21,7 +21,7 @@ use core::{marker::PhantomData, ops::Range};
 /// What is done with a motion.
 #[derive(Clone, Copy)]
 pub(super) enum Portion {
-    /// So many steps.
+    /// A number of steps.
     Steps(u64),
     /// The end of the current step.
     Closing,

@@ -31,8 +31,8 @@ use std::fmt::Write;
 /// The most coordinates of a state, positions and momenta together: a device keeps them in registers.
 const MOST_COORDINATES: u64 = 64;
 
-/// The most elements of a list that is read in a loop whose end is a field or a constant: on the device it has room for so
-/// many, and the runtime refuses members that have more.
+/// The most elements of a list that is read in a loop whose end is a field or a constant: the device has room for this
+/// number, and the runtime rejects members with more.
 const LONGEST_LIST: u64 = 16;
 
 /// The flows of a system as text for devices.

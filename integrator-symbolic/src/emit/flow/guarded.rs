@@ -401,7 +401,7 @@ impl<'m> Lines<'m> {
                 let at = self.point.index(graph, element.index) as usize;
                 self.collected[at] += self.point.value(graph, *value);
             }
-            Item::Sink(other, _) => unreachable!("{other:?} is not asked for"),
+            Item::Sink(other, _) => unreachable!("{other:?} is not used"),
         }
     }
 }
