@@ -65,7 +65,7 @@ fn an_order_that_does_not_hold_is_an_error_with_its_reason() {
     answer(&["prove", sequence, "--order", "2"]);
     let message = refusal(&["prove", "Yoshida4", "--order", "6"]);
     assert!(message.contains("declared order 6, but the proof finds order 4\n"), "{message}");
-    assert!(message.contains("= note: the condition of the word "), "{message}");
+    assert!(message.contains("= note: the order condition of the word "), "{message}");
 }
 
 #[test]
