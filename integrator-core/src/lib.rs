@@ -151,10 +151,14 @@ pub use trajectory::samples::{ByRef, Sample, Samples, SamplesAt};
 pub use trajectory::sensitive::Sensitive;
 pub use trajectory::tangent::Tangent;
 
-/// The programs of the README and of the pages in `docs`, so that they compile and hold. These are files of the
-/// repository alone: nothing but its documentation tests reads them.
+/// The programs of the README, of the pages in `docs` and of the documentation of the macros, which are tested here. Only
+/// documentation tests read these files of the repository.
 #[cfg(doctest)]
 mod documents {
+    #[doc = include_str!("../../integrator-macros/src/hamiltonian.md")]
+    mod hamiltonian {}
+    #[doc = include_str!("../../integrator-macros/src/composition.md")]
+    mod composition {}
     #[doc = include_str!("../../README.md")]
     mod readme {}
     #[doc = include_str!("../../docs/compositions.md")]
