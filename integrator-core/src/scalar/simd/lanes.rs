@@ -13,6 +13,30 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lanes<F, const N: usize>([F; N]);
 
+/// Calls a function with each number below `N`. Up to four calls are written out, since a loop for every operation is what
+/// the compiler would spend most of its time on.
+#[inline(always)]
+fn each<const N: usize>(mut of: impl FnMut(usize)) {
+    if N > 4 {
+        for part in 0..N {
+            of(part);
+        }
+    } else {
+        if N > 0 {
+            of(0);
+        }
+        if N > 1 {
+            of(1);
+        }
+        if N > 2 {
+            of(2);
+        }
+        if N > 3 {
+            of(3);
+        }
+    }
+}
+
 impl<F: Copy, const N: usize> Lanes<F, N> {
     /// The vector of these parts.
     #[inline(always)]
@@ -37,17 +61,13 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     #[inline(always)]
     fn map(self, of: impl Fn(F) -> F) -> Self {
         let Self(mut parts) = self;
-        for part in &mut parts {
-            *part = of(*part);
-        }
+        each::<N>(|part| parts[part] = of(parts[part]));
         Self(parts)
     }
     #[inline(always)]
     fn zip(self, other: Self, of: impl Fn(F, F) -> F) -> Self {
         let (Self(mut parts), Self(others)) = (self, other);
-        for part in 0..N {
-            parts[part] = of(parts[part], others[part]);
-        }
+        each::<N>(|part| parts[part] = of(parts[part], others[part]));
         Self(parts)
     }
 }
@@ -56,9 +76,7 @@ impl<F: Real, const N: usize> Lanes<F, N> {
     #[inline(always)]
     fn compare(self, other: Self, holds: impl Fn(F, F) -> F::Mask) -> LaneMask<F::Mask, N> {
         let (Self(parts), Self(others), mut mask) = (self, other, [F::Mask::of(false); N]);
-        for part in 0..N {
-            mask[part] = holds(parts[part], others[part]);
-        }
+        each::<N>(|part| mask[part] = holds(parts[part], others[part]));
         LaneMask(mask)
     }
 }
@@ -71,9 +89,7 @@ impl<M: Mask, const N: usize> LaneMask<M, N> {
     #[inline(always)]
     fn zip(self, other: Self, of: impl Fn(M, M) -> M) -> Self {
         let (Self(mut lanes), Self(others)) = (self, other);
-        for lane in 0..N {
-            lanes[lane] = of(lanes[lane], others[lane]);
-        }
+        each::<N>(|lane| lanes[lane] = of(lanes[lane], others[lane]));
         Self(lanes)
     }
 }
@@ -86,9 +102,7 @@ impl<M: Mask, const N: usize> Mask for LaneMask<M, N> {
     #[inline(always)]
     fn any(self) -> bool {
         let mut any = false;
-        for lane in &self.0 {
-            any |= lane.any();
-        }
+        each::<N>(|lane| any |= self.0[lane].any());
         any
     }
     #[inline(always)]
@@ -196,9 +210,7 @@ macro_rules! lanes_real {
             #[inline(always)]
             fn fma(self, b: Self, c: Self) -> Self {
                 let Self(mut parts) = self;
-                for part in 0..N {
-                    parts[part] = parts[part].fma(b.0[part], c.0[part]);
-                }
+                each::<N>(|part| parts[part] = parts[part].fma(b.0[part], c.0[part]));
                 Self(parts)
             }
             #[inline]
@@ -212,7 +224,11 @@ macro_rules! lanes_real {
                     let first = number * F::LANES;
                     let value = |lane: usize, at: [f64; A]| value(first + lane, at);
                     let slopes = |lane: usize, at: [f64; A]| slopes(first + lane, at);
-                    *part = F::lane_by_lane(arguments.map(|argument| argument.0[number]), value, slopes);
+                    let mut own = [*part; A];
+                    for argument in 0..A {
+                        own[argument] = arguments[argument].0[number];
+                    }
+                    *part = F::lane_by_lane(own, value, slopes);
                 }
                 Self(parts)
             }
@@ -223,18 +239,14 @@ macro_rules! lanes_real {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (mut sines, mut cosines) = (self, self);
-                for part in 0..N {
-                    (sines.0[part], cosines.0[part]) = self.0[part].sin_cos();
-                }
+                each::<N>(|part| (sines.0[part], cosines.0[part]) = self.0[part].sin_cos());
                 (sines, cosines)
             }
             fast_functions!(fast_lanes);
             #[inline(always)]
             fn finite(self) -> bool {
                 let mut finite = true;
-                for part in &self.0 {
-                    finite = finite && part.finite();
-                }
+                each::<N>(|part| finite = finite && self.0[part].finite());
                 finite
             }
             #[inline(always)]
@@ -252,9 +264,7 @@ macro_rules! lanes_real {
             #[inline(always)]
             fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
                 let Self(mut parts) = a;
-                for part in 0..N {
-                    parts[part] = F::select(mask.0[part], parts[part], b.0[part]);
-                }
+                each::<N>(|part| parts[part] = F::select(mask.0[part], parts[part], b.0[part]));
                 Self(parts)
             }
             $(
