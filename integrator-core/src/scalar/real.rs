@@ -173,7 +173,13 @@ macro_rules! declare_real {
                 slopes: impl Fn(usize, [f64; N]) -> [f64; N],
             ) -> Self {
                 let _ = slopes;
-                Self::state(&|lane| value(lane, arguments.map(|argument| argument.lane(lane))))
+                Self::state(&|lane| {
+                    let mut at = [0.0; N];
+                    for number in 0..N {
+                        at[number] = arguments[number].lane(lane);
+                    }
+                    value(lane, at)
+                })
             }
             /// The image of a point under a map that is solved for. A dual solves in numbers without derivatives.
             #[inline(always)]

@@ -76,7 +76,7 @@ impl<W: Real, const D: usize> Kernel for Fall<W, D> {
         let (m, square) = (mu.abs(), -beta);
         let (n, per_m) = (square.sqrt(), one / m);
         let is_attraction = zero.less(mu);
-        let [direction, sigma] = [zero.less(time), is_attraction].map(|positive| W::select(positive, one, -one));
+        let (direction, sigma) = (W::select(zero.less(time), one, -one), W::select(is_attraction, one, -one));
         let [scale, period] = [m / square, m / (square * n)];
 
         let (momentum_squared, across) = angular_momentum(&body, body.inverse_mass * n * per_m);

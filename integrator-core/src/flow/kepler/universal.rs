@@ -118,7 +118,7 @@ pub(super) fn orbit<W: Real, const D: usize>(body: &Body<W, D>, duration: W) -> 
     // What no force acts on goes straight on: its root is zero, and where it is does not matter. Its unit of length is another one, in
     // which powers of the radial motion could leave the range of the scalar.
     let free = strength.equal(zero);
-    let [square, radial] = [(square, 1.0), (radial, 0.0)].map(|(sum, of_free)| W::select(free, W::of(of_free), sum));
+    let (square, radial) = (W::select(free, W::of(1.0), square), W::select(free, zero, radial));
     let distance = square.sqrt();
     // A root and a division that wait for each other take longer than the two side by side and what rounds them again.
     let quotient = distance * (W::of(1.0) / square);
@@ -187,9 +187,9 @@ impl<W: Real, const D: usize> Increments<W, D> {
         self.failed = self.failed.or(falling.and(failed));
         let undefined = W::of(f64::NAN);
         for d in 0..D {
-            let [by_q, by_p] = [q[d] - body.q[d], p[d] - body.p[d]].map(|by| W::select(failed, undefined, by));
-            self.q[d] = W::select(falling, by_q, self.q[d]);
-            self.p[d] = W::select(falling, by_p, self.p[d]);
+            let by = |end: W, start: W| W::select(failed, undefined, end - start);
+            self.q[d] = W::select(falling, by(q[d], body.q[d]), self.q[d]);
+            self.p[d] = W::select(falling, by(p[d], body.p[d]), self.p[d]);
         }
         self
     }

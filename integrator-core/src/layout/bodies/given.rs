@@ -17,14 +17,17 @@ impl<K> Default for Given<K> {
 impl<K: Precision> Given<K> {
     /// The states in lanes.
     pub(super) fn of<C: Coords<Leaf = K>>(states: &[&Phase<C>]) -> Self {
-        let leaves = |state: &&Phase<C>| [state.q.flat(), state.p.flat()].concat();
-        Self(Some(states.iter().map(leaves).collect()))
+        let mut lanes = Vec::with_capacity(states.len());
+        for state in states {
+            lanes.push([state.q.flat(), state.p.flat()].concat());
+        }
+        Self(Some(lanes.into()))
     }
 
     /// The states in lanes of others; none, where one of these has moved.
-    pub(super) fn gathered<'g>(lanes: impl Iterator<Item = (&'g Self, usize)>) -> Self {
-        let state = |(given, lane): (&Self, usize)| Some(given.0.as_ref()?[lane].clone());
-        Self(lanes.map(state).collect())
+    pub(super) fn gathered(lanes: &[(&Self, usize)]) -> Self {
+        let state = |(given, lane): &(&Self, usize)| Some(given.0.as_ref()?[*lane].clone());
+        Self(lanes.iter().map(state).collect())
     }
 
     /// Writes the state of a lane, if it is still there.

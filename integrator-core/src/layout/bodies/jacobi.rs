@@ -27,6 +27,7 @@ use crate::{
     system::motion::Motion,
 };
 use alloc::{sync::Arc, vec::Vec};
+use core::ops::Range;
 
 /// Bodies in rows, in Jacobi coordinates.
 #[derive(Clone)]
@@ -64,6 +65,12 @@ struct Weights<W> {
 /// How far sums over a row reach after each of their steps.
 const REACH: [usize; 3] = [1, 2, 4];
 
+/// One number for each of [`REACH`].
+#[inline(always)]
+fn reached<W>(number: impl Fn(usize) -> W) -> [W; 3] {
+    [number(REACH[0]), number(REACH[1]), number(REACH[2])]
+}
+
 impl<W: Real> Weights<W> {
     /// Those of a row of `width` bodies out of `bodies`, of one member per lane. Lanes without a body stay where they are.
     fn of<L: Rows<D, Row = W>, const D: usize>(row: usize, members: &[Vec<Part>]) -> Self {
@@ -82,8 +89,8 @@ impl<W: Real> Weights<W> {
             inverse_mass: of_lane(&|body, member| members[member][body].inverse_mass),
             attraction: of_lane(&|body, member| members[member][body].attraction),
             first: of_lane(&|body, _| is(body == 0)),
-            later: REACH.map(|by| of_lane(&|body, _| is(place(body) + by < width))),
-            earlier: REACH.map(|by| of_lane(&|body, _| is(place(body) >= by))),
+            later: reached(|by| of_lane(&|body, _| is(place(body) + by < width))),
+            earlier: reached(|by| of_lane(&|body, _| is(place(body) >= by))),
         }
     }
 }
@@ -137,6 +144,46 @@ fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> 
     state
 }
 
+/// The states of members with their bodies in the order of rows.
+fn led_states<C: Coords, Q: JacobiConstants, const D: usize>(constants: &[&Q], states: &[&Phase<C>]) -> Vec<Phase<C>> {
+    let mut led = Vec::with_capacity(states.len());
+    for (constants, state) in constants.iter().zip(states) {
+        led.push(self::led::<C, D>(state, constants.leading_body()));
+    }
+    led
+}
+
+/// The states of members in Jacobi coordinates, mapped with twice the digits.
+fn own_states<C: Coords, Q: JacobiConstants, const D: usize>(constants: &[&Q], states: &[&Phase<C>]) -> Vec<Phase<C>> {
+    let mut own = led_states::<C, Q, D>(constants, states);
+    for (constants, state) in constants.iter().zip(&mut own) {
+        *state = mapped(&shares_of(*constants, state.q.length()), state, to_jacobi::<DoubleDouble, D>);
+    }
+    own
+}
+
+fn parts_of_members<Q: JacobiConstants>(constants: &[&Q], bodies: usize) -> Vec<Vec<Part>> {
+    let mut members = Vec::with_capacity(constants.len());
+    for constants in constants {
+        members.push(parts(*constants, bodies));
+    }
+    members
+}
+
+fn references<T>(of: &[T]) -> Vec<&T> {
+    of.iter().collect()
+}
+
+fn shares_of(constants: &impl JacobiConstants, bodies: usize) -> Vec<f64> {
+    parts(constants, bodies).iter().map(|part| part.share).collect()
+}
+
+/// A state of so many bodies in which all numbers are zero.
+fn zeros<C: Coords>(numbers: usize) -> Option<Phase<C>> {
+    let zeros = alloc::vec![C::Leaf::default(); numbers];
+    Some(Phase { q: C::from_flat(zeros.clone())?, p: C::from_flat(zeros)? })
+}
+
 /// The way of the bodies of a row, and one in the lanes of those whose orbits could not be solved, if there are any. Where a row
 /// is this number of numbers, the bodies go one by one: code for all of them together would be that many times longer.
 #[inline(always)]
@@ -153,12 +200,11 @@ fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[
     let write = |row: &mut L::Row, part: usize, number| Row::<L::Scalar>::parts_mut(row)[part] = number;
     for part in 0..<L::Row as Row<L::Scalar>>::PARTS {
         let of = |row: &L::Row| read(row, part);
-        let body = Body {
-            q: body.q.each_ref().map(of),
-            p: body.p.each_ref().map(of),
-            inverse_mass: of(&body.inverse_mass),
-            strength: of(&body.strength),
-        };
+        let (mut q, mut p) = ([of(&body.q[0]); D], [of(&body.p[0]); D]);
+        for d in 1..D {
+            (q[d], p[d]) = (of(&body.q[d]), of(&body.p[d]));
+        }
+        let body = Body { q, p, inverse_mass: of(&body.inverse_mass), strength: of(&body.strength) };
         let moved = moved::<L::Scalar, L::Scalar, D>(body, L::Scalar::of(duration));
         for (rows, numbers) in way.iter_mut().zip([moved.q, moved.p]) {
             for (row, number) in rows.iter_mut().zip(numbers) {
@@ -179,8 +225,12 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     /// The motion of bodies whose coordinates are those of Jacobi already.
     fn new<Q: JacobiConstants>(constants: &[&Q], bodies: L) -> Self {
         let count = bodies.bodies();
-        let members: Vec<_> = constants.iter().map(|constants| parts(*constants, count)).collect();
-        let weights = (0..bodies.rows()[0].len()).map(|row| Weights::of::<L, D>(row, &members)).collect();
+        let members = parts_of_members(constants, count);
+        let mut weights = Vec::with_capacity(bodies.rows()[0].len());
+        for row in 0..bodies.rows()[0].len() {
+            weights.push(Weights::of::<L, D>(row, &members));
+        }
+        let weights = weights.into();
         // Members in lanes are alike in all integers.
         let leading = constants[0].leading_body();
         Self { inertial: bodies.at_rest(), bodies, weights, leading, given: Given::default(), unsolved: Vec::new() }
@@ -221,24 +271,16 @@ where
     const MIXES: bool = true;
 
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
-        let given = Given::of(states);
-        if Self::PLAIN {
-            let (mut own, bodies) = (Vec::with_capacity(states.len()), states[0].q.length());
-            for (constants, state) in constants.iter().zip(states) {
-                let shares: Vec<_> = parts(*constants, bodies).iter().map(|part| part.share).collect();
-                let state = led::<C, D>(state, constants.leading_body());
-                own.push(mapped(&shares, &state, to_jacobi::<DoubleDouble, D>));
+        let own = if const { Self::PLAIN } { own_states::<C, Q, D> } else { led_states::<C, Q, D> }(constants, states);
+        let mut motion = Self::load_own(constants, &references(&own));
+        motion.given = Given::of(states);
+        if const { !Self::PLAIN } {
+            let points = motion.mapped(to_jacobi);
+            for (rows, points) in motion.bodies.rows_mut().into_iter().zip(&points) {
+                set_points::<L, D>(rows, points);
             }
-            return Self { given, ..Self::load_own(constants, &own.iter().collect::<Vec<_>>()) };
         }
-        let leading = |(constants, state): (&&Q, &&Phase<C>)| led::<C, D>(state, constants.leading_body());
-        let states: Vec<_> = constants.iter().zip(states).map(leading).collect();
-        let mut motion = Self::load_own(constants, &states.iter().collect::<Vec<_>>());
-        let points = motion.mapped(to_jacobi);
-        for (rows, points) in motion.bodies.rows_mut().into_iter().zip(&points) {
-            set_points::<L, D>(rows, points);
-        }
-        Self { given, ..motion }
+        motion
     }
     fn load_own(constants: &[&Q], states: &[&Phase<C>]) -> Self {
         Self::new(constants, L::load(constants, states))
@@ -247,27 +289,24 @@ where
     where
         Q: 'a,
     {
-        let (mut constants, mut states) = (Vec::new(), Vec::new());
-        let given = (0..L::Scalar::LANES).map(|lane| {
-            let (_, motion, lane) = of_lane(lane);
-            (&motion.given, lane)
-        });
-        let given = Given::gathered(given);
+        let (mut given, mut constants, mut states) = (Vec::new(), Vec::new(), Vec::new());
         for lane in 0..L::Scalar::LANES {
             let (own, motion, lane) = of_lane(lane);
-            let zeros = alloc::vec![L::Leaf::default(); motion.bodies.bodies() * D];
-            let mut state = Phase { q: C::from_flat(zeros.clone())?, p: C::from_flat(zeros)? };
+            let mut state = zeros::<C>(motion.bodies.bodies() * D)?;
             motion.store_own(lane, &mut state);
+            given.push((&motion.given, lane));
             constants.push(own);
             states.push(state);
         }
-        Some(Self { given, ..Self::load_own(&constants, &states.iter().collect::<Vec<_>>()) })
+        let mut motion = Self::load_own(&constants, &references(&states));
+        motion.given = Given::gathered(&given);
+        Some(motion)
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         if self.given.show(lane, to) {
             return;
         }
-        if Self::PLAIN {
+        if const { Self::PLAIN } {
             self.store_own(lane, to);
             *to = mapped(&self.shares(lane), to, to_inertial::<DoubleDouble, D>);
             for leaves in [&mut to.q, &mut to.p] {
@@ -394,24 +433,32 @@ fn map_momenta<L: Rows<D>, const D: usize>(
     }
 }
 
-/// Notes which bodies of a row could not be moved, and from where, before they are NaN.
+/// The distance of the body in a lane of a row.
+fn distance<W: Real, const D: usize>(q: &[W; D], lane: usize) -> f64 {
+    let mut square = 0.0;
+    for q in q {
+        square += q.lane(lane) * q.lane(lane);
+    }
+    Real::sqrt(square)
+}
+
+/// Notes which bodies of a row could not be moved, and from where, before they are NaN. `distance` is that of a lane of the row, if
+/// the body in it failed.
 #[cold]
 #[inline(never)]
-fn note<L: Rows<D>, const D: usize>(
+fn note(
     unsolved: &mut Vec<Option<Unsolved>>,
-    bodies: impl Iterator<Item = usize>,
-    failed: L::Row,
-    q: [L::Row; D],
+    leading: usize,
+    places: Range<usize>,
+    lanes: usize,
+    distance: &dyn Fn(usize) -> Option<f64>,
     duration: f64,
 ) {
-    let lanes = L::Scalar::LANES;
     unsolved.resize(lanes, None);
-    for (place, number) in bodies.enumerate() {
+    for (number, place) in places.enumerate() {
         for (lane, reason) in unsolved.iter_mut().enumerate() {
-            let at = place * lanes + lane;
-            if failed.lane(at) == 1.0 && reason.is_none() {
-                let square = q.iter().fold(0.0, |sum, q| sum + q.lane(at) * q.lane(at));
-                *reason = Some(Unsolved::Kepler { body: number, distance: Real::sqrt(square), duration });
+            if let Some(distance) = distance(number * lanes + lane) {
+                reason.get_or_insert(Unsolved::Kepler { body: body_at(leading, place), distance, duration });
             }
         }
     }
@@ -438,8 +485,10 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
             let ([of_q, of_p], failed) = way::<L, D>(&body, duration);
             if let Some(failed) = failed {
                 let bodies = bodies_of_row(row, L::WIDTH, count);
-                let bodies = bodies.map(|place| body_at(self.leading, place));
-                note::<L, D>(&mut self.unsolved, bodies, failed, body.q, duration);
+                // Copies, so that the body itself stays in registers.
+                let q = body.q;
+                let distance = move |lane: usize| (failed.lane(lane) == 1.0).then(|| distance(&q, lane));
+                note(&mut self.unsolved, self.leading, bodies, L::Scalar::LANES, &distance, duration);
             }
             for d in 0..D {
                 q[row][d].add(of_q[d]);
