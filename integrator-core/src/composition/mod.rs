@@ -241,11 +241,11 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         if const { H::PARTS.len() > 2 && !H::PAIRED } {
             return Self::stage_of_many(flows, stage, h, time);
         }
-        if Self::STAGES.lead == Lead::Kick {
+        if const { matches!(Self::STAGES.lead, Lead::Kick) } {
             Self::kick(flows, stage, h, time);
         }
         flows.drift(h * stage.drift, time + h * stage.drift_time);
-        if Self::STAGES.lead == Lead::Drift {
+        if const { matches!(Self::STAGES.lead, Lead::Drift) } {
             Self::kick(flows, stage, h, time);
         }
     }
@@ -255,12 +255,12 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     fn stage_of_many(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
         let [within, behind] = stage.middle;
         let (before, after) = (time + h * stage.kick_time, time + h * (stage.kick_time + stage.drift));
-        if Self::STAGES.lead == Lead::Kick {
+        if const { matches!(Self::STAGES.lead, Lead::Kick) } {
             Self::kick(flows, stage, h, time);
             Self::middle(flows, h * within, before, true);
         }
         flows.drift(h * stage.drift, time + h * stage.drift_time);
-        if Self::STAGES.lead == Lead::Drift {
+        if const { matches!(Self::STAGES.lead, Lead::Drift) } {
             Self::middle(flows, h * within, before, false);
             Self::kick(flows, stage, h, time);
             return Self::middle(flows, h * behind, before, true);
@@ -298,7 +298,9 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     #[inline(always)]
     fn open(flows: &mut impl Flows<H>, h: f64, time: f64) {
         const { if H::PAIRED { admits_pairs::<Self>() } else { admits::<Self>(H::PARTS.len()) } };
-        Self::once(flows, &Self::PROCESSOR.before, h, time);
+        if const { !Self::PROCESSOR.before.rows.is_empty() } {
+            Self::once(flows, &Self::PROCESSOR.before, h, time);
+        }
         Self::stage(flows, &Self::STAGES.opening, h, time);
         for stage in &Self::STAGES.cycle[1..] {
             Self::stage(flows, stage, h, time);
@@ -334,6 +336,8 @@ pub trait Composition<H: Hamiltonian>: Scheme {
     /// Undoes the processor at the end of the step that began at `time`.
     #[inline(always)]
     fn show(flows: &mut impl Flows<H>, h: f64, time: f64) {
-        Self::once(flows, &Self::PROCESSOR.after, h, time);
+        if const { !Self::PROCESSOR.after.rows.is_empty() } {
+            Self::once(flows, &Self::PROCESSOR.after, h, time);
+        }
     }
 }

@@ -41,7 +41,7 @@ use crate::{
     threads::all_threads,
     trajectory::{
         admissible::{admissible_with, change},
-        dispatch::{Carried, Nothing, engine, motions, single},
+        dispatch::{Carried, Nothing, bound, motions, single},
         method::Method,
         motions::{Constants, Motions},
         progress::{Progress, in_portions},
@@ -561,7 +561,9 @@ pub(crate) fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
     let unsettled = !constants.is_empty();
     let clock = Clock { t0: 0.0, h, steps: 0 };
     // An infinite constant may be meant: what counts is what a run of its own does with it.
-    if unsettled && engine::<H, X, K, Nothing>(method, parameters.clone(), vec![], vec![start]).is_not_finite(clock) {
+    if unsettled
+        && bound::<H, X, K, Nothing>(method).engine(parameters.clone(), vec![], vec![start]).is_not_finite(clock)
+    {
         return Err(Error::Parameters { constants });
     }
     #[cfg(debug_assertions)]

@@ -67,12 +67,16 @@ pub(crate) trait Energies<C: Coords>: Send + Sync {
     /// # Errors
     /// [`Error::NoInvariant`]
     fn invariant_named(&self, name: &str, state: &Phase<C>) -> Result<f64, Error> {
-        let known = self.invariants();
-        match known.iter().position(|known| *known == name) {
-            Some(number) => Ok(self.invariant(number, state)),
-            None => Err(Error::NoInvariant { name: name.into(), known }),
-        }
+        Ok(self.invariant(number_of(name, self.invariants())?, state))
     }
+}
+
+/// The number of the invariant of a name.
+///
+/// # Errors
+/// [`Error::NoInvariant`]
+fn number_of(name: &str, known: &'static [&'static str]) -> Result<usize, Error> {
+    known.iter().position(|known| *known == name).ok_or_else(|| Error::NoInvariant { name: name.into(), known })
 }
 
 /// The energy function of a system with its prepared constants.

@@ -40,12 +40,16 @@ impl<T: Constants> Constants for Vec<T> {
 /// The first of some constants that is not finite, with the user's names of the indices.
 pub fn not_finite(formula: &'static str, indices: &[&'static str], constants: &impl Constants) -> Option<NotFinite> {
     let (values, value) = constants.not_finite()?;
-    Some(NotFinite { formula, indices: indices.iter().copied().zip(values.into_iter().rev()).collect(), value })
+    Some(named(formula, indices, values, value))
 }
 
-/// All that were found.
-pub fn all_found<const N: usize>(found: [Option<NotFinite>; N]) -> Vec<NotFinite> {
-    found.into_iter().flatten().collect()
+fn named(formula: &'static str, indices: &[&'static str], values: Vec<usize>, value: f64) -> NotFinite {
+    NotFinite { formula, indices: indices.iter().copied().zip(values.into_iter().rev()).collect(), value }
+}
+
+/// Takes all that were found.
+pub fn all_found(found: &mut [Option<NotFinite>]) -> Vec<NotFinite> {
+    found.iter_mut().filter_map(Option::take).collect()
 }
 
 #[cfg(test)]

@@ -20,10 +20,15 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
     if positions != momenta {
         return Err(Error::Length { positions, momenta });
     }
-    for (coordinate, leaves) in [("q", start.q.flat()), ("p", start.p.flat())] {
-        for (index, leaf) in leaves.iter().enumerate() {
-            on_its_grid((coordinate, index, leaf.to_f64()), leaf.spacing(), leaf.limit())?;
-        }
+    on_their_grids("q", start.q.flat())?;
+    on_their_grids("p", start.p.flat())
+}
+
+fn on_their_grids<K: Precision>(coordinate: &'static str, leaves: &[K]) -> Result<(), Error> {
+    let mut index = 0;
+    for leaf in leaves {
+        on_its_grid((coordinate, index, leaf.to_f64()), leaf.spacing(), leaf.limit())?;
+        index += 1;
     }
     Ok(())
 }

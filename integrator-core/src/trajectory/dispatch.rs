@@ -6,7 +6,7 @@ use crate::{
     state::{point::Point, precision::Precision},
     trajectory::{
         engine::Engine,
-        method::Method,
+        method::{Facts, Method},
         motions::{Constants, Group, Motions},
         step_functions::{BesideVectors, Executor, InTiles},
     },
@@ -58,22 +58,44 @@ pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     }
 }
 
-/// The engine of a trajectory, for the instruction set of this machine; after the start what it carries, and after its
-/// constants, where these lead along parameters, the derivatives of the constants.
-pub(crate) fn engine<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
-    method: X,
-    parameters: Arc<H::Parameters<f64>>,
-    slopes: Vec<H::Parameters<f64>>,
-    lanes: Vec<&dyn Point>,
-) -> Engine {
-    let mut constants = vec![method.constants(parameters)];
-    if !const { V::CARRIES_CONSTANTS } {
-        return Engine::single(&*single::<H, X, K, V>(Arc::new(constants)), lanes);
+/// A method for a system, and for what its runs carry: what a run needs of both, whatever the type of the method. All else of
+/// a run is compiled once per system.
+pub(crate) struct Bound<P> {
+    pub(crate) facts: Facts,
+    pub(crate) forces: Option<usize>,
+    carries_constants: bool,
+    motions: Box<dyn Fn(Arc<P>, Vec<P>) -> Box<dyn Motions>>,
+}
+
+/// Binds a method to a system and to what a trajectory carries.
+pub(crate) fn bound<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(method: X) -> Bound<H::Parameters<f64>> {
+    Bound {
+        facts: method.facts(),
+        forces: method.forces(),
+        carries_constants: const { V::CARRIES_CONSTANTS },
+        motions: Box::new(move |parameters, slopes| {
+            let mut constants = vec![method.constants(parameters)];
+            if const { V::CARRIES_CONSTANTS } {
+                for slopes in slopes {
+                    constants.push(method.constants(Arc::new(slopes)));
+                }
+            }
+            single::<H, X, K, V>(Arc::new(constants))
+        }),
     }
-    for slopes in slopes {
-        constants.push(method.constants(Arc::new(slopes)));
+}
+
+impl<P> Bound<P> {
+    /// The engine of a trajectory, for the instruction set of this machine, from the points in its lanes: the start, and what
+    /// it carries. `slopes` are the derivatives of the constants, where a trajectory carries derivatives along parameters.
+    pub(crate) fn engine(&self, parameters: Arc<P>, slopes: Vec<P>, lanes: Vec<&dyn Point>) -> Engine {
+        let motions = (self.motions)(parameters, slopes);
+        if self.carries_constants {
+            Engine::single_with_constants(&*motions, lanes)
+        } else {
+            Engine::single(&*motions, lanes)
+        }
     }
-    Engine::single_with_constants(&*single::<H, X, K, V>(Arc::new(constants)), lanes)
 }
 
 /// An empty list of motions whose steps are computed in `R`.

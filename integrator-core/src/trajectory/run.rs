@@ -23,7 +23,7 @@ use crate::{
     },
     trajectory::{
         admissible::{admissible_with, change},
-        dispatch::{Carried, Nothing, engine},
+        dispatch::{Bound, Nothing, bound},
         engine::Engine,
         method::Method,
         motions::{Form, Motions, elapsed, show},
@@ -83,26 +83,24 @@ impl<C: Coords> Run<C> {
         H::Coords: Coords<With<K> = C>,
     {
         admissible_with::<H, _>(method, &start, h)?;
-        Self::carrying::<H, X, K, Nothing>(system, method, start, (&[], Vec::new()), h)
+        Self::carrying::<H, K>(system, &bound::<H, X, K, Nothing>(method), start, (&[], Vec::new()), h)
     }
 
     /// A run that carries points in the lanes after those of the state, and perhaps constants of theirs.
-    pub(crate) fn carrying<H, X, K, V>(
+    pub(crate) fn carrying<H, K>(
         system: &H,
-        method: X,
+        method: &Bound<H::Parameters<f64>>,
         start: Phase<C>,
         carried: Behind<'_, C, H::Parameters<f64>>,
         h: f64,
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Method<H>,
         K: Precision,
-        V: Carried,
         H::Coords: Coords<With<K> = C>,
     {
         let clock = Clock { t0: 0.0, h, steps: 0 };
-        let mut run = Self::from_unfinished::<H, X, K, V>(system, method, start, carried, clock, 0)?;
+        let mut run = Self::from_unfinished::<H, K>(system, method, start, carried, clock, 0)?;
         run.start_unchecked = true;
         if H::AUTONOMOUS {
             run.check_start()?;
@@ -129,9 +127,9 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// [`Error::Parameters`], where a prepared constant is not finite and the motion is not; in builds with debug
     /// assertions [`Error::Misread`].
-    pub(crate) fn from_unfinished<H, X, K, V>(
+    pub(crate) fn from_unfinished<H, K>(
         system: &H,
-        method: X,
+        method: &Bound<H::Parameters<f64>>,
         start: Phase<C>,
         (carried, slopes): Behind<'_, C, H::Parameters<f64>>,
         clock: Clock,
@@ -139,9 +137,7 @@ impl<C: Coords> Run<C> {
     ) -> Result<Self, Error>
     where
         H: Hamiltonian,
-        X: Method<H>,
         K: Precision,
-        V: Carried,
         H::Coords: Coords<With<K> = C>,
     {
         system.admissible(start.q.length())?;
@@ -150,14 +146,14 @@ impl<C: Coords> Run<C> {
         let held = hold_at_start::<H, K>(system, &parameters, &start, clock.at(clock.steps));
         let constants = H::Parameters::<f64>::not_finite(&parameters);
         #[cfg(feature = "checkpoint")]
-        let origin = Origin::of::<H>(method.facts(), &parameters);
+        let origin = Origin::of::<H>(method.facts, &parameters);
         let parameters = Arc::new(parameters);
-        let mut engine = engine::<H, X, K, V>(method, parameters.clone(), slopes, lanes(&start, carried));
+        let mut engine = method.engine(parameters.clone(), slopes, lanes(&start, carried));
         engine.share_among(None);
         let run = Self {
             autonomous: H::AUTONOMOUS,
-            method: method.facts().name,
-            forces: method.forces(),
+            method: method.facts.name,
+            forces: method.forces,
             #[cfg(feature = "checkpoint")]
             origin,
             ..Self::of_engine(engine, energies::<H, K>(parameters), start, clock, opened)

@@ -16,7 +16,7 @@ use crate::{
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     trajectory::{
         admissible::admissible_with,
-        dispatch::{Carried, Deviations},
+        dispatch::{Carried, Deviations, bound},
         method::Differentiable,
         motions::{Motions, copy},
         run::{Behind, Lane, Run},
@@ -390,11 +390,12 @@ where
     K: Precision,
     V: Carried,
 {
+    let method = &bound::<H, X, K, V>(method);
     let Some((clock, opened)) = at else {
-        return Run::carrying::<H, X, K, V>(system, method, start.clone(), carried, h);
+        return Run::carrying::<H, K>(system, method, start.clone(), carried, h);
     };
     let lanes: Vec<_> = iter::once(start).chain(carried.0).cloned().collect();
-    let mut run = Run::from_unfinished::<H, X, K, V>(system, method, start.clone(), carried, clock, opened)?;
+    let mut run = Run::from_unfinished::<H, K>(system, method, start.clone(), carried, clock, opened)?;
     run.resume_lanes(&lanes);
     Ok(run)
 }

@@ -23,7 +23,7 @@ use crate::{
     system::motion::{Beside, Prepared},
     trajectory::{
         admissible::admissible_with,
-        dispatch::Nothing,
+        dispatch::{Nothing, bound},
         method::{Facts, Resumable},
         motions::Form,
         run::Run,
@@ -294,9 +294,9 @@ impl<C: Coords> Run<C> {
         let unfinished = Phase { q, p };
         admissible_with::<H, _>(composition, &unfinished, h)?;
         let clock = Clock { t0, h, steps };
-        let mut run = Self::from_unfinished::<H, X, C::Leaf, Nothing>(
+        let mut run = Self::from_unfinished::<H, C::Leaf>(
             system,
-            composition,
+            &bound::<H, X, C::Leaf, Nothing>(composition),
             unfinished.clone(),
             (&[], Vec::new()),
             clock,

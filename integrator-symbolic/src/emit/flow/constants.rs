@@ -192,7 +192,7 @@ impl Constants {
         let not_finite = (!not_finite.is_empty()).then(|| {
             quote! {
                 fn not_finite(single: &Self::Single) -> #runtime::Vec<#runtime::NotFinite> {
-                    #runtime::all_found([#(#not_finite),*])
+                    #runtime::all_found(&mut [#(#not_finite),*])
                 }
             }
         });

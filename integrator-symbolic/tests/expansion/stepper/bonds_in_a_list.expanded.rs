@@ -40,11 +40,13 @@ const _: () = {
                 && a.prepared_7.len() == b.prepared_7.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("stiffness[k]", &["k"], &single.prepared_3),
-                runtime::not_finite("reach", &[], &single.reach),
-                runtime::not_finite("stiffness[k] / 2", &["k"], &single.prepared_7),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("stiffness[k]", &["k"], &single.prepared_3),
+                    runtime::not_finite("reach", &[], &single.reach),
+                    runtime::not_finite("stiffness[k] / 2", &["k"], &single.prepared_7),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -31,14 +31,16 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("beta", &[], &single.prepared_0),
-                runtime::not_finite("alpha", &[], &single.prepared_1),
-                runtime::not_finite("3 beta", &[], &single.prepared_2),
-                runtime::not_finite("2 alpha", &[], &single.prepared_3),
-                runtime::not_finite("alpha / 3", &[], &single.prepared_4),
-                runtime::not_finite("beta / 4", &[], &single.prepared_5),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("beta", &[], &single.prepared_0),
+                    runtime::not_finite("alpha", &[], &single.prepared_1),
+                    runtime::not_finite("3 beta", &[], &single.prepared_2),
+                    runtime::not_finite("2 alpha", &[], &single.prepared_3),
+                    runtime::not_finite("alpha / 3", &[], &single.prepared_4),
+                    runtime::not_finite("beta / 4", &[], &single.prepared_5),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

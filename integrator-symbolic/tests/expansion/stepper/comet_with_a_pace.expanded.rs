@@ -31,14 +31,16 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("-pull / 2", &[], &single.prepared_0),
-                runtime::not_finite("3 twist / 2", &[], &single.prepared_1),
-                runtime::not_finite("-3 pull / 4", &[], &single.prepared_2),
-                runtime::not_finite("3.75 twist", &[], &single.prepared_3),
-                runtime::not_finite("-pull", &[], &single.prepared_4),
-                runtime::not_finite("twist", &[], &single.twist),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("-pull / 2", &[], &single.prepared_0),
+                    runtime::not_finite("3 twist / 2", &[], &single.prepared_1),
+                    runtime::not_finite("-3 pull / 4", &[], &single.prepared_2),
+                    runtime::not_finite("3.75 twist", &[], &single.prepared_3),
+                    runtime::not_finite("-pull", &[], &single.prepared_4),
+                    runtime::not_finite("twist", &[], &single.twist),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -78,10 +78,12 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("stiffness", &[], &single.stiffness),
-                runtime::not_finite("stiffness / 2", &[], &single.prepared_1),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("stiffness", &[], &single.stiffness),
+                    runtime::not_finite("stiffness / 2", &[], &single.prepared_1),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.stiffness);

@@ -19,10 +19,12 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("amplitude", &[], &single.amplitude),
-                runtime::not_finite("omega", &[], &single.omega),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("amplitude", &[], &single.amplitude),
+                    runtime::not_finite("omega", &[], &single.omega),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.amplitude);

@@ -20,13 +20,15 @@ const _: () = {
             a.field.len() == b.field.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite(
-                    "field[k][k_2][k_3]",
-                    &["k", "k_2", "k_3"],
-                    &single.field,
-                ),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite(
+                        "field[k][k_2][k_3]",
+                        &["k", "k_2", "k_3"],
+                        &single.field,
+                    ),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.field);

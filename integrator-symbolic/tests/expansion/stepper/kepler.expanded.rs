@@ -19,10 +19,12 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("-mu", &[], &single.prepared_0),
-                runtime::not_finite("-3 mu", &[], &single.prepared_1),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("-mu", &[], &single.prepared_0),
+                    runtime::not_finite("-3 mu", &[], &single.prepared_1),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -31,14 +31,16 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
-                runtime::not_finite("pull mass[i]", &["i"], &single.prepared_1),
-                runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_2),
-                runtime::not_finite("mass[j]", &["j"], &single.mass),
-                runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_4),
-                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_5),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
+                    runtime::not_finite("pull mass[i]", &["i"], &single.prepared_1),
+                    runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_2),
+                    runtime::not_finite("mass[j]", &["j"], &single.mass),
+                    runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_4),
+                    runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_5),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -23,10 +23,12 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("2 gravity", &[], &single.prepared_0),
-                runtime::not_finite("gravity", &[], &single.gravity),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("2 gravity", &[], &single.prepared_0),
+                    runtime::not_finite("gravity", &[], &single.gravity),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -22,11 +22,13 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
-                runtime::not_finite("-mass gravity length", &[], &single.prepared_1),
-                runtime::not_finite("1 / (2 mass length^2)", &[], &single.prepared_2),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
+                    runtime::not_finite("-mass gravity length", &[], &single.prepared_1),
+                    runtime::not_finite("1 / (2 mass length^2)", &[], &single.prepared_2),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -40,19 +40,21 @@ const _: () = {
             a.leading_body == b.leading_body
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
-                runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_1),
-                runtime::not_finite("mass[i]", &["i"], &single.mass),
-                runtime::not_finite("mass[j]", &["j"], &single.mass_2),
-                runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_5),
-                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_6),
-                runtime::not_finite(
-                    "Σ_{j in 0..i} gravity mass[i] mass[j] + Σ_{j_2 in leading_body..end_of_leader} gravity mass[i] mass[j_2]",
-                    &["i"],
-                    &single.prepared_7,
-                ),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_0),
+                    runtime::not_finite("gravity mass[i]", &["i"], &single.prepared_1),
+                    runtime::not_finite("mass[i]", &["i"], &single.mass),
+                    runtime::not_finite("mass[j]", &["j"], &single.mass_2),
+                    runtime::not_finite("3 gravity mass[i]", &["i"], &single.prepared_5),
+                    runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_6),
+                    runtime::not_finite(
+                        "Σ_{j in 0..i} gravity mass[i] mass[j] + Σ_{j_2 in leading_body..end_of_leader} gravity mass[i] mass[j_2]",
+                        &["i"],
+                        &single.prepared_7,
+                    ),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

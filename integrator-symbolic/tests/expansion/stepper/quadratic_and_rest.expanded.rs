@@ -25,12 +25,14 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("stiffness", &[], &single.prepared_0),
-                runtime::not_finite("2 lambda", &[], &single.prepared_1),
-                runtime::not_finite("lambda", &[], &single.lambda),
-                runtime::not_finite("stiffness / 2", &[], &single.prepared_3),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("stiffness", &[], &single.prepared_0),
+                    runtime::not_finite("2 lambda", &[], &single.prepared_1),
+                    runtime::not_finite("lambda", &[], &single.lambda),
+                    runtime::not_finite("stiffness / 2", &[], &single.prepared_3),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

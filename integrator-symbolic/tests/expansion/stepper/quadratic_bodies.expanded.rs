@@ -32,12 +32,14 @@ const _: () = {
                 && a.prepared_4.len() == b.prepared_4.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("rate", &[], &single.rate),
-                runtime::not_finite("PUSH", &[], &single.prepared_1),
-                runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_2),
-                runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_4),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("rate", &[], &single.rate),
+                    runtime::not_finite("PUSH", &[], &single.prepared_1),
+                    runtime::not_finite("1 / mass[i]", &["i"], &single.prepared_2),
+                    runtime::not_finite("1 / (2 mass[i])", &["i"], &single.prepared_4),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.rate);

@@ -26,11 +26,17 @@ const _: () = {
             a.prepared_0.len() == b.prepared_0.len() && a.across.len() == b.across.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("2 inertia[i][j]", &["i", "j"], &single.prepared_0),
-                runtime::not_finite("along[j]", &["j"], &single.along),
-                runtime::not_finite("across[i]", &["i"], &single.across),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite(
+                        "2 inertia[i][j]",
+                        &["i", "j"],
+                        &single.prepared_0,
+                    ),
+                    runtime::not_finite("along[j]", &["j"], &single.along),
+                    runtime::not_finite("across[i]", &["i"], &single.across),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -39,26 +39,32 @@ const _: () = {
                 && a.prepared_6.len() == b.prepared_6.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
-                runtime::not_finite(
-                    "k overtones[k] sqrt(length + k)",
-                    &["k"],
-                    &single.prepared_1,
-                ),
-                runtime::not_finite("mass gravity length", &[], &single.prepared_3),
-                runtime::not_finite(
-                    "k^2 overtones[k] sqrt(length + k)",
-                    &["k"],
-                    &single.prepared_4,
-                ),
-                runtime::not_finite("1 / (2 mass length^2)", &[], &single.prepared_5),
-                runtime::not_finite(
-                    "overtones[k] sqrt(length + k)",
-                    &["k"],
-                    &single.prepared_6,
-                ),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("1 / (mass length^2)", &[], &single.prepared_0),
+                    runtime::not_finite(
+                        "k overtones[k] sqrt(length + k)",
+                        &["k"],
+                        &single.prepared_1,
+                    ),
+                    runtime::not_finite("mass gravity length", &[], &single.prepared_3),
+                    runtime::not_finite(
+                        "k^2 overtones[k] sqrt(length + k)",
+                        &["k"],
+                        &single.prepared_4,
+                    ),
+                    runtime::not_finite(
+                        "1 / (2 mass length^2)",
+                        &[],
+                        &single.prepared_5,
+                    ),
+                    runtime::not_finite(
+                        "overtones[k] sqrt(length + k)",
+                        &["k"],
+                        &single.prepared_6,
+                    ),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

@@ -22,11 +22,13 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("rate", &[], &single.rate),
-                runtime::not_finite("stiffness", &[], &single.prepared_1),
-                runtime::not_finite("stiffness / 2", &[], &single.prepared_2),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("rate", &[], &single.rate),
+                    runtime::not_finite("stiffness", &[], &single.prepared_1),
+                    runtime::not_finite("stiffness / 2", &[], &single.prepared_2),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.rate);

@@ -25,12 +25,14 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("mass", &[], &single.mass),
-                runtime::not_finite("1 - mass", &[], &single.prepared_1),
-                runtime::not_finite("mass / 2", &[], &single.prepared_2),
-                runtime::not_finite("(1 - mass) / 2", &[], &single.prepared_3),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("mass", &[], &single.mass),
+                    runtime::not_finite("1 - mass", &[], &single.prepared_1),
+                    runtime::not_finite("mass / 2", &[], &single.prepared_2),
+                    runtime::not_finite("(1 - mass) / 2", &[], &single.prepared_3),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.mass);

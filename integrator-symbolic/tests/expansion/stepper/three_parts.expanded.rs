@@ -35,15 +35,17 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("1 / mass", &[], &single.prepared_0),
-                runtime::not_finite("2 rate", &[], &single.prepared_1),
-                runtime::not_finite("rate", &[], &single.rate),
-                runtime::not_finite("depth", &[], &single.depth),
-                runtime::not_finite("stiffness", &[], &single.prepared_4),
-                runtime::not_finite("1 / (2 mass)", &[], &single.prepared_5),
-                runtime::not_finite("stiffness / 2", &[], &single.prepared_6),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("1 / mass", &[], &single.prepared_0),
+                    runtime::not_finite("2 rate", &[], &single.prepared_1),
+                    runtime::not_finite("rate", &[], &single.rate),
+                    runtime::not_finite("depth", &[], &single.depth),
+                    runtime::not_finite("stiffness", &[], &single.prepared_4),
+                    runtime::not_finite("1 / (2 mass)", &[], &single.prepared_5),
+                    runtime::not_finite("stiffness / 2", &[], &single.prepared_6),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);

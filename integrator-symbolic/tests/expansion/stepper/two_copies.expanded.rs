@@ -20,10 +20,12 @@ const _: () = {
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
-            runtime::all_found([
-                runtime::not_finite("coupling", &[], &single.coupling),
-                runtime::not_finite("depth", &[], &single.depth),
-            ])
+            runtime::all_found(
+                &mut [
+                    runtime::not_finite("coupling", &[], &single.coupling),
+                    runtime::not_finite("depth", &[], &single.depth),
+                ],
+            )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.coupling);
