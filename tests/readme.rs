@@ -254,7 +254,8 @@ fn the_first_command_names_an_example() {
 /// The user documentation of the macro lists every function that can be differentiated.
 #[test]
 fn every_elementary_function_is_documented() {
-    let (page, source) = (text("integrator-macros/src/hamiltonian.md"), text("integrator-symbolic/src/graph/function.rs"));
+    let (page, source) =
+        (text("integrator-macros/src/hamiltonian.md"), text("integrator-symbolic/src/graph/function.rs"));
     let table = source.split_once("const TABLE").and_then(|(_, rest)| rest.split_once("\n];")).expect("the table").0;
     let rows = ["unary(\"", "binary(\"", "name: \""].iter().flat_map(|row| table.split(row).skip(1));
     let names: Vec<&str> = rows.filter_map(|rest| rest.split('"').next()).collect();
