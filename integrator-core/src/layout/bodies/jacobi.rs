@@ -178,7 +178,7 @@ fn shares_of(constants: &impl JacobiConstants, bodies: usize) -> Vec<f64> {
     parts(constants, bodies).iter().map(|part| part.share).collect()
 }
 
-/// A state of so many bodies in which all numbers are zero.
+/// A state of this many numbers, all zero.
 fn zeros<C: Coords>(numbers: usize) -> Option<Phase<C>> {
     let zeros = alloc::vec![C::Leaf::default(); numbers];
     Some(Phase { q: C::from_flat(zeros.clone())?, p: C::from_flat(zeros)? })
