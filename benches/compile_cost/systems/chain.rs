@@ -4,8 +4,7 @@ pub struct System {
     pub beta: f64,
 }
 
-#[cfg_attr(feature = "taylor", hamiltonian(compose = Verlet, taylor))]
-#[cfg_attr(not(feature = "taylor"), hamiltonian(compose = Verlet))]
+#[hamiltonian]
 impl System {
     fn kinetic(&self, p: &[f64]) -> f64 {
         p.iter().map(|p| p * p / 2.0).sum()

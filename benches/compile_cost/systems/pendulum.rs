@@ -4,8 +4,7 @@ pub struct System {
     pub gravity: f64,
 }
 
-#[cfg_attr(feature = "taylor", hamiltonian(compose = Verlet, taylor))]
-#[cfg_attr(not(feature = "taylor"), hamiltonian(compose = Verlet))]
+#[hamiltonian]
 impl System {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         p[0] * p[0] / 2.0

@@ -4,8 +4,7 @@ pub struct System {
     pub masses: Vec<f64>,
 }
 
-#[cfg_attr(feature = "taylor", hamiltonian(compose = Verlet, taylor))]
-#[cfg_attr(not(feature = "taylor"), hamiltonian(compose = Verlet))]
+#[hamiltonian]
 impl System {
     fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
         let mut energy = 0.0;
