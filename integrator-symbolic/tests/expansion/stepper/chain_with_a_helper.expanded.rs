@@ -73,7 +73,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9022370746164619348;
+        const FINGERPRINT: u64 = 17579405825594204020;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -384,7 +384,7 @@ const _: () = {
             energy
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Drift> for Chain {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
@@ -406,7 +406,7 @@ const _: () = {
             [contribution_0]
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Kick> for Chain {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 2];

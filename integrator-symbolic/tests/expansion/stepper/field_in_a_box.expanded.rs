@@ -56,7 +56,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15838428835177874667;
+        const FINGERPRINT: u64 = 1987850243007218781;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -338,7 +338,7 @@ const _: () = {
             energy
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Drift> for Field {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
@@ -376,7 +376,7 @@ const _: () = {
             [contribution_0_0_0]
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Kick> for Field {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 2];

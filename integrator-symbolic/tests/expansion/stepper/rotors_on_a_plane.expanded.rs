@@ -66,7 +66,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6185824756734133537;
+        const FINGERPRINT: u64 = 4291465848252600021;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -341,7 +341,7 @@ const _: () = {
             energy
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Drift> for Rotors {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
@@ -373,7 +373,7 @@ const _: () = {
             [contribution_0_0]
         }
     }
-    /// What every site computes from its neighbourhood, for itself and for the sites further on.
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
     #[automatically_derived]
     impl runtime::Stencil<runtime::Kick> for Rotors {
         type Contributions<Wide: ::core::marker::Copy> = [Wide; 3];
