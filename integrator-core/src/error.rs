@@ -67,7 +67,7 @@ pub enum Error {
         listed(constants)
     )]
     Parameters {
-        /// These constants; of an array, its first one that is not finite.
+        /// The constants that are not finite; of an array, the first such element.
         constants: Vec<NotFinite>,
     },
     /// There are fewer masses than bodies, so that Jacobi coordinates cannot be computed.
@@ -85,7 +85,7 @@ pub enum Error {
         body: usize,
         /// Its mass.
         mass: f64,
-        /// What is wrong with it.
+        /// The reason why the mass is unusable.
         reason: &'static str,
     },
     /// The kinetic or potential energy of the start, or that of a named part, is not finite.
@@ -346,7 +346,7 @@ pub enum Error {
     Vector {
         /// The index of the vector, from 0.
         vector: usize,
-        /// What is wrong with it.
+        /// The fault of the vector.
         fault: VectorFault,
     },
     /// The ensemble has no members.
@@ -381,13 +381,13 @@ pub enum Error {
         first_of(members)
     )]
     Strayed {
-        /// These members in ascending order, each with [`Error::EnergyStrayed`], or with [`Error::Diverged`] if it diverged in
-        /// the same call.
+        /// The members that stopped, in ascending order, each with [`Error::EnergyStrayed`], or with
+        /// [`Error::Diverged`] if it diverged in the same call.
         members: Vec<(usize, Error)>,
     },
 }
 
-/// What is wrong with an interval of time between samples, with a remedy.
+/// Returns what is wrong with an interval of time between samples, with a remedy.
 fn interval_for(interval: f64, h: f64) -> String {
     match interval.is_finite() {
         true => format!(
@@ -429,9 +429,9 @@ pub enum VectorFault {
     /// It has another number of components than the state.
     #[error("has {} positions and {} momenta, but the state has {positions} of each", lengths[0], lengths[1])]
     Length {
-        /// How many positions and momenta it has.
+        /// The numbers of positions and of momenta of the vector.
         lengths: [usize; 2],
-        /// How many positions the state has.
+        /// The number of positions of the state.
         positions: usize,
     },
     /// A component is infinite or NaN.
@@ -568,7 +568,7 @@ pub enum Unsolved {
         followed = Number(*followed), value = Number(*value)
     )]
     RatesApart {
-        /// What follows the pace, after a kick.
+        /// The variable that follows the pace, after a kick.
         followed: f64,
         /// The pace at the kick.
         value: f64,
@@ -582,9 +582,9 @@ pub enum Unsolved {
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[error("`{formula}` is {value}{}", self.place(), value = Number(*value))]
 pub struct NotFinite {
-    /// How it is made, in the words of `kinetic` and `potential`, without `self`.
+    /// The formula of the constant, as in `kinetic` and `potential`, without `self`.
     pub formula: &'static str,
-    /// Which one, where there is one for each iteration of a loop: the names of the indices, and what they are.
+    /// The indices of the element, with their names and values, if a loop has one constant for each iteration.
     pub indices: Vec<(&'static str, usize)>,
     /// Its value.
     pub value: f64,
@@ -673,7 +673,7 @@ pub struct Divergence {
 const SHOWN: usize = 4;
 
 impl Divergence {
-    /// The same error, at the time of the last finite state if the time is part of the state.
+    /// Returns this error, at the time of the last finite state if the time is part of the state.
     pub(crate) fn at_own_time(self, time: Option<f64>) -> Self {
         Self { time: time.unwrap_or(self.time), ..self }
     }

@@ -6,7 +6,7 @@ use crate::{
     frame::Frame,
 };
 
-/// How the points of a series are drawn.
+/// The style in which the points of a series are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
     /// A line from point to point.

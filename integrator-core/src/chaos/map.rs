@@ -87,11 +87,11 @@ pub struct Mapped {
     pub value: f64,
     /// The integration time of this orbit.
     pub time: f64,
-    /// How the orbit ended.
+    /// The outcome of the orbit.
     pub end: End,
 }
 
-/// How an orbit of a map ended.
+/// The outcome of an orbit of a map: integrated to the end, stopped by the condition, or failed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum End {

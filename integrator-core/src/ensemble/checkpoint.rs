@@ -20,7 +20,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// What every checkpoint of an ensemble begins with.
+/// The first bytes of every checkpoint of an ensemble.
 const MAGIC: [u8; 8] = *b"symplens";
 
 /// The form of what is written.
@@ -29,7 +29,7 @@ const VERSION: u16 = 2;
 /// All there is to an ensemble.
 #[derive(Serialize, Deserialize)]
 struct Record {
-    /// What a run has beside its state, and all members have in common.
+    /// The record that all members share: that of a run, without its state.
     common: RunRecord,
     /// The composition that the method is over; empty where it is over none.
     over: String,
@@ -192,7 +192,7 @@ impl<C: Coords> Ensemble<C> {
     }
 }
 
-/// How many members a checkpoint has, and the checkpoint of some of them, counted from 0.
+/// Returns the number of members of a checkpoint, and the checkpoint of a range of them, counted from 0.
 ///
 /// # Errors
 /// As [`Ensemble::resume`]; members that the checkpoint does not have.

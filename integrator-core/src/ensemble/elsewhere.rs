@@ -22,9 +22,9 @@ pub struct Elsewhere<C: Coords> {
     pub t0: f64,
     /// The step.
     pub h: f64,
-    /// How many steps those in progress have taken.
+    /// The number of steps that the members in progress have taken.
     pub steps: u64,
-    /// After how many the states were last changed from outside.
+    /// The number of steps after which the states were last changed from outside.
     pub opened: u64,
     /// The members, in their order.
     pub members: Vec<MemberElsewhere<C>>,
@@ -51,7 +51,7 @@ pub fn come_back<C: Coords>(ensemble: &mut Ensemble<C>, steps: u64, opened: u64,
     });
 }
 
-/// How many steps are done after `steps` more than the `done` ones that were taken elsewhere.
+/// Returns the number of steps done after `steps` more than the `done` ones that were taken elsewhere.
 ///
 /// # Errors
 /// Those of [`Ensemble::advance`] that it returns before the first step.
@@ -63,7 +63,7 @@ pub fn begin<C: Coords>(ensemble: &mut Ensemble<C>, done: u64, steps: u64) -> Re
     Ok(end)
 }
 
-/// How many more steps than the `done` ones do not lead beyond a time.
+/// Returns the largest number of further steps, after the `done` ones, that do not lead beyond a time.
 ///
 /// # Errors
 /// [`Error::Time`] and [`Error::Passed`], as by [`Ensemble::advance_to`].

@@ -49,18 +49,18 @@ pub struct Moved<'m, S> {
     pub p: &'m mut S,
 }
 
-/// What a flow reads, apart from what it moves.
+/// The coordinates that a flow reads, and those that it moves.
 type Apart<'m, S, P> = (Read<'m, S, P>, Moved<'m, S>);
 
 impl<R: Real, C: Coords, P> Doubled<R, C, P> {
-    /// What the flow of `H(q, y)` reads, and what it moves.
+    /// Returns the coordinates that the flow of `H(q, y)` reads, and those that it moves.
     #[inline(always)]
     pub fn first(&mut self) -> Apart<'_, C::Slots<R>, P> {
         let Self { q, p, x, y, parameters } = self;
         (Read { q, p: y, parameters }, Moved { q: x, p })
     }
 
-    /// What the flow of `H(x, p)` reads, and what it moves.
+    /// Returns the coordinates that the flow of `H(x, p)` reads, and those that it moves.
     #[inline(always)]
     pub fn second(&mut self) -> Apart<'_, C::Slots<R>, P> {
         let Self { q, p, x, y, parameters } = self;

@@ -71,7 +71,7 @@ pub struct Terms<
     pub parts: [&'m [[S; D]]; PARTS],
     /// The constants of each term.
     pub constants: [&'m [R]; CONSTANTS],
-    /// What all terms have in common.
+    /// The constants that all terms share.
     pub common: [R; COMMON],
 }
 

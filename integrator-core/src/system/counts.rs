@@ -8,11 +8,11 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OwnSteps {
-    /// How many are completed.
+    /// Number of completed steps.
     pub taken: u64,
-    /// The shortest of these, infinite before the first one.
+    /// The length of the shortest completed step, infinite before the first one.
     pub shortest: f64,
-    /// The longest, zero before the first one.
+    /// The length of the longest completed step, zero before the first one.
     pub longest: f64,
     /// The length of the current step, infinite where its polynomial is the motion at all times; `None` where no
     /// polynomial is expanded yet.
@@ -52,7 +52,7 @@ impl OwnSteps {
     }
 }
 
-/// What a motion has counted since it was loaded.
+/// The counters of a motion since it was loaded.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Counts {
     /// The evaluations of the force.
@@ -62,12 +62,12 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Those of a motion whose steps are the run's.
+    /// Counters of a motion whose steps are the run's.
     pub(crate) fn of_evaluations(evaluations: u64) -> Self {
         Self { evaluations, own_steps: None }
     }
 
-    /// These and later ones.
+    /// Returns the sums of these counters and later ones.
     pub(crate) fn and(self, later: Self) -> Self {
         let both = |a: OwnSteps, b: OwnSteps| OwnSteps {
             taken: a.taken.saturating_add(b.taken),

@@ -38,12 +38,12 @@ pub fn like<T: Integer>(_other: &T, index: impl Integer) -> T {
     T::of(index.wide())
 }
 
-/// How far a loop goes from zero to an end, which it does not reach.
+/// Returns the length of a loop from zero to an exclusive end.
 pub fn bound(end: impl ByValue<Value: Integer>) -> usize {
     clamped(end.by_value().wide())
 }
 
-/// How far a loop goes from zero to its last index.
+/// Returns the length of a loop from zero to its last index, inclusive.
 pub fn bound_through(last: impl ByValue<Value: Integer>) -> usize {
     clamped(last.by_value().wide() + 1)
 }

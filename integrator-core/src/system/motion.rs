@@ -49,7 +49,7 @@ pub enum InRegisters {
     Always,
 }
 
-/// What a motion has found out beside its state, such as which bodies are near each other. No result depends on it.
+/// Data that a motion has found beside its state, such as which bodies are near each other. No result depends on it.
 pub(crate) type Found = Arc<dyn Any + Send + Sync>;
 
 /// State and prepared constants in the layout that the generator chose.
@@ -133,13 +133,13 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
 }
 
-/// What a trajectory has beside positions and momenta, where the time is part of its state.
+/// The quantities of a trajectory beside positions and momenta, where the time is part of its state.
 #[cfg(feature = "checkpoint")]
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Beside {
     /// The time since the motion was loaded, in the middle of a step, and its rounding error.
     pub(crate) time: [f64; 2],
-    /// What is conjugate to the time, once steps were taken.
+    /// The momentum conjugate to the time, once steps were taken.
     pub(crate) conjugate: Option<f64>,
     /// The exponent of the transformation, where it has one.
     pub(crate) exponent: f64,
@@ -194,7 +194,7 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
 }
 
 impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
-    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_rest(&self) -> Plain<R, C::With<f64>, P> {
         let zero = R::of(0.0);
@@ -204,7 +204,7 @@ impl<R: Real, C: Coords, P: Clone> Plain<R, C, P> {
             parameters: self.parameters.clone(),
         }
     }
-    /// The same momenta at the origin, with slots that hold numbers and nothing else.
+    /// Returns a motion with these momenta at the origin, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_origin(&self) -> Plain<R, C::With<f64>, P> {
         let zero = R::of(0.0);
@@ -249,13 +249,13 @@ pub struct Solving<R: Real, C: Coords, P, S> {
 /// bits, which hold no more of it.
 const REGISTERS: usize = 2048;
 
-/// What a solved flow keeps beside the state, for all lanes of a motion; by default nothing, for a motion that the flow is
-/// not applied to.
+/// The memory of a solved flow beside the state, for all lanes of a motion. By default it is empty, for a motion that
+/// the flow is not applied to.
 pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     /// For which steps a small motion gains from registers.
     const IN_REGISTERS: InRegisters = InRegisters::Always;
 
-    /// That of members with these constants, one per lane, whose positions are this number of numbers or points.
+    /// Creates the memory of members with these constants, one per lane; `length` counts the numbers or points of `q`.
     fn of(constants: &[&P], length: usize) -> Self;
     /// Takes over what belongs to the state of another motion with the same constants.
     fn copy_state(&mut self, _from: &Self) {}
@@ -329,7 +329,7 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
 }
 
 impl<R: Real, C: Coords, P: Clone, S: Default> Solving<R, C, P, S> {
-    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_rest(&self) -> Solving<R, C::With<f64>, P, S> {
         let zero = R::of(0.0);

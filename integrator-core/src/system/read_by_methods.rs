@@ -20,7 +20,7 @@ impl Default for ReadByMethods {
 }
 
 impl ReadByMethods {
-    /// That of a system which gives its own fingerprint.
+    /// Creates the fingerprint of a system that gives its own.
     pub fn of_fingerprint(fingerprint: u64) -> Self {
         let mut read = Self::default();
         read.0.add(&fingerprint);

@@ -15,7 +15,7 @@ pub fn unfinished<C: Coords>(run: &Run<C>) -> Phase<C> {
     run.unfinished_lane(0)
 }
 
-/// How many numbers the positions of a checkpoint are.
+/// Returns the number of position components in a checkpoint.
 ///
 /// # Errors
 /// Bytes that are no checkpoint.
@@ -23,7 +23,7 @@ pub fn positions_in(checkpoint: &[u8]) -> Result<usize, CheckpointError> {
     Ok(Stored::of_bytes(checkpoint)?.record.q.len())
 }
 
-/// The time at which the clock of a run started, and after how many steps its state was last changed from outside.
+/// Returns the start time of the clock, and the number of steps after which the state was last changed from outside.
 pub fn began<C: Coords>(run: &Run<C>) -> (f64, u64) {
     (run.clock.t0, run.opened)
 }

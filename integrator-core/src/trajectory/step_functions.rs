@@ -30,9 +30,9 @@ use crate::{
 /// type alone, what is seldom called is compiled once per motion, and a system that borrows its parameters can be run
 /// all the same.
 pub struct StepFunctions<M> {
-    /// How many members a motion has.
+    /// The number of members of a motion.
     pub(crate) lanes: usize,
-    /// How many motions a group has, whose members go through each stage together.
+    /// The number of motions in a group, whose members go through each stage together.
     pub(crate) together: usize,
     /// Takes this number of steps, on this number of threads or on all.
     pub(crate) advance: fn(&mut [M], Clock, u64, Option<usize>),
@@ -64,7 +64,7 @@ impl<M> Clone for StepFunctions<M> {
 impl<M> Copy for StepFunctions<M> {}
 
 impl<M> StepFunctions<M> {
-    /// Those of a method whose motions stand at the end of a step whenever they are read.
+    /// Returns the step functions of a method whose motions stand at the end of a step whenever they are read.
     pub(crate) fn of_whole_steps<C: Coords, P>(
         lanes: usize,
         advance: fn(&mut [M], Clock, u64, Option<usize>),
@@ -108,14 +108,14 @@ impl<M> StepFunctions<M> {
     }
 }
 
-/// How motions go through the stages of a composition.
+/// The order in which motions go through the stages of a composition.
 pub trait Executor: 'static {
     /// Whether lattices too long for the cache are swept in tiles, which is more code.
     const TILES: bool = false;
-    /// How many registers hold a number of all lanes each, where small motions go through each stage together.
+    /// The number of registers for one number of all lanes, where small motions go through each stage together.
     const REGISTERS: usize = 0;
-    /// Whether derivatives are those along starts, each with constants of the motion of its own, such as an energy; else
-    /// those of the map of states, at the same constants.
+    /// Whether derivatives are taken along starts, each with its own constants of the motion, such as an energy;
+    /// otherwise, those of the map of states, at the same constants.
     const ALONG_STARTS: bool = false;
 }
 
@@ -189,7 +189,7 @@ const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E
     H::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1 && !carried_apart
 }
 
-/// What completes a step, or undoes the processor after it.
+/// Returns the function that completes a step, or that undoes the processor after it.
 fn ending<H, X, R, K, E, const SHOWN: bool>() -> fn(&mut H::Motion<R, K>, Clock, Option<usize>)
 where
     H: Hamiltonian,
@@ -258,7 +258,7 @@ pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M], threads: 
     true
 }
 
-/// The same in the variant for the instruction set of lanes.
+/// Whether all motions are finite, in the variant for the instruction set of lanes.
 fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
     motions: &[H::Motion<R, K>],
     _threads: Option<usize>,

@@ -86,7 +86,7 @@ impl<C> fmt::Display for ModifiedHamiltonian<'_, C> {
 }
 
 impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
-    /// That of a system; `like` is any point of it, for the number of coordinates.
+    /// Creates the modified Hamiltonian of a system; `like` is any point of it, for the number of coordinates.
     ///
     /// # Errors
     /// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`; a point or a step that no run would begin with.

@@ -63,7 +63,7 @@ pub struct BracketSeries {
     pub composition: &'static str,
     /// The order that it claims.
     pub order: u32,
-    /// Whether it claims to be symmetric, so that there are even powers alone.
+    /// Whether the composition claims to be symmetric, so that only even powers occur.
     pub symmetric: bool,
     /// All brackets up to the fourth power of the step whose factor is not zero, lower powers first.
     pub brackets: Vec<Bracket>,

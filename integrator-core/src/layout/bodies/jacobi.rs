@@ -34,7 +34,7 @@ use core::ops::Range;
 pub struct Jacobi<L: Rows<D>, const D: usize> {
     /// The Jacobi coordinates and their momenta.
     pub(crate) bodies: L,
-    /// The same bodies in inertial coordinates, from when they were last needed.
+    /// The inertial coordinates of the bodies, from when they were last needed.
     pub inertial: L::AtRest,
     weights: Arc<[Weights<L::Row>]>,
     /// The number of the body that leads, which is the first one of rows.
@@ -546,7 +546,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         sum
     }
 
-    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_rest(&self) -> Jacobi<L::AtRest, D> {
         let (bodies, weights) = (self.bodies.at_rest(), self.weights.clone());

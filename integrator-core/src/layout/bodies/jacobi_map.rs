@@ -11,13 +11,13 @@
 use crate::{error::Error, scalar::real::Real};
 use alloc::vec::Vec;
 
-/// What Jacobi coordinates need to know of bodies. Written by `#[hamiltonian]` for its prepared constants.
+/// Masses and attractions of the bodies, from which Jacobi coordinates follow. Implemented by `#[hamiltonian]`.
 pub trait JacobiConstants {
     /// The number of the body that leads.
     fn leading_body(&self) -> usize;
     /// The mass of a body, and the strength `k` of the attraction `-k / |Q|` to those before it and to the one that leads.
     fn mass_and_attraction(&self, body: usize) -> [f64; 2];
-    /// What `kinetic` multiplies the momentum of a body by, for its velocity.
+    /// Returns the factor by which `kinetic` multiplies the momentum of a body, for its velocity.
     fn inverse_mass(&self, body: usize) -> f64;
 }
 

@@ -294,7 +294,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         };
         Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }
     }
-    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     pub fn at_rest(&self) -> ManyRows<R, f64, P, D, S> {
         ManyRows {
             q: values_of_rows(&self.q),

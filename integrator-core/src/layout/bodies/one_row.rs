@@ -88,7 +88,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, cons
         let flat = |slots: &[K::Slot<R::Row<N>>; D]| C::slots_from(N * D, |k| element(slots[k % D].value(), k / D));
         Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }
     }
-    /// The same positions and no momenta, with slots that hold numbers and nothing else.
+    /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_rest(&self) -> OneRow<R, f64, P, N, D, S> {
         let (q, p) = (values(&self.q), [Real::of(0.0); D]);

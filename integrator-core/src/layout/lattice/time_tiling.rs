@@ -65,7 +65,7 @@ const MIN_WORK: usize = 128 * TILE;
 /// One flow of a lattice.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow {
-    /// Whether it is that of `T`, which moves the positions.
+    /// Whether it is the flow of `T`, which moves the positions.
     pub(crate) drifts: bool,
     pub(crate) duration: f64,
     pub(crate) time: f64,
@@ -107,18 +107,18 @@ impl StencilRadii {
         self.drift.periodic || self.kick.periodic
     }
 
-    /// How many sites or rows further, to either side, a drift and a kick carry what a coordinate is.
+    /// Returns the distance, in sites or rows to either side, over which a drift and a kick transport a coordinate.
     pub const fn reach(&self) -> [usize; 2] {
         [self.drift.reach(), self.kick.reach()]
     }
 
-    /// How many sites or rows at an end may differ from those of the interior.
+    /// Returns the number of sites or rows at an end that may differ from those of the interior.
     pub const fn ends(&self) -> usize {
         let (drift, kick) = (self.drift.ends(), self.kick.ends());
         if drift > kick { drift } else { kick }
     }
 
-    /// How far before and after a site a flow depends on coordinates.
+    /// Returns the distances before and after a site within which a flow depends on coordinates.
     fn radius(&self, flow: &Flow) -> [usize; 2] {
         let boundary = if flow.drifts { &self.drift } else { &self.kick };
         [boundary.behind + boundary.forward, boundary.ahead]

@@ -65,7 +65,7 @@ macro_rules! any {
             }
         }
 
-        /// What the method keeps from step to step.
+        /// The memory of a method from step to step.
         #[derive(Clone, Default)]
         pub enum Memory<R: Real> {
             /// Nothing yet.

@@ -49,7 +49,7 @@ const COWELL: [f64; 3] = [1.0, 10.0, 1.0];
 /// the difference of two positions lacks of the velocity at the second one.
 const SHOWN: [f64; FORCES] = [97.0, 114.0, -39.0, 8.0];
 
-/// What is remembered.
+/// The memory of the method from step to step.
 #[derive(Clone)]
 pub struct Memory<R> {
     /// Forces at the latest positions, the latest one first.

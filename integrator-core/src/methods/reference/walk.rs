@@ -16,12 +16,12 @@ use crate::{
 };
 use alloc::sync::Arc;
 
-/// How a method steps.
+/// The recipe of a step: the increment of the whole state.
 pub trait Recipe: Described {
-    /// What it keeps from step to step beside the state.
+    /// The memory of the method from step to step, beside the state.
     type Memory<R: Real>: Clone + Default + Send + Sync + 'static;
 
-    /// What a step adds to the state.
+    /// Returns the increment of the state in a step.
     ///
     /// # Errors
     /// An end of the step that was not found.
@@ -36,7 +36,7 @@ pub struct Place<'f, R> {
     pub(crate) y: &'f [R],
     /// When.
     pub(crate) time: f64,
-    /// How far the step leads.
+    /// The length of the step.
     pub(crate) h: f64,
 }
 
@@ -59,9 +59,9 @@ pub(crate) fn combined<R: Real>(scale: f64, terms: &[(f64, &[R])]) -> Vec<R> {
     (0..length).map(|i| R::of(scale) * sum(i)).collect()
 }
 
-/// What stays the same in a run.
+/// The constants of a run: the parameters of the system, and the method.
 pub struct Constants<P, M> {
-    /// Those of the system.
+    /// The parameters of the system.
     pub(crate) parameters: Arc<P>,
     /// The method.
     pub(crate) recipe: M,
@@ -118,7 +118,7 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
     }
 }
 
-/// What a method moves of a system.
+/// The motion of a method for a system.
 pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<f64>, M>;
 
 /// The step functions of a method.

@@ -13,7 +13,7 @@ use super::{
 use crate::scalar::{real::Real, simd::row::Row};
 use alloc::vec::Vec;
 
-/// The same number in all iterations.
+/// Returns a block with the same number in all iterations.
 #[inline(always)]
 pub fn splat<R: Real, V: Row<Wide<R>>>(x: R) -> V {
     V::splat(Wide::<R>::splat(x))
@@ -65,7 +65,7 @@ impl Target {
     pub const fn momentum(value: usize) -> Self {
         Self { half: 1, value, sign: 1 }
     }
-    /// The same, with the sign changed.
+    /// Returns this target with the sign changed.
     pub const fn negated(self) -> Self {
         Self { sign: -self.sign, ..self }
     }

@@ -14,7 +14,7 @@ use core::{marker::PhantomData, ops::Range};
 /// Several vectors of eight numbers, or one number.
 pub type Bundle<R> = <R as Real>::Bundle;
 
-/// What is beyond the ends of a line.
+/// The sites beyond the ends of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// The last site is followed by the first.
@@ -89,8 +89,8 @@ impl<R: Real, B, T, const VALUES: usize, const ORDERS: usize> Default for Line<R
     }
 }
 
-/// What a few vectors compute, which stays in registers where there are enough: stored and loaded again, it would come later
-/// than the sums over what is known. `VECTORS` is zero where they are too many.
+/// The results of a few vectors, which stay in registers if there are enough. After a store and a load, results would
+/// arrive later than the sums over known numbers. `VECTORS` is zero if there are too many vectors.
 pub struct Few<R: Real, const VALUES: usize, const ORDERS: usize, const VECTORS: usize> {
     results: [Results<R, VALUES, ORDERS>; VECTORS],
 }
@@ -160,7 +160,7 @@ impl<R: Real, B: Default, T: Default, const VALUES: usize, const ORDERS: usize> 
         Vectors { kept: &mut self.singles[number], first, results, vectors: PhantomData }
     }
 
-    /// What all sites computed.
+    /// Returns the results of all sites.
     #[inline(always)]
     pub fn computed<'l, const VECTORS: usize>(
         &'l self,
@@ -175,7 +175,7 @@ impl<R: Real, B: Default, T: Default, const VALUES: usize, const ORDERS: usize> 
     }
 }
 
-/// What the sites of a line computed.
+/// The results of the sites of a line.
 pub struct Computed<'l, R: Real, const VALUES: usize, const ORDERS: usize> {
     results: &'l [Results<R, VALUES, ORDERS>],
     /// The number of vectors that hold sites.
@@ -190,13 +190,13 @@ impl<R: Real, const VALUES: usize, const ORDERS: usize> Computed<'_, R, VALUES, 
         0..self.count
     }
 
-    /// What the sites of a vector computed.
+    /// Returns the results of the sites of a vector.
     #[inline(always)]
     pub fn own(&self, vector: usize) -> Results<R, VALUES, ORDERS> {
         self.results[vector]
     }
 
-    /// What the sites of a vector computed, and zero for the last site.
+    /// Returns the results of the sites of a vector, with zero for the last site.
     #[inline(always)]
     pub fn own_without_last(&self, vector: usize) -> Results<R, VALUES, ORDERS> {
         let mut own = self.results[vector];
@@ -208,7 +208,7 @@ impl<R: Real, const VALUES: usize, const ORDERS: usize> Computed<'_, R, VALUES, 
         own
     }
 
-    /// What the sites before those of a vector computed: zero where there is none.
+    /// Returns the results of the sites before those of a vector: zero where there is no site.
     #[inline(always)]
     pub fn before(&self, vector: usize) -> Results<R, VALUES, ORDERS> {
         // From a vector to the next one in a lane.

@@ -30,7 +30,7 @@ pub fn power_weight<R: Real>(exponent: f64, j: usize, k: usize) -> R {
     R::of((exponent + 1.0) * NUMBERS[j] - NUMBERS[k])
 }
 
-/// The same with an exponent that is a parameter.
+/// The weight of [`power_weight`] for an exponent that is a parameter.
 #[inline(always)]
 pub fn power_weight_with<R: Real>(exponent: R, j: usize, k: usize) -> R {
     exponent * R::of(NUMBERS[j]) - R::of(NUMBERS[k - j])

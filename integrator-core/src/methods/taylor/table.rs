@@ -233,7 +233,7 @@ impl<R: Real> Coefficients<'_, R> {
         scaled_by_two_orders(derivative, W::splat(self.unit * self.unit), order)
     }
 
-    /// The same times the order above.
+    /// Returns [`Self::second_integral`] times the order above.
     #[inline(always)]
     pub fn rate<W: Row<R>>(&self, derivative: W, order: usize) -> W {
         scaled_by_order(derivative, W::splat(self.unit * self.unit), order)

@@ -3,8 +3,8 @@
 use super::recurrences::Recurrences;
 use crate::hamiltonian::Hamiltonian;
 
-/// What is done with `H` where it has recurrences for the Taylor method: shown to [`Hamiltonian::visit_recurrences`],
-/// code that is generic over all systems can use that method for those that have it.
+/// A visitor of systems that have recurrences for the Taylor method. Code that is generic over all systems shows it to
+/// [`Hamiltonian::visit_recurrences`], and can then use the Taylor method for those systems.
 pub trait RecurrencesVisitor<H: Hamiltonian> {
     /// Called once if there are recurrences.
     fn visit(&mut self)

@@ -19,10 +19,10 @@ use alloc::{string::ToString, vec::Vec};
 use core::ops::Range;
 use serde::{Deserialize, Serialize};
 
-/// What every checkpoint of a tangent begins with.
+/// The first bytes of every checkpoint of a tangent.
 const MAGIC: [u8; 8] = *b"sympltan";
 
-/// The form of what is written.
+/// The version of the format.
 const VERSION: u16 = 2;
 
 /// All there is to a tangent.
@@ -69,7 +69,7 @@ impl<C: Coords> Tangent<C> {
         Self::resumed::<H, X, false>(system, method, checkpoint, 0, |_, _, _| Vec::new())
     }
 
-    /// The same with derivatives by the parameters that the system names.
+    /// Resumes a run with derivatives by the parameters that the system names.
     ///
     /// # Errors
     /// As [`Tangent::resume`]; derivatives by more or fewer parameters.

@@ -23,7 +23,7 @@ pub enum Level {
     Round,
 }
 
-/// What generated code shows its conditions to.
+/// An observer of the conditions that generated code evaluates.
 pub trait Watch<R: Real> {
     /// The next comparison is one of the time and of parameters alone.
     fn of_time(&mut self);
