@@ -17,8 +17,8 @@ use std::{
     marker::PhantomData,
 };
 
-/// How many samples an orbit has, where these are not sparser than vectors are divided. The integral of a logarithm that swings
-/// is off by its amplitude over the root of their number.
+/// The number of samples of an orbit, unless these would be sparser than rescalings of vectors. The integral of an
+/// oscillating logarithm has an error of its amplitude over the root of this number.
 const SAMPLES: u64 = 128;
 
 /// The number of steps between two samples of an orbit.
@@ -93,7 +93,7 @@ impl Growth {
         self.changed += by;
     }
 
-    /// What the mean of MEGNO says, once a chaotic orbit would have shown itself.
+    /// Returns the verdict of the mean MEGNO, once a chaotic orbit would have shown itself.
     pub(super) fn verdict(&self) -> Verdict {
         let is_long_enough = self.changed >= CHANGED || self.fli() >= GROWN;
         match Verdict::of_megno(self.mean_megno()) {
@@ -120,9 +120,9 @@ impl Growth {
 pub(super) const REGULAR_BELOW: f64 = 2.5;
 pub(super) const CHAOTIC_ABOVE: f64 = 4.0;
 
-/// What it takes to call an orbit regular. Either its vector has changed by 64 turns: the mean MEGNO of a chaotic orbit with an
-/// exponent of a fiftieth of its frequency is 4 by then. Or it has grown by the exponential of 6: by exponential growth the
-/// mean MEGNO, half of this logarithm, would be 3.
+/// The conditions for a regular orbit. Either its vector has changed by 64 turns: the mean MEGNO of a chaotic orbit
+/// with an exponent of a fiftieth of its frequency is 4 by then. Or it has grown by the exponential of 6: by
+/// exponential growth the mean MEGNO, half of this logarithm, would be 3.
 const CHANGED: f64 = 64.0 * TAU;
 const GROWN: f64 = 6.0;
 
@@ -146,7 +146,7 @@ pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
     of_length(square, of_square[0], exponent, || vector.clone())
 }
 
-/// The same, where the sum of the squares and its logarithm are known.
+/// Returns the logarithm of the length, where the sum of the squares and its logarithm are known.
 pub(super) fn of_length<C: Coords>(
     square: f64,
     of_square: f64,
@@ -193,9 +193,9 @@ impl<R: Real> Kernel for Logarithms<'_, R> {
     }
 }
 
-/// How much of the length of a vector is orthogonal to a direction, from 0 to 1: what of it the orthogonal fast Lyapunov
-/// indicator follows (Fouchard, Lega, Froeschlé and Froeschlé 2002, Celest. Mech. Dyn. Astron. 83, 205; Barrio 2005, Chaos
-/// Solitons Fractals 25, 711). All of it, where there is no direction.
+/// Returns the share of the length of a vector that is orthogonal to a direction, from 0 to 1. The orthogonal fast
+/// Lyapunov indicator follows it (Fouchard, Lega, Froeschlé and Froeschlé 2002, Celest. Mech. Dyn. Astron. 83, 205;
+/// Barrio 2005, Chaos Solitons Fractals 25, 711). Without a direction it is 1.
 pub(super) fn orthogonal_part<C: Coords>(vector: &Phase<C>, direction: &[f64]) -> f64 {
     let unit = |numbers: &mut dyn Iterator<Item = f64>| {
         let numbers: Vec<f64> = numbers.collect();

@@ -246,8 +246,8 @@ where
 /// The lanes of an orbit: its state, and one vector.
 const LANES_OF_ORBIT: usize = 2;
 
-/// How many groups of orbits, each of which goes through the stages together, are sampled together at most: a sample begins
-/// and ends many loops, and this many states are still near the processor.
+/// The largest number of groups of orbits that are sampled together. The orbits of a group go through the stages
+/// together. A sample begins and ends many loops, and the states of four groups are still near the processor.
 const GROUPS: usize = 4;
 
 /// The values of all members, in groups, on all threads. A free thread takes the next group; no value
@@ -288,7 +288,7 @@ struct Orbit {
     growth: Growth,
     /// The power of two by which its vector was divided.
     exponent: i64,
-    /// How it ended, if it has: another orbit uses its lanes.
+    /// The outcome of the orbit, if it has ended: another orbit uses its lanes.
     end: Option<End>,
 }
 
@@ -312,7 +312,7 @@ impl<C: Coords> Batch<C> {
         }
     }
 
-    /// What an indicator is after this number of steps.
+    /// Returns the values of an indicator after this number of steps.
     fn follow(mut self, mut clock: Clock, steps: u64, indicator: Indicator, look: Look<'_, C>) -> Vec<Mapped> {
         let every = steps_between_samples(steps);
         while clock.steps < steps && self.orbits.iter().any(|orbit| orbit.end.is_none()) {

@@ -37,9 +37,9 @@ pub(crate) struct Batch {
     engine: Engine,
     /// A buffer for the state of a member.
     sample: Box<dyn Point>,
-    /// How many steps were done when the states were last changed from outside.
+    /// The number of steps done when the states were last changed from outside.
     opened: u64,
-    /// The times of the members then, where these are part of their states: sums of two numbers.
+    /// The times of the members at that change, where these are part of their states: sums of two numbers.
     opened_at: Vec<[f64; 2]>,
 }
 
@@ -54,9 +54,9 @@ pub(crate) struct Finish {
 /// A member alone, from where it is on.
 pub(crate) struct Alone {
     pub(crate) engine: Engine,
-    /// How many steps were done when its state was last changed from outside.
+    /// The number of steps done when the state was last changed from outside.
     pub(crate) opened: u64,
-    /// Its time then, where that is part of its state.
+    /// The member's time at that change, where that is part of its state.
     pub(crate) opened_at: [f64; 2],
 }
 

@@ -5,8 +5,8 @@ use crate::{
     trajectory::motions::Motions,
 };
 
-/// How many batches a thread gets, so that all threads end at about the same time, and how large a batch may grow, so
-/// that a member that leaves early leaves a gap in few of the motions.
+/// The number of batches per thread, so that all threads end at about the same time, and the largest size of a batch,
+/// so that a member that leaves early leaves a gap in few of the motions.
 const BATCHES_PER_THREAD: usize = 4;
 const GROUPS_PER_BATCH: usize = 16;
 

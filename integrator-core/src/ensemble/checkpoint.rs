@@ -23,7 +23,7 @@ use std::ops::Range;
 /// The first bytes of every checkpoint of an ensemble.
 const MAGIC: [u8; 8] = *b"symplens";
 
-/// The form of what is written.
+/// The version of the format.
 const VERSION: u16 = 2;
 
 /// All there is to an ensemble.

@@ -29,7 +29,7 @@ pub(crate) fn energies_of_members<H: Hamiltonian, K: Precision>(
     Arc::new(MemberFunctions { parameters, energy: energy::<H, K>, invariants: InvariantsOf::of::<H, K>() })
 }
 
-/// The same as one function for all members.
+/// The energy functions, with one function pointer for all members.
 struct MemberFunctions<P, C> {
     parameters: Vec<Arc<P>>,
     energy: EnergyOf<P, C>,

@@ -35,7 +35,7 @@ pub(crate) struct Members {
     pub(super) batches: Vec<Batch>,
     pub(crate) energies: Arc<dyn EnergiesOfMembers>,
     count: usize,
-    /// How many coordinates all members have together.
+    /// The number of coordinates of all members together.
     coordinates: u64,
     pub(crate) clock: Clock,
     /// Whether the energies of the starts are still to be checked, where they depend on the time that the clock starts
@@ -206,7 +206,7 @@ impl Members {
         ended.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// How many threads this number of steps of all members are worth.
+    /// Returns the number of threads that pay off for this number of steps of all members.
     pub(super) fn threads_for(&self, steps: u64) -> usize {
         if self.coordinates.saturating_mul(steps) < WORTH_A_THREAD { 1 } else { self.threads }
     }
@@ -286,7 +286,7 @@ impl Members {
         });
     }
 
-    /// The same at the end of the last step of all.
+    /// Shows the states of the members of a batch at the end of the last common step.
     pub(crate) fn states_at_step(&self, batch: usize, visit: &mut dyn FnMut(usize, &dyn Point)) {
         self.batches[batch].states(self.clock, visit);
     }

@@ -56,7 +56,7 @@ use std::{fmt, marker::PhantomData, ops::ControlFlow, sync::Arc};
 /// as long as a few of them.
 const FIRST_PORTION: u64 = 32;
 
-/// How many vector registers there are without AVX-512, which has 32.
+/// The number of vector registers without AVX-512, which has 32.
 const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 
 /// An empty list of motions with members in their lanes, for the instruction set of this machine.
@@ -104,9 +104,9 @@ where
 /// ```
 pub struct Ensemble<C: Coords> {
     members: Members,
-    /// What runs of members have in common.
+    /// The properties that runs of all members share.
     kind: Kind,
-    /// What runs of the first member are, for checkpoints, and fingerprints of the parameters of all.
+    /// The origin of runs of the first member, for checkpoints, and fingerprints of the parameters of all members.
     #[cfg(feature = "checkpoint")]
     origin: Origin,
     #[cfg(feature = "checkpoint")]

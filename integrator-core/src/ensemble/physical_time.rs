@@ -40,10 +40,11 @@ use std::{
 /// Reading a member takes about as long as this number of steps.
 const STEPS_OF_A_LOOK: u64 = 8;
 
-/// What an ensemble shows between its steps: without the type of its coordinates, so that it is compiled once.
+/// The states that an ensemble shows between its steps, without the type of the coordinates, so that it is compiled
+/// once.
 pub(crate) struct Between {
     pub(crate) time: f64,
-    /// What of each member is shown, if it is in progress.
+    /// The state of each member that is shown, if the member is in progress.
     members: Vec<Option<Shown>>,
 }
 
@@ -68,7 +69,7 @@ impl Between {
     }
 }
 
-/// How a member that went alone to a time has fared.
+/// The outcome of a member that went alone to a time.
 enum Outcome {
     There(Shown),
     /// Its last state, and its divergence, unless a function of the user panicked.
@@ -245,8 +246,8 @@ impl Members {
         lost(self.advance(clock.whole_steps_to(time).saturating_sub(clock.steps), u64::MAX, &|_, _| true))
     }
 
-    /// The same in a fictitious time: blocks with more and more steps, but fewer than lead one of the members there
-    /// at its mean rate of the last ones. Those that lead one beyond the time are taken back.
+    /// Takes the whole steps of members whose time is part of their state: blocks with more and more steps, but fewer
+    /// than lead a member to the time at its recent mean rate. Blocks that lead one beyond the time are taken back.
     fn steps_in_own_times_to(&mut self, time: f64) -> Result<Vec<(usize, Divergence)>, Error> {
         self.clock.check()?;
         let (mut lost_members, mut block) = (Vec::new(), 1);

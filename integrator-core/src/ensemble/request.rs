@@ -10,7 +10,7 @@ use crate::{
 pub(crate) struct AdvanceRequest<'a> {
     /// The clock that the steps begin at.
     pub(crate) clock: Clock,
-    /// How many steps to take.
+    /// The number of steps to take.
     pub(crate) steps: u64,
     /// The number of steps after which each member is tested whether it continues.
     pub(crate) interval: u64,

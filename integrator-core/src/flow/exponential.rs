@@ -143,7 +143,7 @@ impl Square {
         units
     }
 
-    /// The same matrix in the units before.
+    /// Converts the matrix back to its original units.
     #[inline(always)]
     fn unbalance(&mut self, units: &[f64]) {
         for (row, of_row) in self.entries.chunks_exact_mut(self.size).zip(units) {

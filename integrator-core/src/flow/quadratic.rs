@@ -26,7 +26,7 @@ use form::{Group, groups};
 
 /// Prepared constants that a part of H which is a quadratic form has its coefficients from.
 pub trait QuadraticPart<const PART: usize> {
-    /// How many components a point has.
+    /// Returns the number of components of a point.
     fn components(_parameters: &Self) -> usize {
         1
     }
@@ -45,12 +45,12 @@ pub struct Quadratic<R, const PART: usize, const LONE: bool>(Option<Box<Matrices
 #[derive(Clone)]
 struct Matrices<R> {
     groups: Vec<Group>,
-    /// How many degrees of freedom move by one matrix, where that is the only one.
+    /// The number of degrees of freedom that move by one matrix, where that is the only one.
     alike: usize,
     durations: Durations,
     /// The matrices of one duration after the other: each in the order of the groups, or of single degrees of freedom.
     numbers: Vec<R>,
-    /// How many numbers the matrices of one duration are.
+    /// The number of entries of the matrices of one duration.
     width: usize,
     /// The coordinates of a large block, and what is added to them.
     scratch: Vec<R>,
@@ -124,7 +124,7 @@ impl<R: Real, const PART: usize, const LONE: bool> Quadratic<R, PART, LONE> {
     }
 }
 
-/// How many numbers the matrix of one degree of freedom is.
+/// Number of entries of the matrix of one degree of freedom.
 const LONE_WIDTH: usize = 8;
 
 /// All degrees of freedom by one matrix.
@@ -191,13 +191,13 @@ impl<R: Real> Matrices<R> {
 }
 
 impl Group {
-    /// How many columns a matrix has: one for each coordinate, and one for what is added everywhere.
+    /// Returns the number of columns of a matrix: one for each coordinate, and one for the constant increments.
     #[inline(always)]
     fn columns(&self) -> usize {
         2 * self.size + usize::from(self.is_affine)
     }
 
-    /// How many numbers its matrix is: two for each entry.
+    /// Returns the number of stored numbers of a matrix: two for each entry.
     #[inline(always)]
     fn width(&self) -> usize {
         4 * self.size * self.columns()

@@ -17,13 +17,13 @@ use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
 pub(crate) trait Carried {
     /// The scalar for a state in `R` and what it carries.
     type In<R: Real>: Real;
-    /// How motions go through the stages of a composition.
+    /// The order in which motions go through the stages of a composition.
     type Executor: Executor;
-    /// Whether it has prepared constants of its own.
+    /// Whether the additional lanes have prepared constants of their own.
     const CARRIES_CONSTANTS: bool = false;
 }
 
-/// Nothing.
+/// No data beside the state.
 pub(crate) struct Nothing;
 
 /// A number of deviation vectors; with `SENSITIVE`, some of them are derivatives by parameters.

@@ -33,7 +33,7 @@ pub(crate) struct Engine {
     member: usize,
     /// Whether the constants of the additional lanes of a trajectory come after its own, as many as it has lanes.
     carries_constants: bool,
-    /// How many threads may share a long lattice or the pairs of many bodies, if not all.
+    /// The number of threads that may share a long lattice or the pairs of many bodies, if not all.
     pub(crate) threads: Option<usize>,
 }
 
@@ -54,7 +54,7 @@ impl Engine {
         Self::new(load(like, lanes.into_iter().map(|point| (0, point)).collect()))
     }
 
-    /// The same, where what it carries has constants of its own.
+    /// The engine of one trajectory whose additional lanes have constants of their own.
     pub(crate) fn single_with_constants(like: &dyn Motions, lanes: Vec<&dyn Point>) -> Self {
         Self { carries_constants: true, ..Self::new(load(like, lanes.into_iter().enumerate().collect())) }
     }

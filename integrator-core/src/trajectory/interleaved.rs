@@ -15,10 +15,10 @@ use crate::{
 };
 use core::{array, marker::PhantomData};
 
-/// How many motions go together at most. By measurement, more than six wait no less.
+/// The largest number of motions in a group. By measurement, more than six wait no less.
 const MOST: usize = 6;
 
-/// How many registers a group's state may take where there are 32, so that the rest is left to compute in. One too
+/// The number of registers that a group's state may take out of 32, so that the rest is left to compute in. One too
 /// many, and the state goes through memory at every stage: by measurement on AVX-512, members with compensated
 /// coordinates of Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. Sixteen registers hold
 /// no group worth the name; there, as many motions as may hide how long memory takes.
@@ -83,7 +83,7 @@ where
     K: Precision,
     E: Executor,
 {
-    /// How many motions a group has.
+    /// The number of motions in a group.
     pub(crate) const TOGETHER: usize = {
         // A number with its derivatives fills as many registers.
         let registers = R::LANES / R::MEMBERS;

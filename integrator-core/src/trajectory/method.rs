@@ -36,7 +36,7 @@ pub struct Facts {
     pub forces: Option<usize>,
     /// The smallest `h·ω` at which the step is unstable for a harmonic oscillator, if known.
     pub stability_limit: Option<f64>,
-    /// How often a step rounds the state, about.
+    /// The approximate number of times that a step rounds the state.
     pub(crate) roundings: usize,
     /// The name of the composition that it is over, where it is none itself.
     pub(crate) over: Option<&'static str>,
@@ -45,7 +45,7 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// Those of a method that claims nothing.
+    /// The facts of a method that claims nothing.
     pub(crate) const UNCLAIMED: Self = Self {
         name: "",
         order: 0,

@@ -24,11 +24,11 @@ use core::{any::Any, marker::PhantomData, ops::Range};
 
 /// A list of motions with their step functions. Lanes are numbered through all of them.
 pub(crate) trait Motions: Any + Send + Sync {
-    /// How many lanes a motion has.
+    /// The number of lanes of a motion.
     fn lanes(&self) -> usize;
-    /// How many motions go together.
+    /// The number of motions in a group, which go through each stage together.
     fn together(&self) -> usize;
-    /// How many motions there are.
+    /// The number of motions.
     fn count(&self) -> usize;
     /// An empty list of such motions, with room for this number.
     fn none(&self, room: usize) -> Box<dyn Motions>;
@@ -67,17 +67,17 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
     /// The time of a lane since its motion was loaded, and its rounding error, where it is part of the state.
     fn elapsed(&self, lane: usize) -> Option<[f64; 2]>;
-    /// What a single trajectory has beside its state, where the time is part of it.
+    /// Data of a single trajectory beside its state, where the time is part of it.
     #[cfg(feature = "checkpoint")]
     fn beside(&self) -> Option<Beside>;
-    /// Continues with what a single trajectory had beside its state.
+    /// Continues with the data that a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, beside: &Beside);
-    /// What a single trajectory has counted of its steps, where they count anything.
+    /// The counters of a single trajectory, if its steps count anything.
     fn counts(&self) -> Option<Counts>;
-    /// What a single trajectory has found out beside its state.
+    /// Data that a single trajectory has found, such as lists of neighbours.
     fn found(&self) -> Option<Found>;
-    /// Continues with what a single trajectory has found out.
+    /// Continues with the data that a single trajectory has found.
     fn use_found(&mut self, found: &Found);
     /// Lets this number of threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
@@ -88,12 +88,12 @@ pub(crate) trait Motions: Any + Send + Sync {
 pub(crate) enum Form {
     /// The user's own, as they were given: no step was taken since.
     Given,
-    /// Those of the motion.
+    /// The coordinates of the motion.
     Own,
 }
 
 impl Form {
-    /// That of states which were given before the first of this number of steps.
+    /// The form of states that were given before the first of this number of steps.
     pub(crate) fn after(steps: u64) -> Self {
         if steps == 0 { Self::Given } else { Self::Own }
     }
@@ -112,7 +112,7 @@ pub(crate) fn load(like: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box
     load_from(like, Form::Given, members)
 }
 
-/// The same from states in this form.
+/// Motions of members, from their states in this form, of the same type as some.
 pub(crate) fn load_from(like: &dyn Motions, form: Form, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {

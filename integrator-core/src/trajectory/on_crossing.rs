@@ -146,7 +146,7 @@ impl<C: Coords> Run<C> {
     }
 }
 
-/// What is known of the function during a run.
+/// The state of the search for zeros of the function during a run.
 struct Passing {
     /// The last value that was not zero, or the value at a changed state.
     side: f64,

@@ -14,7 +14,7 @@ const CAUTION: f64 = 0.875;
 /// After this number of shorter steps the time is as near as it gets.
 const TRIALS: u32 = 200;
 
-/// How many steps lead over a part of the way, at a pace.
+/// Returns the number of steps that lead over a part of the way, at a pace.
 pub(crate) fn steps_at_once(way: f64, step: f64) -> u64 {
     (CAUTION * way / step) as u64
 }
@@ -76,8 +76,8 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// The same where the time is part of the state: blocks with more and more steps, but fewer than lead there at the
-    /// mean rate of the last ones. Those that lead beyond the time are taken back.
+    /// Advances to a time that is part of the state: by blocks with more and more steps, but fewer than lead there at
+    /// the recent mean rate. Blocks that lead beyond the time are taken back.
     pub(crate) fn steps_in_own_time_to(&mut self, time: f64) -> Result<(), Error> {
         let mut block = 1;
         let mut before = self.time_at_step();

@@ -45,7 +45,7 @@ pub struct Run<C: Coords> {
     /// A state of the size of the run, if the type does not determine it.
     shape: Phase<C>,
     pub(crate) clock: Clock,
-    /// How many steps were done when the state was last changed from outside.
+    /// The number of steps done when the state was last changed from outside.
     pub(crate) opened: u64,
     /// The time, where it is part of the state, when this was last changed from outside: a sum of two numbers.
     pub(crate) opened_at: [f64; 2],
@@ -54,18 +54,18 @@ pub struct Run<C: Coords> {
     pub(crate) watch: Option<Watch>,
     pub(crate) autonomous: bool,
     method: &'static str,
-    /// How often a step evaluates the force, where that is known beforehand.
+    /// The number of force evaluations per step, if it is known beforehand.
     forces: Option<usize>,
-    /// What steps before `opened` have counted.
+    /// The counters of the steps before `opened`.
     counted: Counts,
     /// Whether the energy of the start is still to be checked, where it depends on the time that the clock starts at.
     start_unchecked: bool,
-    /// Whose checkpoints its own are.
+    /// The origin of the run, which its checkpoints name.
     #[cfg(feature = "checkpoint")]
     pub(crate) origin: Origin,
 }
 
-/// What runs of one kind of system by one method have in common.
+/// The properties that runs of one kind of system by one method share.
 #[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kind {
@@ -430,7 +430,7 @@ impl<C: Coords> Run<C> {
         self.counts().own_steps
     }
 
-    /// What all steps have counted.
+    /// Returns the counters of all steps.
     fn counts(&self) -> Counts {
         self.counted.and(self.engine.motions.counts().unwrap_or_default())
     }
@@ -579,7 +579,8 @@ impl<C: Coords> Run<C> {
         Ok((time, state))
     }
 
-    /// The same of all lanes, from those where the step began, each with what it has of a time that is part of the state.
+    /// Reads all lanes a while into the last step, from the lanes at its beginning. Each has a time if that is part of
+    /// the state.
     pub(crate) fn lanes_within(&mut self, from: &[Phase<C>], duration: f64) -> Result<Vec<Lane<C>>, Error> {
         let mut lanes = Vec::with_capacity(from.len());
         self.read_within(from, duration, |completed, shown| {
@@ -654,7 +655,7 @@ impl<C: Coords> Run<C> {
         point
     }
 
-    /// What a lane has of the time at the end of the last step, where this is part of the state.
+    /// Returns the time of a lane at the end of the last step, where this is part of the state.
     pub(crate) fn elapsed_in_lane(&self, lane: usize) -> Option<[f64; 2]> {
         self.engine.elapsed(self.since_opened(), lane)
     }

@@ -68,7 +68,7 @@ pub struct SamplesAt<C: Coords, R = Run<C>> {
     run: R,
     begin: f64,
     interval: f64,
-    /// How many samples were taken; nothing after an error.
+    /// The number of samples taken; `None` after an error.
     taken: Option<u64>,
     shape: PhantomData<C>,
 }

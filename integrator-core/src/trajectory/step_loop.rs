@@ -58,8 +58,8 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
 }
 
 impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
-    /// The same where a stage that is merged across steps would belong to two pieces: each step ends before the next one begins,
-    /// with its own middle.
+    /// Takes whole steps, where a stage that is merged across steps would belong to two pieces: each step ends before
+    /// the next one begins, with its own middle.
     #[inline(always)]
     fn whole_steps(mut self, end: u64) {
         let Clock { h, steps, .. } = self.clock;

@@ -31,8 +31,8 @@ pub(crate) use vectors::{may_be_far, square, unit_vectors};
 /// After this number of steps vectors are looked at, whether they are far from one.
 pub(crate) const BETWEEN_SCALES: u64 = 64;
 
-/// How many vectors go with one copy of the state, where there are several: as many numbers as fill a register of 256
-/// bits.
+/// The number of vectors that go with one copy of the state, where there are several: as many numbers as fill a
+/// register of 256 bits.
 pub(crate) const TOGETHER: usize = 4;
 
 /// A trajectory with deviation vectors `(δq, δp)`, returned by [`Hamiltonian::tangent`].
@@ -42,14 +42,14 @@ pub(crate) const TOGETHER: usize = 4;
 pub struct Tangent<C: Coords> {
     /// Trajectories of the same state, each with some of the vectors.
     runs: Vec<Run<C>>,
-    /// How many vectors a run has room for.
+    /// The number of vectors that a run has room for.
     room: usize,
     /// The powers of two by which vectors were divided.
     exponents: Vec<i64>,
-    /// How many of the vectors may be divided: those along parameters, after them, grow by a force of their own, and what
-    /// a method has beside states belongs to the vectors as they are.
+    /// The number of vectors that may be divided: those along parameters, after them, grow by a force of their own, and
+    /// what a method has beside states belongs to the vectors as they are.
     linear: usize,
-    /// How many lead along parameters.
+    /// The number of vectors along parameters.
     #[cfg_attr(not(feature = "checkpoint"), allow(dead_code, reason = "checkpoints alone tell it"))]
     parameters: usize,
     /// The motions before the steps in progress, where there are several that have to stop at one step.
@@ -111,7 +111,7 @@ impl<C: Coords> Tangent<C> {
         Self::begin::<H, X, K, SENSITIVE>(system, method, beginning, slopes)
     }
 
-    /// The same if nothing has to be checked.
+    /// Begins a run whose start, vectors and step are checked already.
     fn begin<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,

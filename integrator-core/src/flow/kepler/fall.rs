@@ -167,7 +167,7 @@ fn slope<const D: usize>(numbers: [[f64; D]; 4], constants: [[f64; 3]; 2]) -> [[
     found.map(|half| array::from_fn(|d| half[d]))
 }
 
-/// The same in three dimensions, of which the plane is a part: compiled with the library, and not for each system.
+/// The derivatives in three dimensions, which include the plane: compiled with the library, and not for each system.
 #[inline(never)]
 fn slope_in_space(numbers: [[f64; 3]; 4], constants: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
     slope_of(numbers, constants)

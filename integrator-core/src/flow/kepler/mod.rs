@@ -87,7 +87,7 @@ impl Kepler {
         }
     }
 
-    /// The same with as many bodies in lanes as `W` has room for.
+    /// Moves the bodies in rows of as many as `W` has lanes for.
     #[inline(always)]
     fn in_rows<R: Real, W: Row<R>, L: Slot<R>, const D: usize>(
         &mut self,
@@ -153,7 +153,7 @@ pub(crate) fn moved<R: Real, W: Real, const D: usize>(body: Body<W, D>, duration
     R::enter(OneCopy { body, duration })
 }
 
-/// The same as a function of its own.
+/// The call of [`way`] as a function that is not inlined.
 struct OneCopy<W, const D: usize> {
     body: Body<W, D>,
     duration: W,

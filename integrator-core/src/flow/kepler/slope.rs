@@ -27,7 +27,7 @@ use crate::scalar::{
 /// The way of a body, which follows from its position and momentum, its inverse mass and strength, and the duration.
 pub(super) struct Way;
 
-/// What the derivatives of a way follow from.
+/// The quantities that the derivatives of a way are computed from.
 pub(super) struct Slopes<F: Real, const D: usize> {
     body: Body<F, D>,
     duration: F,
@@ -35,7 +35,7 @@ pub(super) struct Slopes<F: Real, const D: usize> {
     velocity: [F; D],
     /// The derivatives of `G₁` to `G₃` by `β`.
     by_beta: [F; 3],
-    /// Those by `μ` and `β` of the time within half a period.
+    /// The derivatives by `μ` and `β` of the time within half a period.
     of_time: [F; 2],
 }
 

@@ -15,8 +15,8 @@ const HALVINGS: usize = 12;
 const SECOND: [f64; 8] = series(2);
 const THIRD: [f64; 8] = series(3);
 
-/// What the rounding of the first two terms of each left over. Without it every arc has the same error, and the energy of
-/// an eccentric orbit drifts.
+/// The rounding errors of the first two coefficients of each series. Without them every arc has the same error, and the
+/// energy of an eccentric orbit drifts.
 const SECOND_REST: [f64; 2] = [0.0, -2.312_964_634_635_742_7e-18];
 const THIRD_REST: [f64; 2] = [9.251_858_538_542_97e-18, -1.156_482_317_317_871_4e-19];
 

@@ -59,7 +59,7 @@ fn elements([x, y, px, py]: [f64; 4], [inverse_mass, strength]: [f64; 2]) -> [f6
     [2.0 * strength * inverse_mass / x.hypot(y) - velocity, inverse_mass * (x * px + y * py)]
 }
 
-/// How many times an error grows by the doublings of the argument of hyperbolic functions: as the argument does.
+/// Returns the factor by which an error grows as the argument of hyperbolic functions is doubled, as the argument does.
 fn growth(states: [[f64; 4]; 2], constants: [f64; 2]) -> f64 {
     let anomaly = |state| {
         let [beta, eta] = elements(state, constants);
@@ -68,7 +68,7 @@ fn growth(states: [[f64; 4]; 2], constants: [f64; 2]) -> f64 {
     1.0 + states.into_iter().map(anomaly).sum::<f64>()
 }
 
-/// How many orbits of the table begin near the centre; the others fall from far away towards a pericentre.
+/// The number of orbits of the table that begin near the centre; the others fall from far away towards a pericentre.
 const NEAR: usize = 213;
 
 #[test]

@@ -43,7 +43,7 @@ pub(crate) struct Body<W, const D: usize> {
     pub(crate) strength: W,
 }
 
-/// What is added to the coordinates of a body.
+/// The increments of the coordinates of a body.
 pub(crate) struct Increments<W: Real, const D: usize> {
     pub(crate) q: [W; D],
     pub(crate) p: [W; D],
@@ -180,7 +180,7 @@ pub(super) fn increments<W: Real, const D: usize>(body: &Body<W, D>, duration: W
 }
 
 impl<W: Real, const D: usize> Increments<W, D> {
-    /// The same, but for the lanes whose bodies fall from far away.
+    /// Replaces the increments in the lanes whose bodies fall from far away.
     #[inline(always)]
     fn of_falls(mut self, body: &Body<W, D>, orbit: Orbit<W>, falling: W::Mask) -> Self {
         let End { q, p, failed } = W::enter(Fall { body: *body, orbit });
@@ -262,7 +262,7 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     if failed.any() { search(orbit, s, failed) } else { Root { place, s, d, failed } }
 }
 
-/// The same where the arc is not short in the lanes of `open`; nothing changes in the others.
+/// Searches for the root in the lanes of `open`, where the arc is not short; nothing changes in the others.
 #[inline(always)]
 fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> Root<W> {
     let mut bracket = orbit.bracket();

@@ -26,7 +26,7 @@ struct Use {
     next: usize,
 }
 
-/// What is known of a duration.
+/// The state of a duration in the list of known ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Known {
     /// It has this number.

@@ -11,7 +11,7 @@ use alloc::{collections::BTreeMap, vec, vec::Vec};
 /// Coordinates have an even number where they are positions, the next one for their momentum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form {
-    /// How many components a point has.
+    /// The number of components of a point.
     components: usize,
     second: BTreeMap<[usize; 2], f64>,
     first: BTreeMap<usize, f64>,
@@ -71,7 +71,7 @@ impl Form {
 /// The form of one member on the degrees of freedom of a block: positions first, then momenta.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Dense {
-    /// How many degrees of freedom.
+    /// The number of degrees of freedom.
     pub(super) size: usize,
     pub(super) second: Vec<f64>,
     pub(super) first: Vec<f64>,
@@ -80,7 +80,7 @@ pub(super) struct Dense {
 /// Blocks with equal forms, for all members.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
-    /// How many degrees of freedom a block has.
+    /// The number of degrees of freedom of a block.
     pub(super) size: usize,
     /// Whether there are linear terms.
     pub(super) is_affine: bool,
@@ -159,11 +159,11 @@ fn components(couplings: impl Iterator<Item = [usize; 2]>) -> Vec<Vec<usize>> {
 }
 
 impl Dense {
-    /// What a flow of this duration adds to positions and momenta: a matrix with a column for what it adds everywhere,
-    /// row by row.
+    /// Returns the increments of positions and momenta by a flow of this duration: a matrix with a column for constant
+    /// increments, row by row.
     ///
-    /// What does not couple in this member is apart, so that it has the bits of its run alone in a block that couples
-    /// elsewhere.
+    /// Degrees of freedom that do not couple in this member are exponentiated separately, so that a member is bitwise
+    /// identical to its run alone, even in a block that couples in other members.
     pub(super) fn increments(&self, duration: f64) -> Vec<DoubleDouble> {
         let Self { size, second, first } = self;
         let width = 2 * size;

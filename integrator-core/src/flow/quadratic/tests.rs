@@ -14,7 +14,7 @@ struct Drawn {
     /// The entries of S, row by row: positions first, then momenta.
     second: Vec<f64>,
     first: Vec<f64>,
-    /// How far an error of one in each product may grow while exponentials are squared.
+    /// The factor by which an error of one in each product may grow while exponentials are squared.
     growth: f64,
     /// Durations, with what is added to positions and momenta k of (k + 1)/4.
     flows: Vec<(f64, Vec<[f64; 2]>)>,
@@ -47,7 +47,7 @@ fn drawn() -> Vec<Drawn> {
 }
 
 impl Drawn {
-    /// What flows add, in double-double, with the column of what is added everywhere.
+    /// Returns the increments of a flow in double-double, with the column of constant increments.
     fn increments(&self, duration: f64, is_affine: bool) -> Vec<DoubleDouble> {
         let first = if is_affine { self.first.clone() } else { vec![0.0; self.first.len()] };
         form::Dense { size: self.degrees, second: self.second.clone(), first }.increments(duration)

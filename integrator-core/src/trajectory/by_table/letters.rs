@@ -10,11 +10,11 @@ use alloc::vec::Vec;
 #[derive(Clone, Copy)]
 pub(super) struct Letter {
     pub(super) flow: Flow,
-    /// How long it lasts, as a fraction of the step.
+    /// The duration, as a fraction of the step.
     pub(super) duration: f64,
     /// The coefficient of the gradient of the squared force.
     pub(super) gradient: f64,
-    /// When it reads the time, as a fraction of the step.
+    /// The time at which the flow reads the time, as a fraction of the step.
     pub(super) time: f64,
 }
 
@@ -23,7 +23,7 @@ pub(super) enum Flow {
     Drift,
     Kick,
     GradientKick,
-    /// Those of the parts between the first and the last, in their order or backwards.
+    /// The flows of the parts between the first and the last, in their order or backwards.
     Middle {
         backwards: bool,
     },
@@ -34,12 +34,12 @@ pub(super) enum Flow {
 pub(super) struct Table {
     pub(super) stages: Stages,
     pub(super) processor: Processor,
-    /// What the system has between its first part and its last.
+    /// The flows of the system between its first part and its last.
     pub(super) between: Between,
 }
 
 impl Table {
-    /// That of a composition for a system.
+    /// The table of a composition for a system.
     pub(super) fn of<H: Hamiltonian, X: Scheme>() -> Self {
         Self { stages: X::STAGES, processor: X::PROCESSOR, between: const { Between::of::<H>() } }
     }
@@ -51,17 +51,17 @@ impl Table {
         opening
     }
 
-    /// Those of a later step.
+    /// The flows of a later step.
     pub(super) fn cycle(&self) -> Vec<Letter> {
         self.steps(&self.stages.cycle[0])
     }
 
-    /// Those of the end of a step.
+    /// The flows of the end of a step.
     pub(super) fn closing(&self) -> Vec<Letter> {
         self.moving(self.stages.lead, &[self.stages.closing])
     }
 
-    /// Those that undo the processor.
+    /// The flows that undo the processor.
     pub(super) fn undoing(&self) -> Vec<Letter> {
         self.moving(self.processor.after.lead, self.processor.after.rows)
     }

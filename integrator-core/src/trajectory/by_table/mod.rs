@@ -29,9 +29,9 @@ use crate::{
 /// Kicks of the potential alone.
 pub(crate) struct Plain;
 
-/// How kicks of a table are applied.
+/// The way in which kicks of a table are applied.
 pub(crate) trait Kicks<H: Hamiltonian>: Send + Sync + 'static {
-    /// Whether there are any with gradients.
+    /// Whether there are kicks with gradients.
     const GRADIENTS: bool;
     /// The flow of `duration·V + gradient·|∇V|²`.
     fn gradient_kick(flows: &mut impl Flows<H>, duration: f64, gradient: f64, time: f64);

@@ -18,7 +18,7 @@ use crate::{
 use alloc::vec::Vec;
 use core::{marker::PhantomData, ops::Range};
 
-/// What is done with a motion.
+/// A portion of the flows of a composition: steps, the end of the current step, or the end of the processor.
 #[derive(Clone, Copy)]
 pub(super) enum Portion {
     /// A number of steps.
@@ -104,8 +104,8 @@ struct Lists {
     undoing: Vec<Letter>,
 }
 
-/// What a step consists of where pieces of H meet in time: the end of the last one, what undoes the processor, and all up
-/// to its own end.
+/// The number of passes of a step where pieces of H meet in time: the end of the last step, what undoes the processor,
+/// and all up to the step's own end.
 const WHOLE_STEP: u64 = 3;
 
 impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<F, H, G> {
@@ -194,7 +194,7 @@ impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<F, H, G> {
         }
     }
 
-    /// How many passes make the portion, beside cycles that go in pairs.
+    /// Returns the number of passes that make the portion, beside cycles that go in pairs.
     fn passes(&self) -> u64 {
         match self.portion {
             Portion::Steps(steps) if H::PIECEWISE_IN_TIME => WHOLE_STEP * steps,

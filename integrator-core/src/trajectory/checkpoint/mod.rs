@@ -43,7 +43,7 @@ use std::{
     path::Path,
 };
 
-/// What a run is called and made of, for its checkpoints.
+/// The identity of a run in its checkpoints: names and fingerprints of system, parameters and method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
     system: &'static str,
@@ -59,7 +59,7 @@ pub(crate) struct Origin {
 }
 
 impl Origin {
-    /// That of runs that are never written.
+    /// The origin of runs that are never written.
     pub(crate) const UNKNOWN: Self =
         Self { system: "", formulas: 0, parameters: 0, unknown: None, composition: "", over: "", table: None };
 
@@ -77,7 +77,7 @@ impl Origin {
         }
     }
 
-    /// The same with other prepared constants, by their fingerprint.
+    /// Returns this origin with other prepared constants, by their fingerprint.
     #[cfg(feature = "std")]
     pub(crate) fn with_parameters(self, parameters: u64) -> Self {
         Self { parameters, ..self }
@@ -103,7 +103,7 @@ impl Origin {
         self.over
     }
 
-    /// What a run of this origin is, but for its state.
+    /// Returns the record of a run of this origin, without its state.
     pub(crate) fn record<K: Precision>(&self, Clock { t0, h, steps }: Clock, opened: u64) -> Record {
         Record {
             system: self.system.to_owned(),
@@ -125,7 +125,7 @@ impl Origin {
 /// Writes a file in the place of the one before, in one piece: at any moment there is the old one or the new one.
 ///
 /// # Errors
-/// What the operating system says; the file before is still there then.
+/// The error of the operating system; the previous file is still there then.
 #[cfg(feature = "std")]
 pub fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut partial = path.as_os_str().to_owned();

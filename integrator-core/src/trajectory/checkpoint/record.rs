@@ -12,10 +12,10 @@ use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
 use crc::{CRC_64_XZ, Crc};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
-/// What every checkpoint begins with.
+/// The first bytes of every checkpoint.
 const MAGIC: [u8; 8] = *b"symplrun";
 
-/// The form of what is written.
+/// The version of the format.
 pub(super) const VERSION: u16 = 4;
 
 /// The oldest form that is read. It does not name the composition that a method is over.
@@ -57,7 +57,7 @@ pub(crate) struct Record {
     pub(crate) p: Vec<f64>,
 }
 
-/// What there is to a run beside its state, where the time is part of it.
+/// The data of a run beside its state, where the time is part of it.
 #[derive(Serialize, Deserialize)]
 #[cfg_attr(test, derive(Debug, PartialEq))]
 pub(super) struct OwnTime {
@@ -73,7 +73,7 @@ impl Stored {
         Self { record, form, over, own }
     }
 
-    /// What others than runs have stored: they have nothing beside states.
+    /// Creates the stored form of a record that is no run's, with nothing beside states.
     #[cfg(feature = "std")]
     pub(crate) fn of_record(record: Record, over: String) -> Self {
         Self::new(record, Some(over), None)
@@ -91,13 +91,13 @@ impl Stored {
         sealed(bytes)
     }
 
-    /// What the bytes of a checkpoint say.
+    /// Reads the bytes of a checkpoint.
     pub(crate) fn of_bytes(checkpoint: &[u8]) -> Result<Self, CheckpointError> {
         let (version, records) = unsealed(MAGIC, [OLDEST, VERSION], checkpoint)?;
         Self::of_records(version, records).filter(Self::is_whole).ok_or(CheckpointError::Damaged)
     }
 
-    /// What the records of a version say, without any byte left.
+    /// Reads the records of a version; `None` if a byte is left.
     fn of_records(version: u16, bytes: &[u8]) -> Option<Self> {
         let (record, rest) = postcard::take_from_bytes(bytes).ok()?;
         let (over, rest) = match version {
@@ -160,7 +160,7 @@ pub(crate) fn sealed_record(magic: [u8; 8], version: u16, record: &impl Serializ
     sealed(bytes)
 }
 
-/// What such bytes say.
+/// Reads a record from bytes of this kind.
 pub(crate) fn record_of<T: DeserializeOwned>(magic: [u8; 8], newest: u16, bytes: &[u8]) -> Result<T, CheckpointError> {
     let (_, record) = unsealed(magic, [newest, newest], bytes)?;
     let (record, rest) = postcard::take_from_bytes(record).map_err(|_| CheckpointError::Damaged)?;
@@ -233,7 +233,7 @@ mod tests {
         Stored::new(record, over.map(ToOwned::to_owned), own)
     }
 
-    /// What the version before this one wrote.
+    /// Returns the bytes that the previous version wrote.
     fn without_the_name_of_what_it_is_over(stored: &Stored) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
         bytes.extend(OLDEST.to_le_bytes());
