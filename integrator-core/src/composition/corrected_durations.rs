@@ -69,7 +69,7 @@ fn residual(h: f64, fractions: impl Iterator<Item = f64>) -> f64 {
     left + errors
 }
 
-/// What the flows of a system have between the first part and the last.
+/// The flows that a system has between its first part and its last.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Between {
     Nothing,

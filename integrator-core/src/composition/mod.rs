@@ -250,7 +250,7 @@ pub trait Composition<H: Hamiltonian>: Scheme {
         }
     }
 
-    /// The same with the flows of the parts between the first and the last.
+    /// One stage, with the flows of the parts between the first and the last.
     #[inline(always)]
     fn stage_of_many(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
         let [within, behind] = stage.middle;

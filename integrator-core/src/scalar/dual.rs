@@ -60,7 +60,7 @@ impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Dual<F, N,
         dual!(value, direction => by_x.fma(x.along[direction], by_y * y.along[direction]))
     }
 
-    /// The same value, and the derivatives of `a` in the lanes of `mask`, of `b` in the others.
+    /// Returns a number with this value, and the derivatives of `a` in the lanes of `mask`, of `b` in the others.
     #[inline(always)]
     fn select_along(value: F, mask: F::Mask, a: Self, b: Self) -> Self {
         dual!(value, direction => F::select(mask, a.along[direction], b.along[direction]))
@@ -114,7 +114,8 @@ fn vanishes<F: Real>(number: F) -> bool {
     (0..F::LANES).all(|lane| number.lane(lane) == 0.0)
 }
 
-/// What a slope adds along a direction. An unknown slope is NaN; it must not reach a result that it does not change.
+/// Returns the contribution of a slope along a direction. An unknown slope is NaN; it must not reach a result that it
+/// does not change.
 #[inline(always)]
 fn product<F: Real>(slope: F, along: F) -> F {
     let zero = F::of(0.0);

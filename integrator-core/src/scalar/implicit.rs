@@ -4,15 +4,15 @@ use crate::scalar::real::Real;
 
 /// A map of positions and momenta with some constants. Values are found in numbers of any kind, derivatives from what these found.
 pub trait Implicit<const D: usize, const C: usize> {
-    /// What was found on the way to an image.
+    /// The solution found on the way to an image.
     type Solution<F: Real>;
-    /// What the derivatives follow from.
+    /// The quantities that the derivatives are computed from.
     type Slopes<F: Real>;
 
     /// The image of a point, the lanes in which there is none, and what was found on the way; implementations are `inline(always)`.
     fn solve<F: Real>(point: [[F; D]; 2], constants: [F; C]) -> (Image<F, D>, Self::Solution<F>);
 
-    /// What the derivatives in all directions have in common; implementations are `inline(always)`.
+    /// Returns the quantities that the derivatives in all directions share; implementations are `inline(always)`.
     fn slopes<F: Real>(point: [[F; D]; 2], constants: [F; C], solution: Self::Solution<F>) -> Self::Slopes<F>;
 
     /// The derivative of the image along a direction, in which constants may change, too; implementations are `inline(always)`.

@@ -24,7 +24,7 @@ pub trait Kernel {
 pub trait Mask: Copy + Send + Sync + 'static {
     /// The mask with all lanes alike.
     fn of(holds: bool) -> Self;
-    /// Whether it holds in any lane: if not, the branch is skipped.
+    /// Whether the condition holds in any lane: if not, the branch is skipped.
     fn any(self) -> bool;
     /// The lanes where both hold.
     fn and(self, other: Self) -> Self;
@@ -122,7 +122,8 @@ macro_rules! declare_real {
             /// A vector of two numbers, where a register holds them.
             type Pair: Pair<Self>;
 
-            /// The same number in every lane, rounded to the precision of the scalar; a dual has no tangent here.
+            /// Returns the same number in every lane, rounded to the precision of the scalar; a dual has no tangent
+            /// here.
             fn of(x: f64) -> Self;
             /// The smallest number whose square is a normal number.
             #[inline(always)]

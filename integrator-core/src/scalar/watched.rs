@@ -16,15 +16,15 @@ std::thread_local! {
 /// The side that a comparison took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Side {
-    /// What compares: an operator or a function, as it is written.
+    /// The operator or function that compares, as it is written.
     pub(crate) by: &'static str,
     /// Whether the condition holds, the sign, or the whole number.
     pub(crate) taken: f64,
-    /// What is compared.
+    /// The numbers that are compared.
     pub(crate) operands: [f64; 2],
 }
 
-/// What some code returns, and the sides that it takes on this thread.
+/// Returns the result of some code, and the sides that its comparisons take on this thread.
 pub(crate) fn sides_of<T>(code: impl FnOnce() -> T) -> (T, Vec<Side>) {
     let outer = TAKEN.take();
     let value = code();

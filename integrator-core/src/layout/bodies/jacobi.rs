@@ -45,7 +45,7 @@ pub struct Jacobi<L: Rows<D>, const D: usize> {
     unsolved: Vec<Option<Unsolved>>,
 }
 
-/// What the map and the Kepler parts read, of the bodies of a row.
+/// The constants that the map and the Kepler parts read, of the bodies of a row.
 #[derive(Clone, Copy)]
 struct Weights<W> {
     /// The share of each body in the masses up to it.
@@ -58,11 +58,11 @@ struct Weights<W> {
     first: W,
     /// One where the row has a body one, two or four lanes ahead.
     later: [W; 3],
-    /// The same, for this number of lanes back.
+    /// One where the row has a body one, two or four lanes back.
     earlier: [W; 3],
 }
 
-/// How far sums over a row reach after each of their steps.
+/// The distances, in lanes, over which sums over a row reach in each of their steps.
 const REACH: [usize; 3] = [1, 2, 4];
 
 /// One number for each of [`REACH`].
@@ -72,7 +72,8 @@ fn reached<W>(number: impl Fn(usize) -> W) -> [W; 3] {
 }
 
 impl<W: Real> Weights<W> {
-    /// Those of a row of `width` bodies out of `bodies`, of one member per lane. Lanes without a body stay where they are.
+    /// The constants of a row of `width` bodies out of `bodies`, of one member per lane. Lanes without a body stay
+    /// where they are.
     fn of<L: Rows<D, Row = W>, const D: usize>(row: usize, members: &[Vec<Part>]) -> Self {
         let width = L::WIDTH;
         let bodies = bodies_of_row(row, width, members[0].len());

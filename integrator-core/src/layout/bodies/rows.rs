@@ -18,13 +18,13 @@ use core::{
 
 /// A layout of bodies with `D` coordinates each in rows.
 pub trait Rows<const D: usize>: Clone + Send + Sync + 'static {
-    /// What flows are computed in.
+    /// The scalar that flows are computed in.
     type Scalar: Real;
-    /// How coordinates are kept.
+    /// The scalar type of the coordinates.
     type Leaf: Precision;
     /// A row of bodies.
     type Row: Row<Self::Scalar>;
-    /// The same layout with slots that hold numbers and nothing else.
+    /// The layout with slots that hold numbers and nothing else.
     type AtRest: Rows<D, Scalar = Self::Scalar, Leaf = f64, Row = Self::Row>;
 
     /// The number of bodies in a full row.
@@ -34,11 +34,11 @@ pub trait Rows<const D: usize>: Clone + Send + Sync + 'static {
     fn bodies(&self) -> usize;
     /// The rows of positions, and those of momenta.
     fn rows(&self) -> [&[Coordinates<Self, D>]; 2];
-    /// The same, to be written.
+    /// The rows of positions, and those of momenta, as mutable slices.
     fn rows_mut(&mut self) -> [&mut [Coordinates<Self, D>]; 2];
     /// Rotates a row: each lane gets the body that is this number of lanes ahead.
     fn rotate(row: Self::Row, by: usize) -> Self::Row;
-    /// The same positions and no momenta.
+    /// Returns a layout with these positions and without momenta.
     fn at_rest(&self) -> Self::AtRest;
     /// Sets the time at which conditions are read: the middle of the current step.
     fn begin_step(&mut self, middle: f64);

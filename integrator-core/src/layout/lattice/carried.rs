@@ -55,7 +55,7 @@ impl<H: Hamiltonian, R: Real> Half<H, R> {
     }
 }
 
-/// The same in blocks that these slices consist of.
+/// Adds the carried numbers to those of a slice, in blocks that divide both slices evenly.
 #[inline(always)]
 fn take_over<R: Real, B: Block<R>>(numbers: &mut [R], carried: &mut [R]) {
     for (numbers, carried) in numbers.chunks_exact_mut(B::WIDTH).zip(carried.chunks_exact_mut(B::WIDTH)) {

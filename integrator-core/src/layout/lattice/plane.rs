@@ -157,7 +157,7 @@ pub(super) struct Plane<'m, H: Stencil<F>, F, R: Real, S> {
     pub(super) around: AdjacentPlanes<'m, S>,
     /// The coordinates that the flow depends on, row by row.
     pub(super) read: &'m [S],
-    /// Those that it moves, in the rows that are moved.
+    /// The coordinates that the flow moves, in the rows that are moved.
     pub(super) moved: &'m mut [S],
     pub(super) carries: &'m mut RowCarries<R>,
     pub(super) parameters: &'m H::Parameters<R>,

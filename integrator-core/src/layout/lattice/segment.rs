@@ -24,7 +24,8 @@ pub(super) trait Segment: Send {
     fn forget(&mut self);
     /// The segments that end at these borders.
     fn split(&mut self, borders: &[usize]) -> Vec<Box<dyn Segment + '_>>;
-    /// What applies a flow to some of the rows, the first of which are first: a job for each of the ranges.
+    /// Returns the jobs that apply a flow to the rows of each range; the ranges begin with the first rows of the
+    /// segment.
     fn jobs<'s>(&'s mut self, flow: &'s Flow, rows: Vec<Range<usize>>) -> Vec<Job<'s>>;
 }
 

@@ -42,7 +42,7 @@ pub struct MovedSites<'m, R: Real, K: Precision, P> {
     pub(crate) length: usize,
     /// The number of sites in a row: one on a line.
     pub(crate) columns: usize,
-    /// What rows contribute to others, between passes over some of them.
+    /// The contributions of rows to others, between passes over some of them.
     pub(crate) carries: Option<&'m mut RowCarries<R>>,
 }
 
@@ -88,7 +88,7 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
 }
 
 impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
-    /// The same sites, borrowed again.
+    /// Borrows the sites again.
     #[inline(always)]
     pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
         Sites { q: self.q, p: self.p, ..*self }
@@ -102,7 +102,7 @@ impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
         (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: border, ..self })
     }
 
-    /// What a flow moves of them: positions in a drift, momenta in a kick.
+    /// Returns the coordinates that a flow moves, with those that it reads: positions in a drift, momenta in a kick.
     #[inline(always)]
     pub(crate) fn moved_by(self, drifts: bool) -> MovedSites<'m, R, K, P> {
         let Self { q, p, parameters, first, length, columns } = self;

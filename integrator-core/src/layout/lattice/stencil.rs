@@ -46,13 +46,13 @@ impl Boundary {
         self.first == 0 && self.last == 0 && self.forward == 0 && self.behind == 0 && self.ahead == 0
     }
 
-    /// How many sites further, to either side, the flow carries what a coordinate is.
+    /// Returns the distance, in sites to either side, over which the flow transports a coordinate.
     pub(crate) const fn reach(&self) -> usize {
         let behind = self.behind + self.forward;
         if behind > self.ahead { behind } else { self.ahead }
     }
 
-    /// How many sites at an end may differ from those of the interior.
+    /// Returns the number of sites at an end that may differ from those of the interior.
     pub(crate) const fn ends(&self) -> usize {
         if self.first > self.last { self.first } else { self.last }
     }
@@ -102,7 +102,7 @@ pub trait Stencil<F>: Hamiltonian {
 pub(crate) struct StencilPass<'m, H: Hamiltonian, F, R: Real, S> {
     /// The coordinates that the flow depends on.
     pub(crate) read: &'m [S],
-    /// Those that it moves.
+    /// The coordinates that the flow moves.
     pub(crate) moved: &'m mut [S],
     /// The index of the first site in the slices.
     pub(crate) first: usize,
@@ -395,7 +395,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         blocks
     }
 
-    /// The same in the adjacent rows, where the stencil reads them.
+    /// The window's blocks of the adjacent rows, where the stencil reads them.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn adjacent_blocks<W: Block<R>>(&self, blocks: Blocks<W>, site: isize) -> [Blocks<W>; ADJACENT] {
         // Written out, so that all windows stay in registers.

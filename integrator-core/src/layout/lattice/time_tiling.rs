@@ -94,7 +94,7 @@ impl StencilRadii {
         }
     }
 
-    /// Those across layers, if both flows have these.
+    /// The radii across layers, if both flows have these.
     const fn across(drift: Option<Boundary>, kick: Option<Boundary>) -> Option<Self> {
         match (drift, kick) {
             (Some(drift), Some(kick)) => Some(Self { drift, kick, of_layers: true }),

@@ -32,7 +32,7 @@ pub(crate) struct RowPosition {
 /// The coordinates around a block of sites, and the position of the block in the lattice.
 pub struct Window<R: Real, W: Block<R>> {
     pub(crate) blocks: Blocks<W>,
-    /// The same in the adjacent rows: in those above and below, and in the same row of the previous and the next plane.
+    /// The blocks of the adjacent rows: those above and below, and the same row of the previous and the next plane.
     pub(crate) adjacent: [Blocks<W>; ADJACENT],
     /// The index of the block's first site.
     pub(crate) site: usize,

@@ -32,7 +32,7 @@ impl<H: Hamiltonian, R: Real> Pair<H, R> {
         [H::Coords::slots(&self.q), H::Coords::slots(&self.p)]
     }
 
-    /// The same, to be written.
+    /// Both halves as mutable lists.
     #[inline(always)]
     pub(crate) fn halves_mut(&mut self) -> [&mut [R]; 2] {
         [H::Coords::slots_mut(&mut self.q), H::Coords::slots_mut(&mut self.p)]

@@ -28,7 +28,7 @@ const ITERATIONS: u32 = 64;
 /// An update that no longer shrinks is rounding if it is as small as this, in ε of the largest coordinate of its kind.
 const STALLED: f64 = 64.0;
 
-/// What an implicit step moves of a system.
+/// The motion of an implicit step.
 type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
 
 /// Takes steps with each motion.
@@ -161,7 +161,8 @@ impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
         stage
     }
 
-    /// How far an iteration moved a lane, relative to the largest coordinate of the kind that it moved.
+    /// Returns the largest change of a lane in an iteration, relative to the largest coordinate of the kind that
+    /// changed.
     #[inline(always)]
     fn moved(&self, slopes: &[Pair<H, R>; S], found: &[Pair<H, R>; S], lane: usize) -> f64 {
         let mut most = 0.0_f64;
@@ -184,7 +185,7 @@ impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
         most
     }
 
-    /// What is done for the lanes that are not settled.
+    /// Solves the lanes that are not settled by Newton's method.
     #[cfg(feature = "check")]
     fn without_contraction(
         &self,
@@ -196,7 +197,7 @@ impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
         super::newton::solve(self, slopes, settled, evaluations)
     }
 
-    /// The same where nothing is known of matrices.
+    /// Returns an error for the lanes that are not settled, since there are no matrices without the feature `check`.
     #[cfg(not(feature = "check"))]
     fn without_contraction(
         &self,

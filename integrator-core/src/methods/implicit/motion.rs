@@ -21,7 +21,7 @@ pub struct Implicit<R: Real, C: Coords, P: Prepared<R>> {
     pub(super) shape: Phase<C::With<f64>>,
     /// Why lanes stand still, where some do.
     pub(super) unsolved: Vec<Option<Unsolved>>,
-    /// How often the field was evaluated.
+    /// The number of evaluations of the field.
     pub(super) evaluations: u64,
 }
 

@@ -112,8 +112,9 @@ fn member<H: Hamiltonian, R: Real, const S: usize>(
     Err(update)
 }
 
-/// What Newton's iteration takes from each list of residuals, by the Jacobians at the stages and the weights of a tableau. In
-/// plain numbers, so that it is compiled with this crate and not with each system; none where the matrix is singular.
+/// Returns the update of Newton's iteration for each list of residuals, by the Jacobians at the stages and the weights
+/// of a tableau. In plain numbers, so that it is compiled with this crate and not with each system; `None` where the
+/// matrix is singular.
 fn updates(
     jacobians: &[DMatrix<f64>],
     weights: &[&[f64]],
@@ -173,7 +174,7 @@ fn listed<H: Hamiltonian, R: Real>(pair: &Pair<H, R>) -> Vec<R> {
     pair.halves().concat()
 }
 
-/// The same in the shape of the coordinates.
+/// A list of positions, then momenta, in the shape of the coordinates.
 fn paired<H: Hamiltonian, R: Real>(list: &[R]) -> Pair<H, R> {
     let mut pair = Pair::zero(list.len() / 2);
     let (q, p) = list.split_at(list.len() / 2);

@@ -30,7 +30,7 @@ pub(super) const GAUSS_4: Tableau<2> =
 /// `√15`.
 const Y: f64 = 3.872_983_346_207_417;
 
-/// Those with three points.
+/// The abscissas and weights of Gauss with three points.
 pub(super) const GAUSS_6: Tableau<3> = Tableau {
     a: [
         [5.0 / 36.0, 2.0 / 9.0 - Y / 15.0, 5.0 / 36.0 - Y / 30.0],

@@ -20,13 +20,14 @@ pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Pa
 /// Each flow checks at its own state that the number it divides by, or takes a power of, is positive. These are the only
 /// checks, so that no outcome depends on where a call of `advance` ends.
 pub trait Transformation<H: Hamiltonian>: 'static {
-    /// What the motion has beside its state and time, at the start; with derivatives if requested.
+    /// Returns the number that the motion has beside its state and time, at the start; with derivatives if requested.
     fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R;
     /// Moves positions and time.
     fn drift<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
     /// Moves momenta.
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R);
-    /// What a drift divides by, or takes a power of: equal to what a kick does but for the errors of the steps.
+    /// Returns the number that a drift divides by, or takes a power of. It equals that of a kick up to the errors of
+    /// the steps.
     fn followed<R: Real, K: Precision>(motion: &TimedOf<H, R, K>) -> R;
 }
 

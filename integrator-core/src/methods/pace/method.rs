@@ -64,8 +64,8 @@ pub struct Logarithmic<X>(pub X);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power<X>(pub f64, pub X);
 
-/// What all claim that transform energies. Steps by `-h` undo those by `h` at the same `B`, which a state alone does not tell: a run back from it
-/// has a `B` of its own, so that symmetry is not claimed.
+/// Returns the facts of all methods that transform energies. Steps by `-h` undo those by `h` at the same `B`, which the
+/// state does not contain: a run back from it has another `B`, so that symmetry is not claimed.
 fn facts(name: &'static str, of_composition: Facts) -> Facts {
     let Facts { name: over, order, forces, roundings, table, .. } = of_composition;
     Facts { name, order, symplectic: true, forces, roundings, over: Some(over), table, ..Facts::UNCLAIMED }

@@ -16,7 +16,7 @@ const APART: f64 = 10.0;
 
 /// The constants of a run.
 pub struct Constants<P> {
-    /// Those of the system.
+    /// The parameters of the system.
     pub(super) parameters: Arc<P>,
     /// The exponent `g` of a power.
     pub(super) exponent: f64,
@@ -30,16 +30,16 @@ pub struct Timed<R: Real, C: Coords, P> {
     pub(super) state: Plain<R, C, P>,
     /// The time since the state was last changed from outside, and its rounding error.
     pub(super) time: [R; 2],
-    /// What the transformation has beside them: the momentum `B` that is conjugate to the time, or a pace `W`.
+    /// The additional number of the transformation: the momentum `B` that is conjugate to the time, or a pace `W`.
     pub(super) beside: R,
     /// Whether `beside` was set.
     pub(super) begun: bool,
     pub(super) exponent: f64,
     /// Whether energies are transformed, and not a pace of the user's.
     transforms_energy: bool,
-    /// What the last drift divided by: `T + B`, or a pace `W`.
+    /// The number that the last drift divided by: `T + B`, or a pace `W`.
     drifted_by: R,
-    /// What the kick since then divided by: `-V`, or the pace by the user's function; not a number where none was.
+    /// The number that the kick since then divided by: `-V`, or the pace by the user's function; NaN without a kick.
     kicked_by: R,
     /// Why lanes stand still, where some do.
     unsolved: Vec<Option<Unsolved>>,

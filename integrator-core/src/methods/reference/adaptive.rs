@@ -73,13 +73,13 @@ impl ODE<f64, Vec<f64>> for &dyn Flat {
     }
 }
 
-/// How one of these methods leads from the beginning of a span to its end, with a tolerance.
+/// A function that integrates from the beginning of a span to its end by one of these methods, with a tolerance.
 type Solve = fn(&dyn Flat, [f64; 2], Vec<f64>, f64) -> Solved;
 
 /// The end, if one was returned.
 type Solved = Result<Option<Vec<f64>>, Failure<f64, Vec<f64>>>;
 
-/// What a step adds.
+/// Returns the increment of a step.
 fn increment<R: Real>(from: &Place<'_, R>, tolerance: f64, solve: Solve) -> Result<Vec<R>, Unsolved> {
     let start = flat(from.y);
     if from.h == 0.0 {

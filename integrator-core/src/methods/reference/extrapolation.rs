@@ -49,7 +49,8 @@ impl Recipe for GraggBulirschStoer {
     }
 }
 
-/// What this number of steps of the modified midpoint rule add: an Euler step, then corrections over two.
+/// Returns the increment by this number of steps of the modified midpoint rule: an Euler step, then corrections over
+/// two.
 fn midpoints<R: Real>(division: u32, slope: &[R], from: &Place<'_, R>) -> Vec<R> {
     let step = from.h / f64::from(division);
     let mut before = combined(0.0, &[(0.0, slope)]);

@@ -30,7 +30,7 @@ pub(crate) struct Generated<'s, H: Hamiltonian> {
     pub(crate) shape: &'s Phase<H::Coords>,
     /// The middle of the step that evaluates it.
     pub(crate) middle: f64,
-    /// How often it was evaluated; a Jacobian counts once for each of its columns.
+    /// The number of evaluations of the field; a Jacobian counts once for each of its columns.
     pub(crate) evaluations: Cell<u64>,
 }
 
@@ -49,7 +49,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
         (0..R::LANES).map(point).collect()
     }
 
-    /// What a flow of unit duration makes of these points.
+    /// Returns these points after a flow of unit duration.
     fn flown<R: Real>(
         &self,
         mut points: Vec<Phase<H::Coords>>,

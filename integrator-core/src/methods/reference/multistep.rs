@@ -10,7 +10,7 @@ use crate::{
     trajectory::method::{Described, Facts},
 };
 
-/// How many steps back the method looks.
+/// The number of past steps that the method reads.
 const PAST: usize = 3;
 
 /// The Adams–Bashforth formula over four points (Bashforth and Adams 1883), with one evaluation of the field per step.
@@ -53,12 +53,12 @@ described! {
 /// The field at the beginning of the last steps, the latest one first.
 type Past<R> = Vec<Vec<R>>;
 
-/// What Adams and Bashforth add, over the field here and at the past steps.
+/// Returns the increment by Adams and Bashforth, over the field here and at the past steps.
 fn predictor<R: Real>(h: f64, slope: &[R], [first, second, third]: [&[R]; PAST]) -> Vec<R> {
     combined(h / 24.0, &[(55.0, slope), (-59.0, first), (37.0, second), (-9.0, third)])
 }
 
-/// What Adams and Moulton add, with the field ahead.
+/// Returns the increment by Adams and Moulton, with the field ahead.
 fn corrector<R: Real>(h: f64, ahead: &[R], slope: &[R], [first, second, _]: [&[R]; PAST]) -> Vec<R> {
     combined(h / 24.0, &[(9.0, ahead), (19.0, slope), (-5.0, first), (1.0, second)])
 }

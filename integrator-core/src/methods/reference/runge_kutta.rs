@@ -23,7 +23,7 @@ pub(crate) const CLASSICAL: Tableau = Tableau {
 };
 
 impl Tableau {
-    /// What a step adds.
+    /// Returns the increment of a step.
     pub(crate) fn increment<R: Real>(&self, from: &Place<'_, R>) -> Vec<R> {
         let mut stages: Vec<Vec<R>> = Vec::with_capacity(self.b.len());
         let weighted = |weights: &[f64], stages: &[Vec<R>]| {

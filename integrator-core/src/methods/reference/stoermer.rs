@@ -21,7 +21,7 @@ use crate::{
 };
 use std::sync::Arc;
 
-/// How many forces a step reads.
+/// The number of forces that a step reads.
 const FORCES: usize = 4;
 
 /// Störmer's formula over four positions (Störmer 1907), with one force evaluation per step.
@@ -42,7 +42,7 @@ pub struct StoermerCowell4;
 /// `π[n+1] - π[n]` in units of `h/12`, over the forces here and at past positions.
 const STOERMER: [f64; FORCES] = [14.0, -5.0, 4.0, -1.0];
 
-/// The same over the force ahead and those here and before.
+/// The weights of Cowell's corrector, over the force ahead and those here and before.
 const COWELL: [f64; 3] = [1.0, 10.0, 1.0];
 
 /// `p[n] - π[n]` in units of `h/360`, over the forces here and at past positions: `h (1/2 - ∇/6 - ∇²/24 - ∇³/45) F[n]`, which is what

@@ -78,7 +78,7 @@ pub struct Walk<R: Real, C: Coords, P, M: Recipe> {
     p: Vec<<C::Leaf as Precision>::Slot<R>>,
     memory: M::Memory<R>,
     unsolved: Option<Unsolved>,
-    /// How often the field was evaluated.
+    /// The number of evaluations of the field.
     evaluations: u64,
 }
 

@@ -33,7 +33,7 @@ pub(super) struct Half<R: Real, C: Coords> {
 pub(super) struct LaneNorms<R>([R; 4]);
 
 impl<R: Real> LaneNorms<R> {
-    /// Those of coordinates that are zero.
+    /// The norms of coordinates that are zero.
     #[inline(always)]
     pub(super) fn zero() -> Self {
         Self([R::of(0.0); 4])

@@ -320,7 +320,7 @@ mod tests {
         instruction_set::InstructionSet,
     };
 
-    /// What sites read and get is what loops over sites say. Sums of these numbers are exact.
+    /// Tests that sites read and get the numbers that loops over sites would. Sums of these numbers are exact.
     fn sites_are_those_of_a_loop<R: Real, const FEW: usize>(sites: usize, ends: Ends) {
         let layout = Layout::of::<Vec<f64>>(sites, true);
         let number = |site: usize| site as f64 + 1.0;

@@ -25,19 +25,19 @@ const NOTHING: i64 = -(1 << 15);
 const SHORT: u32 = 2;
 
 impl Logarithm {
-    /// That of zero.
+    /// The logarithm of zero.
     pub(super) const OF_ZERO: Self = Self(NOTHING * PARTS);
-    /// That of infinity.
+    /// The logarithm of infinity.
     pub(super) const OF_INFINITY: Self = Self(1024 * PARTS);
 
-    /// That of a size; those of what is no number are not below that of infinity.
+    /// The logarithm of a size. For NaN it is not below that of infinity.
     #[inline(always)]
     pub(super) fn of(size: f64) -> Self {
         let bits = size.to_bits();
         if bits == 0 { Self::OF_ZERO } else { Self((bits >> CUT) as i64 - 1023 * PARTS) }
     }
 
-    /// That of a power.
+    /// The logarithm of a power of this size.
     pub(super) fn power(self, exponent: usize) -> Self {
         Self(self.0 * exponent as i64)
     }
@@ -67,7 +67,7 @@ impl Logarithm {
         self.0 as f64 / PARTS as f64
     }
 
-    /// That of the `m`-th root: the quotient rounded down, so that a factor of `2ᵐ` doubles the root exactly.
+    /// The logarithm of the `m`-th root: the quotient rounded down, so that a factor of `2ᵐ` doubles the root exactly.
     #[inline(always)]
     pub(super) fn root(self, m: usize) -> Self {
         // The last bit makes up for what reciprocals lack, as long as logarithms are below `2^16 / m`.

@@ -39,8 +39,8 @@ pub(super) const ORDERS: [usize; 2] = [4, HIGHEST];
 /// `docs/contributing/taylor.md` has the measurements.
 const LOWEST_BY_WORK: f64 = 8.0;
 
-/// What rounds to even orders, which loops compute in pairs: odd numbers down, since lower orders err less at the same
-/// tolerance, and what is even within the error of a logarithm to itself.
+/// The shift before rounding to even orders, which loops compute in pairs. Odd numbers round down, since lower orders
+/// err less at the same tolerance; an order that is even within the error of a logarithm rounds to itself.
 const DOWN: f64 = 0.25;
 
 impl Taylor {

@@ -27,7 +27,7 @@ pub(super) struct Segment {
     pub(super) ends_at_edge: bool,
     /// Whether the polynomial is cut after its first order, because higher coefficients are not finite.
     pub(super) is_linear: bool,
-    /// How many polynomials in a row, the present one not included, are cut in this way.
+    /// The number of consecutive polynomials, without the present one, that are cut in this way.
     pub(super) linear_steps: u8,
     /// The fault that keeps the motion from going on.
     pub(super) unsolved: Option<Unsolved>,

@@ -73,7 +73,7 @@ fn times<R: Real>(x: R, [high, low]: [f64; 2]) -> R {
     if low == 0.0 { x * R::of(high) } else { x.fma(R::of(high), x * R::of(low)) }
 }
 
-/// The same times a power of two. This multiplies the reciprocals, which are known before `x` is.
+/// `x / n` times a power of two. This multiplies the reciprocals, which are known before `x` is.
 #[inline(always)]
 fn times_scaled<R: Real>(x: R, unit: R, [high, low]: [f64; 2]) -> R {
     let high = R::of(high) * unit;

@@ -27,9 +27,9 @@ pub(super) enum To<R> {
 /// States of coordinates, with the roundings that they carry.
 #[derive(Clone)]
 pub(super) struct States<S> {
-    /// Those at the origin of the polynomial.
+    /// The states at the origin of the polynomial.
     pub(super) origin: Vec<S>,
-    /// The current ones of the run.
+    /// The current states of the run.
     pub(super) current: Vec<S>,
 }
 

@@ -115,7 +115,8 @@ pub(super) fn too_short(
     if step.floor().abs() <= near { None } else { by_first_orders(step, near, order, groups, norm) }
 }
 
-/// The same where the step is far: where it is infinite or zero, by the orders whose coefficients are numbers.
+/// The exponent of [`too_short`] for a step that is infinite, zero or far off: by the orders whose coefficients are
+/// finite.
 #[cold]
 fn by_first_orders(
     step: Logarithm,

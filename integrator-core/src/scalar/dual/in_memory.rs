@@ -18,7 +18,7 @@ impl<F, const N: usize, const SENSITIVE: bool> Dual<F, N, false, SENSITIVE> {
         unsafe { slice::from_raw_parts(duals.as_ptr().cast(), (N + 1) * duals.len()) }
     }
 
-    /// The same, to be written to.
+    /// Values and derivatives, one after the other, as a mutable slice.
     #[allow(unsafe_code, reason = "there is no safe view of a slice of structs as one of their fields")]
     #[inline(always)]
     pub(super) fn in_memory_mut(duals: &mut [Self]) -> &mut [F] {

@@ -20,7 +20,7 @@ pub(crate) trait ArcSine: Arc {
 
     /// `S` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
-    /// The same with the digits that 4 ulp need.
+    /// `S` at `z`, with the digits that 4 ulp require.
     fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
 }
 
@@ -42,7 +42,7 @@ fn of_sine<R: Bits>(outer: R::Mask) -> [R; 2] {
     [R::select(outer, R::of(1.0), R::of(0.0)), R::select(outer, R::of(-2.0), R::of(1.0))]
 }
 
-/// The same for the arc cosine.
+/// Quarter turns, and the factor of an angle that is added for the arc cosine of a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
     let quarters = R::select(x.less(R::of(0.0)), R::of(2.0), R::of(0.0));

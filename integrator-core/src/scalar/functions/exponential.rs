@@ -26,7 +26,7 @@ pub(crate) trait Exponential: Sized {
 
     /// `P` at `r`.
     fn series<R: Bits<Scalar = Self>>(r: R) -> R;
-    /// The same with the digits that 4 ulp need.
+    /// `P` at `r`, with the digits that 4 ulp require.
     fn short_series<R: Bits<Scalar = Self>>(r: R) -> R;
 }
 

@@ -19,7 +19,7 @@ pub(crate) trait Logarithm: Exponential {
 
     /// `L` at `z`.
     fn series<R: Bits<Scalar = Self>>(z: R) -> R;
-    /// The same with the digits that 4 ulp need.
+    /// `L` at `z`, with the digits that 4 ulp require.
     fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The function of the maths library, for arguments that are not normal or not positive.
     fn fallback(lanes: &mut [Self]);

@@ -86,7 +86,7 @@ fn sin_or_cos<R: Bits<Scalar: TrigReduction>>(odd: R::Mask, reduced: Reduced<R>)
     sin_or_cos_with_error(odd, reduced)[0]
 }
 
-/// The same, and the error of its last rounding.
+/// The sine of the rest, or its cosine where `odd` holds, and the error of the last rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn sin_or_cos_with_error<R: Bits<Scalar: TrigReduction>>(
     odd: R::Mask,
@@ -131,7 +131,7 @@ pub(crate) fn cos<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
     reduced_or_fallback(signed(value, ahead), x, 1)
 }
 
-/// The same bits as `sin` and `cos`.
+/// The sine and the cosine, bitwise identical to `sin` and `cos`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos<R: Bits<Scalar: TrigReduction>>(x: R) -> (R, R) {
     let reduced = reduce(x);

@@ -36,7 +36,7 @@ pub trait Block<R: Real>: Real {
     }
 }
 
-/// How many words are picked from at a time: as many as one of 64 bits has.
+/// The number of words that are picked from at a time: one for each of 64 bits.
 pub(crate) const PICKED: usize = u64::BITS as usize;
 
 /// The width of the widest block.

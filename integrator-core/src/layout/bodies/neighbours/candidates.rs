@@ -216,7 +216,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         }
     }
 
-    /// The same where periodic axes may be undivided, or are none.
+    /// [`Self::near`], where `IMAGES` says whether some periodic axis requires the nearest image.
     #[inline(always)]
     fn near_where<const IMAGES: bool>(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
         let own = self.ranks[self.home + own] as usize;

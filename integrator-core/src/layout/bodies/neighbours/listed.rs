@@ -83,9 +83,9 @@ pub(super) fn epsilon<R: Real>() -> f64 {
     if single { f64::from(f32::EPSILON) } else { f64::EPSILON }
 }
 
-/// How much farther two bodies may be from each other than the system computes: a displacement is off by the rounding of a
-/// difference, of its division by the side, and of the multiple of the side, each half a spacing at `2 farthest`; three
-/// axes and the sum of their squares make this eight spacings at most.
+/// The distance by which two bodies may be farther from each other than the system computes. A displacement is off by
+/// the rounding of a difference, of its division by the side, and of the multiple of the side, each half a spacing at
+/// `2 farthest`; three axes and the sum of their squares make this eight spacings at most.
 fn rounding<R: Real>(distance: f64, farthest: f64) -> f64 {
     16.0 * epsilon::<R>() * (farthest + distance)
 }

@@ -48,9 +48,9 @@ pub(crate) struct Portion {
 pub(crate) struct Head {
     /// The first of its steps.
     pub(crate) first: usize,
-    /// How many neighbours each lane has.
+    /// The number of neighbours of each lane.
     pub(crate) counts: [u32; WIDTH],
-    /// How many of them have lower numbers.
+    /// The number of neighbours that have lower numbers.
     pub(crate) before: [u32; WIDTH],
 }
 

@@ -64,7 +64,7 @@ impl<const D: usize> Cutoff<D> {
 }
 
 impl<const D: usize> Cutoffs<D> {
-    /// Those of a system. They depend on parameters alone, and so does the order of sums.
+    /// The cutoffs of a system. They depend on parameters alone, and so does the order of sums.
     pub(crate) fn of<H: ManyBody<D, S>, R: Real, const S: usize>(parameters: &H::Parameters<R>, time: f64) -> Self {
         let (square, sides) = (H::cutoff::<R, R>(parameters, time), H::sides::<R, R>(parameters, time));
         let mut of_members = Vec::with_capacity(R::MEMBERS);
@@ -99,11 +99,11 @@ impl<const D: usize> Cutoffs<D> {
 pub(crate) struct Neighbours<R: Real, const D: usize> {
     listed: Option<Arc<Listed<R::Row<WIDTH>, D>>>,
     borrowed: Weak<Listed<R::Row<WIDTH>, D>>,
-    /// How many sums were taken over these lists.
+    /// The number of sums taken over these lists.
     sums: u32,
     /// Coordinates and constants of the bodies in their slots, four numbers at a time, none of which is in two cache lines.
     points: Aligned<R>,
-    /// What is added up for the bodies in their slots.
+    /// The sums for the bodies in their slots.
     results: Vec<[[R; WIDTH]; D]>,
 }
 
@@ -231,7 +231,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
     }
 }
 
-/// What a sum over neighbours reads of a motion.
+/// The data of a motion that a sum over neighbours reads.
 pub(crate) struct Sum<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
     pub(crate) q: &'s [[L; D]],
     pub(crate) constants: &'s [[R::Row<WIDTH>; S]],
@@ -295,7 +295,7 @@ const fn quads(numbers: usize) -> usize {
     numbers.div_ceil(4)
 }
 
-/// What a thread does with a portion: its number, its rows, and where results go.
+/// The work of a thread on a portion: its number, its rows, and the slice for its results.
 type OfPortion<'p, T> = &'p (dyn Fn(usize, Range<usize>, &mut [T]) + Sync);
 
 /// Takes the rows of all portions, on this number of threads.

@@ -181,7 +181,8 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
     }
 }
 
-/// How many steps of a row all lanes take part in, how many any, and how many each.
+/// The number of steps of a row that all lanes take part in, that any lane takes part in, and that each lane takes part
+/// in.
 struct Steps<W> {
     common: usize,
     most: usize,

@@ -45,7 +45,7 @@ pub(super) struct Margin {
     pub(super) value: Interval,
     pub(super) rate: Interval,
     pub(super) kind: MarginKind,
-    /// Whether it depends on the time alone.
+    /// Whether the quantity depends on the time alone.
     pub(super) is_of_time: bool,
 }
 

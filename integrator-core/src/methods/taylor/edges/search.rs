@@ -37,7 +37,7 @@ pub(in super::super) struct Unresolved;
 pub(in super::super) struct Edge {
     /// The duration from the origin of the polynomials.
     pub(in super::super) duration: f64,
-    /// Whether it depends on the time alone, so that all neighbouring orbits cross it at the same time.
+    /// Whether the edge depends on the time alone, so that all neighbouring orbits cross it at the same time.
     pub(in super::super) is_of_time: bool,
 }
 
@@ -70,7 +70,7 @@ struct Sides {
 }
 
 impl Sides {
-    /// How far a quantity is from the value at which a step has to end.
+    /// Returns the difference of a quantity from the value at which a step has to end.
     fn excess(&self, number: usize, margin: &Margin) -> Interval {
         match margin.kind {
             MarginKind::Side => margin.value,
@@ -84,7 +84,7 @@ impl Sides {
             MarginKind::Radicand => self.origin[number].value.low > 0.0 && !self.passed[number],
         }
     }
-    /// Those that are beyond their edges, by more than their rounding if this is requested.
+    /// Returns the quantities that are beyond their edges, by more than their rounding if this is requested.
     fn crossed(&self, margins: &[Margin], by_floor: bool) -> Vec<usize> {
         let is_beyond = |(number, margin): &(usize, &Margin)| {
             let floor = if by_floor { self.floors[*number] } else { 0.0 };

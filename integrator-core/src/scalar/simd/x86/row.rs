@@ -49,7 +49,7 @@ fn words(indices: &[u64; 8]) -> __m512i {
     unsafe { _mm512_loadu_si512(indices.as_ptr().cast()) }
 }
 
-/// The same in half a register.
+/// Eight indices of lanes in half a register.
 #[inline(always)]
 fn half_words(indices: &[u32; 8]) -> __m256i {
     // SAFETY: eight words of 32 bits are the 256 bits that are read; for the instruction set as in `instruction!`.
