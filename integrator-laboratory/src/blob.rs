@@ -22,7 +22,7 @@ impl Blob {
     }
 }
 
-/// How long the blob is followed, in periods, and how often it is looked at.
+/// The duration over which the blob is integrated, in periods, and the number of samples.
 const PERIODS: f64 = 1.5;
 const LOOKS: usize = 30;
 /// The interval in samples at which the outline is kept.

@@ -58,7 +58,8 @@ impl Verdict {
 struct Claim {
     name: &'static str,
     says: &'static str,
-    /// Whether it is about an energy that is conserved, so that it says nothing of a Hamiltonian that reads the time.
+    /// Whether the claim is about an energy that is conserved, so that it does not apply to a Hamiltonian that reads
+    /// the time.
     of_energy: bool,
     /// The number; none where it could not be measured.
     value: fn(&Study) -> Option<f64>,
@@ -92,8 +93,8 @@ const CORNER: f64 = 20.0 * 4.0 * 9.0 * f64::EPSILON;
 /// Areas are measured to the resolution of their outline.
 const AREA: f64 = 1e-6;
 
-/// What comes back is off by the roundings of a hundred or so steps, which an implicit method ends with as well, times a
-/// shear that grows with the steps.
+/// The tolerance of a return: the roundings of a hundred or so steps, which an implicit method ends with as well, times
+/// a shear that grows with the steps.
 const BACK: f64 = 1e-9;
 
 /// The relative change of the energy after a period. Later, a system may have escaped.
@@ -134,18 +135,18 @@ const ORDERS: [Claim; 11] = orders! {
     "blanes_moan6_order_6" "The composition of Blanes and Moan has order 6: the exponent" "Blanes–Moan 6" 6.0,
 };
 
-/// What is claimed of methods of second-order equations, where H is one.
+/// The claims about methods of second-order equations, where H is one.
 const OF_SECOND_ORDER: [Claim; 2] = orders! {
     "stoermer4_order_4" "Störmer's formula over four positions has order 4: the exponent" "Störmer 4" 4.0,
     "stoermer_cowell4_order_4" "With Cowell's corrector it has order 4 as well: the exponent" "Störmer–Cowell 4" 4.0,
 };
 
-/// What is claimed of a composition with a force gradient, where there is one.
+/// The claims about a composition with a force gradient, where there is one.
 const OF_GRADIENTS: [Claim; 1] = orders! {
     "chin_4a_order_4" "Chin's composition with a force gradient has order 4 without a step back: the exponent" "Chin 4A" 4.0,
 };
 
-/// What is claimed of Taylor's method, where there are recurrences.
+/// The claim about Taylor's method, where there are recurrences.
 const OF_TAYLOR: Claim = Claim {
     name: "taylor_follows_its_tolerance",
     says: "The errors of Taylor's method fall with its tolerance: the exponent",
@@ -306,7 +307,7 @@ impl Claim {
     }
 }
 
-/// What is claimed of the energy of one method, in the steps of its portrait.
+/// Returns the verdict on the energy of one method, in the steps of its portrait.
 fn of_portrait(measured: &Measured) -> Verdict {
     let portrait = &measured.portrait;
     let (name, steps) = (measured.name(), portrait.count);
@@ -336,7 +337,7 @@ fn word(name: &str) -> String {
     name.replace('ö', "oe").chars().map(letter).collect()
 }
 
-/// What is claimed of a modified Hamiltonian.
+/// Returns the verdict on a modified Hamiltonian.
 fn of_modified(modified: &Modified) -> Verdict {
     let name = modified.row.name;
     let [first, last] = [modified.powers.first(), modified.powers.last()].map(|power| power.copied().unwrap_or(0));
@@ -347,7 +348,7 @@ fn of_modified(modified: &Modified) -> Verdict {
     Verdict::new(format!("{}_modified_energy_stays", word(name)), says, [-POWER, f64::INFINITY], modified.excess)
 }
 
-/// What became of all claims that say something of the system.
+/// Returns the verdicts on all claims that apply to the system.
 pub(crate) fn verdicts(study: &Study) -> Vec<Verdict> {
     let of_gradients = study.method("Chin 4A").map_or(&OF_GRADIENTS[..0], |_| &OF_GRADIENTS[..]);
     let of_second_order = study.method("Störmer 4").map_or(&OF_SECOND_ORDER[..0], |_| &OF_SECOND_ORDER[..]);

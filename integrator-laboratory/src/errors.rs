@@ -12,7 +12,7 @@ use std::error::Error;
 pub(crate) struct Rung {
     /// The step, or the tolerance of a method that chooses its steps.
     pub(crate) step: f64,
-    /// How often the force was evaluated.
+    /// The number of force evaluations.
     pub(crate) evaluations: u64,
     /// The distance in phase space from the reference, in units of the reference.
     pub(crate) error: f64,

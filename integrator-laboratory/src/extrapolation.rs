@@ -26,7 +26,7 @@ pub(crate) struct Extrapolation {
     pub(crate) step: f64,
     /// In each row the error of the midpoint steps, then those of what follows from them and from the rows above.
     pub(crate) errors: Vec<Vec<f64>>,
-    /// The same for half of the long step.
+    /// The errors for half of the long step, in the same order.
     pub(crate) halved: Vec<Vec<f64>>,
     /// By how much the last entry differs from a step of Gragg, Bulirsch and Stoer.
     pub(crate) corner: f64,

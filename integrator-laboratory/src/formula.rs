@@ -36,7 +36,7 @@ impl Rest {
         format!("<mrow>{row}</mrow>")
     }
 
-    /// What is lowered and raised, or a fraction.
+    /// Reads a base with its subscript and superscript, or a fraction.
     fn item(&mut self) -> String {
         let braced = self.peek() == Some('{');
         let base = self.atom();

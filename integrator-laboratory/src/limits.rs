@@ -9,7 +9,7 @@ use integrator_core::prelude::*;
 
 /// Steps to a period of the shortest and of the longest step.
 const COUNTS: [f64; 2] = [64.0, 2.2];
-/// How far an orbit is followed, in periods.
+/// The duration over which an orbit is integrated, in periods.
 pub(crate) const PERIODS: f64 = 30.0;
 /// An energy beyond this has left.
 pub(crate) const LEFT: f64 = 1e3;

@@ -19,7 +19,7 @@ use std::error::Error;
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     pub(crate) row: Row,
-    /// Whether it claims to be symplectic, and to be its own inverse in steps back.
+    /// Whether the method claims to be symplectic, and to be its own inverse in steps back.
     pub(crate) symplectic: bool,
     pub(crate) symmetric: bool,
     /// The order that it claims.
@@ -28,11 +28,11 @@ pub(crate) struct Measured {
     pub(crate) slope: Option<f64>,
     /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic.
     pub(crate) defects: Vec<(f64, f64)>,
-    /// What becomes of deviations, step by step.
+    /// The tangent map after each step.
     pub(crate) deviations: Vec<Deviation>,
     /// Periods, and the change of the energy in units of that of the start.
     pub(crate) energies: Vec<(f64, f64)>,
-    /// How many steps these are.
+    /// The number of steps of `energies`.
     pub(crate) steps: usize,
     pub(crate) portrait: Portrait,
     pub(crate) reversal: Reversal,
@@ -51,10 +51,11 @@ pub(crate) const STEPS: u64 = 8;
 /// rounds some products of the tangent map, a few ε each.
 pub(crate) const BRACKET: f64 = 1e-12;
 
-/// The same of the map of several steps, whose entries are some tens at most where orbits stretch.
+/// The tolerance of the map of several steps, whose entries are some tens at most where orbits stretch.
 pub(crate) const DEFECT: f64 = STEPS as f64 * 10.0 * BRACKET;
 
-/// How many steps to a period maps are computed for. The coarsest tell symplectic methods from those of high order.
+/// The numbers of steps to a period that maps are computed for. The coarsest distinguish symplectic methods from those
+/// of high order.
 const DEFECT_STEPS: [f64; 7] = [1280.0, 640.0, 320.0, 160.0, 80.0, 40.0, 20.0];
 
 /// Changes of the energy beyond this tell no more than that it has changed.
@@ -70,7 +71,7 @@ impl Measured {
         self.deviations.first().map_or(f64::NAN, |deviation| deviation.bracket)
     }
 
-    /// Whether its map is symplectic for every step that was tried.
+    /// Whether the map is symplectic for every step that was tried.
     pub(crate) fn keeps_areas(&self) -> bool {
         !self.defects.is_empty() && self.defects.iter().all(|(_, defect)| *defect <= DEFECT)
     }
@@ -86,7 +87,8 @@ impl Measured {
         self.energies.iter().map(|(_, change)| change.abs()).fold(0.0, f64::max)
     }
 
-    /// What rounding alone may have changed of the energy: some roundings in each step, at worst all in the same sense.
+    /// Returns the change of the energy that rounding alone may cause: some roundings in each step, at worst all in the
+    /// same sense.
     pub(crate) fn rounding(&self) -> f64 {
         16.0 * f64::EPSILON * self.steps as f64
     }

@@ -8,7 +8,7 @@ use integrator_core::{
     prelude::*,
 };
 
-/// What is known of a composition.
+/// The measurements of the modified Hamiltonian of a composition.
 #[derive(Clone, Debug)]
 pub(crate) struct Modified {
     pub(crate) row: Row,
@@ -18,7 +18,7 @@ pub(crate) struct Modified {
     pub(crate) changes: Vec<(f64, Vec<f64>)>,
     /// By how much the measured powers exceed these, at least; none where they cannot be measured.
     pub(crate) excess: Option<f64>,
-    /// What is seen in the plane of a system of one degree of freedom.
+    /// The levels in the plane of a system of one degree of freedom.
     pub(crate) levels: Option<Levels>,
 }
 
@@ -87,7 +87,7 @@ fn largest_changes<C: Coords<Leaf = f64>>(modified: &ModifiedHamiltonian<'_, C>,
         .collect()
 }
 
-/// How much further the plane reaches than the orbit, on either side, in units of the orbit.
+/// The distance by which the plane extends beyond the orbit, on either side, in units of the orbit.
 const ROOM: f64 = 0.3;
 
 /// The levels in the plane of the only position and its momentum.

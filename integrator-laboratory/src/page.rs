@@ -130,7 +130,7 @@ fn method(study: &Study, measured: &Measured) -> String {
     )
 }
 
-/// What becomes of the energy, in a word and a number.
+/// Describes the change of the energy, in a word and a number.
 fn energy(study: &Study, measured: &Measured) -> String {
     if !study.autonomous {
         return "not conserved by H".to_owned();

@@ -13,12 +13,12 @@ use integrator_core::prelude::*;
 pub(crate) struct Portrait {
     /// Steps to a period.
     pub(crate) count: u32,
-    /// How many periods are shown: fewer than planned where the orbit has left.
+    /// The number of periods shown: fewer than planned where the orbit has left.
     pub(crate) periods: f64,
     pub(crate) points: Vec<(f64, f64)>,
     /// The change of the energy at the end, or with which the orbit left.
     pub(crate) change: f64,
-    /// Whether it has left before the time was over.
+    /// Whether the orbit has left before the time was over.
     pub(crate) left: bool,
     /// The largest one in the first and in the second half.
     pub(crate) largest: [f64; 2],

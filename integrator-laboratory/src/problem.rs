@@ -16,8 +16,8 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     pub(crate) step: f64,
     /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum.
     pub(crate) blob: f64,
-    /// What portraits show along and up, counted through all positions and then all momenta: with two degrees of
-    /// freedom, `[0, 2]` is q₁ and p₁.
+    /// The axes of portraits, horizontal and vertical, counted through all positions and then all momenta: with two
+    /// degrees of freedom, `[0, 2]` is q₁ and p₁.
     pub(crate) view: [usize; 2],
 }
 
@@ -42,7 +42,7 @@ impl<H: Hamiltonian> Problem<'_, H> {
         self.start.q.flat().len()
     }
 
-    /// What portraits show of a state.
+    /// Returns the coordinates of a state that portraits show.
     pub(crate) fn seen(&self, state: &Phase<H::Coords>) -> (f64, f64) {
         let numbers = numbers(state);
         (numbers[self.view[0]], numbers[self.view[1]])
@@ -52,7 +52,7 @@ impl<H: Hamiltonian> Problem<'_, H> {
 /// A method on a system. Whatever is measured goes through this, so that measurements are compiled once for a system and
 /// not for each of its methods.
 pub(crate) trait Stepped<C: Coords> {
-    /// What the method claims.
+    /// Returns the facts that the method claims.
     fn facts(&self) -> Facts;
     /// A run with plain numbers.
     fn run(&self, start: &Phase<C>, h: f64) -> Result<Run<C>, Error>;

@@ -10,11 +10,11 @@ pub(crate) struct Reversal {
     pub(crate) count: u32,
     pub(crate) there: Vec<(f64, f64)>,
     pub(crate) back: Vec<(f64, f64)>,
-    /// How far from the start it ends, in units of the start; nothing where it did not come to an end.
+    /// The distance of the end from the start, in units of the start; `None` where the method did not come to an end.
     pub(crate) apart: Option<f64>,
 }
 
-/// How far it goes, in periods.
+/// The duration of one way, in periods.
 pub(crate) const PERIODS: f64 = 2.3;
 /// Steps to a period, at most.
 const COUNT: u32 = 30;

@@ -2,13 +2,13 @@
 
 use integrator_plot::{Colour, colour::COLOURS};
 
-/// What the page says of a method.
+/// The description of a method on the page.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row {
     pub(crate) name: &'static str,
     /// In the notation of `formula.rs`: `z` is `(q, p)`, `f` its derivative, `a` that of velocities, `S` a step.
     pub(crate) formula: &'static str,
-    /// What it is, in a sentence.
+    /// A sentence that describes the method.
     pub(crate) says: &'static str,
     /// The colour of all its curves.
     pub(crate) colour: Colour,

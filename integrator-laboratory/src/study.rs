@@ -17,18 +17,18 @@ use std::error::Error;
 #[derive(Clone, Debug)]
 pub(crate) struct Study {
     pub(crate) system: String,
-    /// Whether its energy is conserved.
+    /// Whether the energy of the system is conserved.
     pub(crate) autonomous: bool,
     pub(crate) freedom: usize,
     pub(crate) step: f64,
     pub(crate) period: f64,
-    /// What portraits show along and up.
+    /// The labels of the axes of portraits, horizontal and vertical.
     pub(crate) view: [String; 2],
     /// The orbit in this view, to more digits than are seen.
     pub(crate) orbit: Vec<(f64, f64)>,
     pub(crate) methods: Vec<Measured>,
     pub(crate) adaptive: Vec<Adaptive>,
-    /// What symplectic compositions conserve; nothing where `H` is not conserved or no `T(p) + V(q)`.
+    /// The quantities that symplectic compositions conserve; empty where `H` is not conserved or no `T(p) + V(q)`.
     pub(crate) modified: Vec<Modified>,
     /// One long step, extrapolated.
     pub(crate) extrapolation: Option<Extrapolation>,

@@ -8,18 +8,18 @@ use integrator_core::{check::CheckError, prelude::*};
 pub(crate) struct Deviation {
     /// The time, in periods.
     pub(crate) periods: f64,
-    /// How long a deviation of the first position has become, in units of its start.
+    /// The length of a deviation of the first position, in units of its start.
     pub(crate) length: f64,
     /// `{q₁, p₁}`.
     pub(crate) bracket: f64,
     pub(crate) determinant: f64,
     /// The largest element.
     pub(crate) largest: f64,
-    /// How many steps these are.
+    /// The number of steps after which these values are measured.
     pub(crate) steps: usize,
 }
 
-/// How far deviations are followed, in periods.
+/// The duration over which deviations are integrated, in periods.
 pub(crate) const PERIODS: f64 = 4.0;
 
 /// By how much a bracket that is one may be off by rounding after this number of steps, in units of the square of the

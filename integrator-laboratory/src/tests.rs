@@ -47,7 +47,7 @@ fn study() -> Study {
     STUDY.get_or_init(|| pendulum().study().expect("measurements")).clone()
 }
 
-/// Those of the driven oscillators, made once.
+/// The measurements of the driven oscillators, made once.
 fn driven_study() -> Study {
     static STUDY: OnceLock<Study> = OnceLock::new();
     STUDY.get_or_init(|| driven([0, 3]).study().expect("measurements")).clone()
@@ -201,7 +201,7 @@ fn portraits_show_what_a_method_does() {
     assert!(apart > 0.1, "the end is seen to be another point than the start: {apart}");
 }
 
-/// What rounding has changed is called neither a gain nor a loss.
+/// Tests that a change by rounding is called neither a gain nor a loss.
 #[test]
 fn rounding_is_no_gain() {
     let mut study = study();

@@ -2,7 +2,7 @@
 
 use crate::ticks;
 
-/// How coordinates become heights, in which equal lengths are equal differences.
+/// The scale of an axis: equal lengths are equal differences of the scaled numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) enum Form {
     #[default]
@@ -113,7 +113,7 @@ impl Scale {
         labels.into_iter().map(|(height, text)| ((height - self.least) / length, text)).collect()
     }
 
-    /// The same middle, and this number of times the length.
+    /// Returns the range with the same middle, and this number of times the length.
     pub(crate) fn stretched(self, factor: f64) -> Self {
         let (middle, half) = (0.5 * (self.least + self.most), 0.5 * factor * (self.most - self.least));
         Self { least: middle - half, most: middle + half, ..self }

@@ -203,7 +203,7 @@ impl Chart {
         self.named().nth(1).is_some()
     }
 
-    /// What stands on the right of the axes: names or a bar.
+    /// Returns the width of the names or the bar on the right of the axes.
     fn beside(&self, canvas: &Canvas, text: f64) -> f64 {
         let names = self.named().filter(|_| self.has_names()).map(|series| {
             let (width, room) = if self.names_at_ends {

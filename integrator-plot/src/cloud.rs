@@ -2,8 +2,8 @@
 
 use crate::colour::Colour;
 
-/// How much of its colour the first point on a pixel leaves there. Each further point covers as much of what is left
-/// white, so that densities up to some ten points per pixel can be distinguished.
+/// The share of its colour that the first point on a pixel leaves there. Each further point covers this share of what
+/// is still white, so that densities up to some ten points per pixel can be distinguished.
 const COVER: f64 = 0.45;
 
 /// Where there are fewer points than one for this number of pixels, a point takes two pixels each way, so that it is
@@ -13,7 +13,7 @@ const SPARSE: usize = 15;
 /// A sheet of pixels, white at first.
 pub(crate) struct Cloud {
     size: (u32, u32),
-    /// How many pixels a point takes, along and down.
+    /// The number of pixels of a point, along and down.
     point: usize,
     pixels: Vec<[f32; 3]>,
 }

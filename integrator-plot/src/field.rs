@@ -17,7 +17,7 @@ pub(crate) struct Field {
     pub(crate) columns: usize,
     /// Row after row, from the lowest one up.
     pub(crate) values: Vec<f64>,
-    /// What the colours mean.
+    /// The axis of the quantity that colours show.
     pub(crate) axis: Axis,
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn pieces(points: impl Iterator<Item = Option<Place>>, border: Border
     pieces.into_iter().map(thinned).collect()
 }
 
-/// How far a curve may be moved by leaving out a point, in pixels.
+/// The largest displacement of a curve by leaving out a point, in pixels.
 const UNSEEN: f64 = 0.04;
 /// Points after each other in a column of half a pixel are a crowd if there are at least this many, and the curve
 /// through them is

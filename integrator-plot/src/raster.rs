@@ -51,7 +51,7 @@ struct Sheet {
     pixels: Vec<u8>,
 }
 
-/// How much of each pixel of a part of the sheet is covered: 255 for all of it.
+/// The coverage of each pixel of a part of the sheet: 255 for all of it.
 struct Cover {
     left: usize,
     top: usize,
@@ -59,12 +59,12 @@ struct Cover {
     covered: Vec<u8>,
 }
 
-/// How many points of a line are rasterised together: the time for a row grows with the square of the edges that cross
-/// it.
+/// The number of points of a line that are rasterised together: the time for a row grows with the square of the edges
+/// that cross it.
 const CHUNK: usize = 64;
 
 impl Sheet {
-    /// What a path covers; nothing where it lies beyond the sheet.
+    /// Returns the coverage by a path; `None` where the path lies beyond the sheet.
     fn covered(&self, path: &Vec<Command>, style: Style<'_>) -> Option<Cover> {
         let bounds = zeno::bounds(path, style, None);
         let [width, height] = self.size;

@@ -91,7 +91,8 @@ pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) ->
     })
 }
 
-/// How wide and how high points lie, in units of the larger of both; neither is shown as less than two fifths of the other.
+/// Returns the width and the height of points, in units of the larger of both; neither is shown as less than two fifths
+/// of the other.
 fn shape<'p>(points: impl Iterator<Item = &'p (f64, f64)>) -> [f64; 2] {
     let finite = points.filter(|(x, y)| x.is_finite() && y.is_finite());
     let ends = finite.fold([[f64::INFINITY, f64::NEG_INFINITY]; 2], |[x, y], point| {

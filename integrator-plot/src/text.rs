@@ -80,7 +80,7 @@ impl Typefaces {
         if font.bold { &self.bold } else { &self.regular }
     }
 
-    /// How many pixels a line of text is wide.
+    /// Returns the width of a line of text, in pixels.
     pub(crate) fn width(&self, text: &str, font: &Font) -> f64 {
         self.letters(text, font).last().map_or(0.0, |(_, begin, advance)| begin + advance)
     }

@@ -401,7 +401,7 @@ impl Subject<'_> {
         Ok((most, broken))
     }
 
-    /// What is measured of each invariant: its bracket at some states, and by how much it deviates in a run.
+    /// Measures each invariant: its bracket at some states, and its deviation in a run.
     fn invariants(&self, states: &[Visited]) -> Result<Vec<InvariantDrift>, CheckError> {
         let system = self.measured.stated().energies();
         let Strayed { deviations, steps, rounding } = self.measured.strayed(self.h, ENERGY_STEPS)?;

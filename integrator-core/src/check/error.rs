@@ -68,10 +68,10 @@ pub enum CheckError {
     /// The Hamiltonian depends on time, so its energy is not conserved.
     #[error("H depends on time, so its energy is not conserved and does not test the stepper")]
     NotAutonomous,
-    /// What is measured belongs to `T(p) + V(q)`, and the Hamiltonian is split into other parts.
+    /// The measurement requires `T(p) + V(q)`, and the Hamiltonian is split into other parts.
     #[error("{what} is available for H = T(p) + V(q) only, and this H is split into other parts")]
     NotSeparable {
-        /// What is measured.
+        /// The name of the measurement.
         what: &'static str,
     },
     /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
@@ -133,9 +133,9 @@ pub enum CheckError {
     LongForExponents {
         /// The step.
         step: f64,
-        /// How much more the most stretched direction grows than the least stretched one, as far as digits show it.
+        /// The ratio of the growth of the most and the least stretched direction, as far as digits show it.
         factor: f64,
-        /// A step that shows them.
+        /// A step that is short enough for the precision.
         shorter: f64,
     },
     /// The exact motion is not known well enough to hold a run against it.

@@ -156,20 +156,20 @@ pub enum Shortfall {
     Flow {
         /// The name of the part, or of several parts whose energies are not known apart.
         part: String,
-        /// What the flow does not do.
+        /// The law that the flow violates.
         law: FlowLaw,
-        /// How far it is off.
+        /// The error of the flow.
         error: f64,
-        /// How far rounding explains, and the uncertainty of differences.
+        /// The error that rounding explains, and the uncertainty of differences.
         tolerance: f64,
-        /// For how long it was applied; for a derivative at zero, the time in which the state would change by its size.
+        /// The duration of the flow; for a derivative at zero, the time in which the state would change by its size.
         duration: f64,
         /// The time.
         time: f64,
         /// The state, positions first.
         state: Vec<f64>,
     },
-    /// What is said to be conserved is not.
+    /// A function that is stated to be conserved is not.
     #[error(
         "`{}` is not conserved: its Poisson bracket with H is {:.1e} of the terms that should cancel\nhelp: check its \
          formula, and whether H has the symmetry\nnote: a function is conserved if and only if this bracket is zero",
@@ -195,7 +195,7 @@ pub enum Shortfall {
         order: u32,
         /// The derivative by differences.
         stated: f64,
-        /// The same of the generated code.
+        /// The derivative in the generated code.
         generated: f64,
         /// The uncertainty of the differences, and rounding.
         tolerance: f64,
@@ -255,7 +255,7 @@ fn indented(message: &impl fmt::Display) -> String {
     message.to_string().replace('\n', "\n    ")
 }
 
-/// How errors scale after the time up to which the order was observed.
+/// The exponent with which errors scale after the time up to which the order was observed.
 struct Shrinking(f64);
 
 impl fmt::Display for Shrinking {
@@ -287,7 +287,7 @@ fn list(names: &[&str]) -> String {
 }
 
 impl Shortfall {
-    /// What could not be measured.
+    /// Returns the name of the check that could not be measured, if any.
     fn check(&self) -> Option<&'static str> {
         match self {
             Self::Unmeasured { check, .. } => Some(check),

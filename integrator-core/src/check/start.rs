@@ -43,8 +43,8 @@ impl<C: Coords> Phase<C> {
     }
 }
 
-/// What a check takes for a start with the coordinates `C`: a [`Phase`] at time 0 or a [`Start`], by value or by reference.
-/// The precision of the measured motion follows from it.
+/// An initial state with the coordinates `C` for a check: a [`Phase`] at time 0 or a [`Start`], by value or by
+/// reference. It determines the precision of the measured motion.
 #[diagnostic::on_unimplemented(
     message = "this system has the coordinates `{C}`, and this initial state is a `{Self}`",
     label = "not an initial state of this system",

@@ -44,9 +44,9 @@ const CHUNK: usize = 256;
 pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     /// The scalar type of a coordinate.
     type Leaf: Precision;
-    /// The same shape with another scalar type.
+    /// The type of this shape with another scalar type.
     type With<K: Precision>: Coords<Leaf = K, With<f64> = Self::With<f64>>;
-    /// The same shape with slots in place of coordinates.
+    /// The type of this shape with slots in place of coordinates.
     type Slots<R: Real>: Clone + Send + Sync + 'static;
 
     /// The number of scalars, points or planes, if the type fixes it.

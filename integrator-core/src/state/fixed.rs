@@ -51,7 +51,7 @@ impl Fixed<f64> {
     }
 }
 
-/// The same point on the other side of zero.
+/// Negation: the point reflected at zero.
 impl Neg for Fixed<f64> {
     type Output = Self;
 

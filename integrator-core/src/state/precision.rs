@@ -126,7 +126,7 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
     const REVERSIBLE: bool = false;
-    /// Whether it carries the rounding errors of its updates.
+    /// Whether the scalar type carries the rounding errors of its updates.
     const COMPENSATED: bool = false;
 
     /// Fills a slot from one leaf per lane.

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 pub trait DeviceText: Hamiltonian {
     /// The struct `System`: the shape of the state, its prepared constants, and its flows.
     const TEXT: &'static str;
-    /// How many numbers the prepared constants are.
+    /// The number of prepared constants, counted as single numbers.
     const CONSTANTS: usize;
 
     /// Adds the prepared constants of one member to a list, in the order in which the text reads them: as many as

@@ -104,8 +104,8 @@ fn derivative_along(flow: &Moves, start: &[f64], along: &[f64], end: &[f64], dur
     best.into_iter().map(|[value, _]| value).collect()
 }
 
-/// How far along a tangent a point can go for about as far as it is from the origin or moves: the shorter one for
-/// positions and momenta.
+/// Returns the distance along a tangent over which a point moves by about its distance from the origin or by its
+/// displacement: the shorter one of positions and momenta.
 fn length_of_scale(start: &[f64], along: &[f64], end: &[f64]) -> f64 {
     let largest = |numbers: &[f64]| numbers.iter().fold(0.0_f64, |largest, number| f64::max(largest, number.abs()));
     let half = start.len() / 2;

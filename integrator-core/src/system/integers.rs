@@ -5,10 +5,10 @@ use super::by_value::ByValue;
 
 /// A type of integers.
 pub trait Integer: Copy {
-    /// The same integer in a type that holds all of them but the largest of `u128`.
+    /// Converts to a type that contains all integers but the largest of `u128`.
     fn wide(self) -> i128;
 
-    /// The same integer in this type, wrapped as a cast does.
+    /// Converts from the wide type, wrapped as a cast does.
     fn of(wide: i128) -> Self;
 }
 

@@ -67,7 +67,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
-    /// The same from states in the coordinates of the motion itself, where these are not the user's own.
+    /// Loads states in the coordinates of the motion itself, where these are not the user's own.
     fn load_own(constants: &[&P], states: &[&Phase<C>]) -> Self {
         Self::load(constants, states)
     }
@@ -93,15 +93,15 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// Copies the coordinates of another motion with the same constants, in place.
     fn copy_state(&mut self, from: &Self);
-    /// The same on this number of threads or on all.
+    /// Copies the coordinates of another motion with the same constants, in place, on this number of threads or on all.
     fn copy_state_on(&mut self, from: &Self, _threads: Option<usize>) {
         self.copy_state(from);
     }
-    /// What it has found out that would take another motion with the same constants some time.
+    /// Returns data that another motion with the same constants would need time to find.
     fn found(&self) -> Option<Found> {
         None
     }
-    /// Continues with what another motion with the same constants has found out.
+    /// Continues with the data that another motion with the same constants has found.
     fn use_found(&mut self, _found: &Found) {}
     /// Sets the number of threads, or all that the machine has, where a layout distributes its work.
     fn share_among(&mut self, _threads: Option<usize>) {}
@@ -113,21 +113,21 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn elapsed(&self, _lane: usize) -> Option<[f64; 2]> {
         None
     }
-    /// What a single trajectory has beside its state, where the time is part of it.
+    /// Returns the data of a single trajectory beside its state, where the time is part of it.
     #[cfg(feature = "checkpoint")]
     fn beside(&self) -> Option<Beside> {
         None
     }
-    /// Continues with what a single trajectory had beside its state.
+    /// Continues with the data that a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, _beside: &Beside) {}
-    /// What a single trajectory has counted of its steps, where they count anything.
+    /// Returns the counters of a single trajectory, if its steps count anything.
     fn counts(&self) -> Option<Counts> {
         None
     }
     /// Whether every coordinate of every lane is finite.
     fn finite(&self) -> bool;
-    /// The same by this number of threads or by all.
+    /// Whether every coordinate of every lane is finite, by this number of threads or by all.
     fn finite_on(&self, _threads: Option<usize>) -> bool {
         self.finite()
     }
@@ -265,7 +265,7 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     }
 }
 
-/// Those of two flows.
+/// The solver of two flows: a pair of theirs.
 impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
     const IN_REGISTERS: InRegisters = match (A::IN_REGISTERS, B::IN_REGISTERS) {
         (InRegisters::Always, InRegisters::Always) => InRegisters::Always,

@@ -60,8 +60,8 @@ impl Function {
 /// Whether the user's function and the generated code are the same at a state; `false` where rounding may have made
 /// anything of the latter.
 ///
-/// What is not finite in one has to be so in the other: rewrites are exact for finite numbers, and may make a NaN
-/// of what is infinite.
+/// A number that is not finite in one of them must not be finite in the other: rewrites are exact for finite numbers,
+/// and may turn infinity into NaN.
 ///
 /// # Errors
 /// [`Misread`], where rounding does not explain the difference.
@@ -124,7 +124,7 @@ pub(crate) fn bounded_energy<H: Hamiltonian>(
     [energy.lane(0), energy.lane(1)]
 }
 
-/// The same from what the user states and what the generated code computes, each value with a bound on its rounding.
+/// The values that the user states and that the generated code computes, the latter with a bound on its rounding.
 fn values_of(
     (function, name): (Function, &'static str),
     stated: StatedEnergy,

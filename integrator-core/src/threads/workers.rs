@@ -19,10 +19,11 @@ use std::{
     vec::Vec,
 };
 
-/// How long a thread waits awake: longer than what one thread does alone between two kicks of some thousand bodies.
+/// The time that a thread waits awake: longer than what one thread does alone between two kicks of some thousand
+/// bodies.
 const AWAKE: Duration = Duration::from_micros(50);
 
-/// How often it checks for a message before it reads the clock.
+/// The number of checks for a message before a waiting thread reads the clock.
 const LOOKS: usize = 64;
 
 /// A thread that runs one job after the other and reports how each of them ended.

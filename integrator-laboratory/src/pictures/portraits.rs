@@ -10,7 +10,7 @@ use integrator_plot::{
     colour::{GREY, WHITE},
 };
 
-/// How much further the axes reach than the exact orbit, on either side, in units of the orbit.
+/// The distance by which the axes extend beyond the exact orbit, on either side, in units of the orbit.
 const ROOM: f64 = 0.4;
 /// From this number of steps to a period, the points of an orbit are joined.
 const JOINED: u32 = 40;
@@ -26,7 +26,7 @@ pub(super) fn portraits(study: &Study) -> Panels {
     study.methods.iter().fold(panels, |panels, measured| panels.chart(portrait(study, measured)))
 }
 
-/// What is seen along an axis.
+/// Returns the range of an axis.
 fn seen(orbit: &[(f64, f64)], of: fn(&(f64, f64)) -> f64) -> [f64; 2] {
     let numbers = || orbit.iter().map(of);
     let (least, most) = (numbers().fold(f64::INFINITY, f64::min), numbers().fold(f64::NEG_INFINITY, f64::max));

@@ -7,7 +7,7 @@ use integrator_plot::{Axis, Chart, Mark, Panels};
 /// Changes below this are rounding.
 const SMALLEST: f64 = 1e-15;
 
-/// How long deviations get, and what is left of the bracket and of volumes.
+/// Draws the lengths of deviations, the bracket and the volumes.
 pub(super) fn tangents(study: &Study) -> Panels {
     let claim = "Deviations evolved by the exact derivative of the steps. Their length does not distinguish the methods. The bracket {q₁, p₁} \
          stays one under symplectic methods, solid lines. Under others it departs from one, later for higher orders.";

@@ -23,7 +23,7 @@ const MOST_DIGITS: i32 = 20;
 /// Tolerances are tried in quarters of a digit: the work changes by three per cent.
 const QUARTERS: i32 = 4;
 
-/// How often energies are looked at.
+/// The number of samples of the energy.
 const LOOKS: f64 = 256.0;
 
 /// A system by Taylor's method with any tolerance.

@@ -72,7 +72,7 @@ impl<C: Coords> Candidate<'_, C> {
         (self.begin)(&start.into(), h)
     }
 
-    /// The same from a start that is used again.
+    /// Starts a run from a start that is used again.
     pub(super) fn begin(&self, start: &Start<C>, h: f64) -> Result<Run<C>, Error> {
         (self.begin)(start, h)
     }

@@ -213,7 +213,7 @@ fn rank<C: Coords>(
     ranked(found, tolerance, best)
 }
 
-/// What is within the spread of the best time, or of the fewest evaluations of a single splitting.
+/// Ranks the choices within the spread of the best time, or of the fewest evaluations of a single splitting.
 fn ranked(mut found: Vec<Found>, tolerance: f64, best: f64) -> Result<Ranking, ChooseError> {
     if found.len() > 1 {
         for Found { choices, .. } in &mut found {

@@ -37,8 +37,8 @@ struct Attempt<'s, C: Coords> {
     errors: [f64; 2],
 }
 
-/// What was found of a splitting: compositions that reach the goal, those with the fewest evaluations first, and the one
-/// that comes closest.
+/// The result of a search for one splitting: compositions that reach the goal, those with the fewest evaluations first,
+/// and the one that comes closest.
 pub(super) struct Found {
     pub(super) choices: Vec<Choice>,
     pub(super) closest: Unranked,

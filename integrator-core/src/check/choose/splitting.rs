@@ -41,7 +41,7 @@ const HALVINGS: i32 = 15;
 
 /// A splitting of a Hamiltonian: any system whose coordinates have this type.
 pub trait Splitting<C: Coords> {
-    /// What a choice measures of it.
+    /// The system behind the interface that a choice measures.
     #[doc(hidden)]
     fn measured(&self) -> Erased<'_, C>;
 }
@@ -61,7 +61,7 @@ pub struct Erased<'s, C>(pub(super) &'s dyn Measured<C>);
 /// The kinetic energy of a state at a time, or what is taken for it, and the energy.
 pub(super) type Energies<'s, C> = Box<dyn Fn(&Phase<C>, f64) -> [f64; 2] + 's>;
 
-/// What a choice measures of a system.
+/// The interface through which a choice measures a system.
 pub(super) trait Measured<C: Coords> {
     /// Its name.
     fn name(&self) -> Split;

@@ -58,7 +58,7 @@ use std::{fmt, marker::PhantomData, sync::Arc};
 pub struct ModifiedHamiltonian<'s, C> {
     flat: OfFlat<'s>,
     h: f64,
-    /// How many positions there are, and momenta.
+    /// The number of positions, equal to that of momenta.
     coordinates: usize,
     coords: PhantomData<fn(C)>,
 }
@@ -134,7 +134,7 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
         self.flat.energies(&flat(point), self.h).0
     }
 
-    /// The same without the shape of the coordinates, and for any step.
+    /// Returns the modified Hamiltonian without the shape of the coordinates, and for any step.
     pub(crate) fn into_flat(self) -> OfFlat<'s> {
         self.flat
     }

@@ -40,8 +40,8 @@ impl<'s> ComposedReference<'s> {
         Self { system, start, weights: weights(), whole: 1 }
     }
 
-    /// The same in steps that divide those of a run with `whole` steps in a part: edges between pieces of the
-    /// Hamiltonian lie where these end.
+    /// Returns this reference with steps that divide those of a run with `whole` steps in a part: edges between
+    /// pieces of the Hamiltonian lie where these end.
     pub(crate) fn within_steps(self, whole: u64) -> Self {
         if self.system.piecewise_in_time() { Self { whole, ..self } } else { self }
     }
@@ -98,7 +98,8 @@ pub(crate) fn composed_steps<H: Hamiltonian>(
     }
 }
 
-/// The same by implicit midpoint steps of a system in one piece, which are symmetric and of second order as well.
+/// Takes the steps of [`composed_steps`] by implicit midpoint steps, for a system in one piece. They are symmetric and
+/// of second order as well.
 fn midpoint_steps<H: Hamiltonian>(
     system: &H,
     Start { phase: start, time: t0 }: Start<H::Coords>,

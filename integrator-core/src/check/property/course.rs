@@ -24,7 +24,7 @@ use crate::{
 /// The number of directions in which displacements are compared.
 const DIRECTIONS: usize = 2;
 
-/// How often a duration is divided by four until the quadrature resolves the course.
+/// The largest number of times that a duration is divided by four until the quadrature resolves the course.
 const TRIES: usize = 5;
 
 /// A displacement that the field along the way does not explain.
@@ -57,7 +57,7 @@ impl Course<'_> {
         Vec::new()
     }
 
-    /// The same over a duration.
+    /// Compares displacements over a duration.
     fn over(&self, duration: f64) -> Option<Vec<Astray>> {
         let unit = gradient_tolerance(self.point.q.len());
         let end = self.end(self.point, duration);
@@ -89,7 +89,7 @@ impl Course<'_> {
         directions.collect()
     }
 
-    /// The same in a direction; `None` where the quadrature is not exact up to rounding.
+    /// Compares the displacement in one direction; `None` where the quadrature is not exact up to rounding.
     fn along(
         &self,
         direction: &Flat,

@@ -185,7 +185,7 @@ fn with_exact_quarters(duration: f64) -> f64 {
     f64::from_bits(duration.to_bits() & !0b11)
 }
 
-/// What was found so far.
+/// The errors and the violations found so far.
 struct Judged<'s> {
     system: &'s dyn Flows,
     errors: FlowErrors,
@@ -203,7 +203,7 @@ impl Judged<'_> {
         }
     }
 
-    /// The same for vectors: the component that is the farthest off.
+    /// Judges the component of a vector that is the farthest off.
     fn judge_all(&mut self, flow: Flow, law: FlowLaw, duration: f64, errors: &[f64], tolerances: &[f64]) {
         let off = |index: &usize| ratio(errors[*index].abs(), tolerances[*index]);
         if let Some(index) = (0..errors.len()).max_by(|a, b| off(a).total_cmp(&off(b))) {
@@ -262,7 +262,7 @@ impl Measured<'_> {
         Ok(Image { end, map, rounding })
     }
 
-    /// What a flow does whatever its energy is, and that it conserves it.
+    /// Tests the laws of a flow that hold for every energy, and that the flow conserves its energy.
     fn laws(&self, flow: Flow, judged: &mut Judged<'_>) -> Result<(), CheckError> {
         let Self { system, point, time, duration } = *self;
         let there = self.image(flow, duration, point)?;

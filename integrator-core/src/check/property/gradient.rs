@@ -240,7 +240,7 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     }
 }
 
-/// The same for a field that moves positions and momenta together.
+/// One half of a field that moves positions and momenta together, as a gradient.
 fn half_of_field<H: Hamiltonian, R: Real>(
     parameters: &H::Parameters<f64>,
     part: Part,

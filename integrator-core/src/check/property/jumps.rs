@@ -16,7 +16,8 @@ use crate::{
     state::flat::Flat,
 };
 
-/// How often a segment is halved: what is smooth on the scale of a thousand millionth of it is no jump.
+/// The number of halvings of a segment. A function that is smooth on the scale of a thousand millionth of it has no
+/// jump.
 const HALVINGS: u32 = 30;
 
 /// A jump of an energy.

@@ -185,7 +185,7 @@ struct Missing {
 }
 
 impl Missing {
-    /// The same with one more piece. Where steps were too long, the finest ones are the first in which the order shows.
+    /// Adds a piece. Where steps were too long, the finest ones are the first in which the order shows.
     fn and(self, slopes: &[f64], order: f64) -> Self {
         let continues = slopes.last().is_some_and(|finest| *finest < order);
         Self {

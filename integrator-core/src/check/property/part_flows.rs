@@ -16,11 +16,11 @@ use crate::{
 /// A flow of the generated code.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Flow {
-    /// That of the first part.
+    /// The flow of the first part.
     First,
-    /// Those of the parts between the first and the last, in their order or backwards.
+    /// The flows of the parts between the first and the last, in their order or backwards.
     Middle { backwards: bool },
-    /// That of the last part.
+    /// The flow of the last part.
     Last,
 }
 
@@ -32,7 +32,7 @@ pub(crate) trait Flows: Differentiable {
     /// Whether flows move two copies of the state.
     fn copies(&self) -> bool;
 
-    /// How exact tangents are, in units of those of the chain rule.
+    /// Returns the error of tangents, in units of that of the chain rule.
     fn tangent_error(&self) -> f64;
 
     /// Whether loading and storing a state mixes its coordinates.

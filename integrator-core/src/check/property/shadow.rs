@@ -29,7 +29,7 @@ use std::fmt;
 /// The tolerance of a measured power. Powers are whole, so that a smaller one is not mistaken for the next.
 const POWER_TOLERANCE: f64 = 0.5;
 
-/// How many times of a run are looked at.
+/// The number of samples of a run.
 const LOOKS: u64 = 2 * PARTS;
 
 /// The power of the step with which an energy deviation decreases.

@@ -130,7 +130,7 @@ mod tests {
         trend.course(ratio(trend.slope * GROUPS as f64, deviation))
     }
 
-    /// How many of a hundred courses are `expected`.
+    /// Returns the number of courses that are `expected`, out of a hundred.
     fn count(expected: Course, values: impl Fn(u64) -> Box<dyn Iterator<Item = f64>>) -> usize {
         (1..=100).filter(|seed| course(values(*seed)) == expected).count()
     }
