@@ -56,9 +56,9 @@ pub enum Error {
     Start {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Its index in the flattened coordinates.
+        /// The index of the coordinate in the flattened coordinates.
         index: usize,
-        /// Its value.
+        /// The value of the coordinate.
         value: f64,
     },
     /// A force or a velocity at the initial state is not finite, because a constant that depends on parameters is not.
@@ -70,7 +70,7 @@ pub enum Error {
         /// The constants that are not finite; of an array, the first such element.
         constants: Vec<NotFinite>,
     },
-    /// There are fewer masses than bodies, so that Jacobi coordinates cannot be computed.
+    /// The parameters have fewer masses than bodies, so that Jacobi coordinates cannot be computed.
     #[error("Jacobi coordinates of {bodies} bodies require {bodies} masses, but there are {masses}")]
     FewMasses {
         /// The number of masses.
@@ -83,7 +83,7 @@ pub enum Error {
     Mass {
         /// The index of the body, from 0.
         body: usize,
-        /// Its mass.
+        /// The mass of the body.
         mass: f64,
         /// The reason why the mass is unusable.
         reason: &'static str,
@@ -99,7 +99,7 @@ pub enum Error {
     Energy {
         /// `kinetic` or `potential`; where parts of H have names, that of the first one, or of the other one.
         function: &'static str,
-        /// Its value.
+        /// The value of the energy.
         value: f64,
         /// The time at the start.
         time: f64,
@@ -117,7 +117,7 @@ pub enum Error {
     Grid {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Its index in the flattened coordinates.
+        /// The index of the coordinate in the flattened coordinates.
         index: usize,
         /// The requested spacing.
         spacing: f64,
@@ -131,9 +131,9 @@ pub enum Error {
     GridRange {
         /// `q` or `p`.
         coordinate: &'static str,
-        /// Its index in the flattened coordinates.
+        /// The index of the coordinate in the flattened coordinates.
         index: usize,
-        /// Its value.
+        /// The value of the coordinate.
         value: f64,
         /// The spacing of the grid.
         spacing: f64,
@@ -147,7 +147,7 @@ pub enum Error {
          composition"
     )]
     NotSymmetric {
-        /// Its name.
+        /// The name of the composition.
         composition: &'static str,
     },
     /// Positions and momenta of a start whose size is known at run time differ in number.
@@ -330,10 +330,10 @@ pub enum Error {
     /// A state or a method without a tangent map.
     #[error("deviation vectors are not available: {reason}")]
     NoTangent {
-        /// Why, and what to take instead.
+        /// The reason, and an alternative.
         reason: &'static str,
     },
-    /// There are no deviation vectors, or more than phase space has dimensions.
+    /// The number of deviation vectors is zero, or larger than the dimension of phase space.
     #[error("there are {count} deviation vectors, but a tangent requires 1 to {most}, twice the number of positions")]
     VectorCount {
         /// The number of vectors.
@@ -426,7 +426,7 @@ fn first_of<T: core::fmt::Display>(members: &[(usize, T)]) -> String {
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VectorFault {
-    /// It has another number of components than the state.
+    /// The vector has another number of components than the state.
     #[error("has {} positions and {} momenta, but the state has {positions} of each", lengths[0], lengths[1])]
     Length {
         /// The numbers of positions and of momenta of the vector.
@@ -437,7 +437,7 @@ pub enum VectorFault {
     /// A component is infinite or NaN.
     #[error("is not finite")]
     NotFinite,
-    /// It is zero.
+    /// The vector is zero.
     #[error("is zero and has no direction")]
     Zero,
     /// The vector diverged although the state is finite.
@@ -586,7 +586,7 @@ pub struct NotFinite {
     pub formula: &'static str,
     /// The indices of the element, with their names and values, if a loop has one constant for each iteration.
     pub indices: Vec<(&'static str, usize)>,
-    /// Its value.
+    /// The value of the constant.
     pub value: f64,
 }
 

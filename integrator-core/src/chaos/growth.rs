@@ -40,7 +40,7 @@ pub(super) struct Growth {
     /// MEGNO, and its integral over time.
     megno: f64,
     over_time: f64,
-    /// By how much the vector has changed in all, in units of its length: radians where it turns.
+    /// The total change of the vector, in units of its length: radians where it turns.
     changed: f64,
 }
 
@@ -126,7 +126,7 @@ pub(super) const CHAOTIC_ABOVE: f64 = 4.0;
 const CHANGED: f64 = 64.0 * TAU;
 const GROWN: f64 = 6.0;
 
-/// By how much a vector has changed from another one, in units of the length of this.
+/// Returns the change of a vector from another one, in units of the length of the latter.
 pub(super) fn relative_change<C: Coords>(before: &Phase<C>, after: &Phase<C>, exponents: i64) -> f64 {
     let scale = largest(numbers(before));
     let (mut change, mut length) = (0.0, 0.0);

@@ -283,7 +283,7 @@ struct Batch<C: Coords> {
     logarithms: Vec<f64>,
 }
 
-/// One of them.
+/// An orbit of a batch.
 struct Orbit {
     growth: Growth,
     /// The power of two by which its vector was divided.

@@ -16,8 +16,8 @@ use std::f64::consts::LN_2;
 /// The number of spans of an orbit. Their exponents show how accurate those of the whole orbit are.
 const SPANS: u64 = 16;
 
-/// By how much the logarithms of two vectors may differ when they are made orthogonal: this number of digits the
-/// shorter one has lost.
+/// The largest difference of the logarithms of two vectors when they are made orthogonal: the shorter one has then lost
+/// this number of digits.
 const MOST_APART: f64 = 8.0;
 
 /// The part of the length of the shortest vector that may be rounding after one step.

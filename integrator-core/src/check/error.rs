@@ -42,7 +42,7 @@ pub enum CheckError {
         time = Number(*time), h = Number(*h)
     )]
     EdgeInside {
-        /// When.
+        /// The time at which the formula changes.
         time: f64,
         /// The step.
         h: f64,
@@ -82,7 +82,7 @@ pub enum CheckError {
     NotDifferentiable {
         /// `T` or `V`.
         energy: &'static str,
-        /// Which coordinate, counted over the flattened `p` or `q`.
+        /// The index of the coordinate, counted over the flattened `p` or `q`.
         index: usize,
         /// The derivative by duals.
         dual: f64,
@@ -108,7 +108,7 @@ pub enum CheckError {
         /// The number of states that were tried.
         left_out: usize,
     },
-    /// There is no such coordinate.
+    /// The requested coordinate does not exist.
     #[error("there is no coordinate {index}: the system has {coordinates}, counted from 0")]
     NoCoordinate {
         /// The index of the coordinate.

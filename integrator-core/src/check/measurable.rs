@@ -35,10 +35,10 @@ pub(crate) trait Measurable {
     /// The name of the system.
     fn system(&self) -> &'static str;
 
-    /// Its method.
+    /// Returns the method of the system.
     fn stepper(&self) -> &dyn Stepper;
 
-    /// Its energies and flows beside the user's own functions.
+    /// Returns the energies and flows of the system beside the user's own functions.
     fn stated(&self) -> &dyn Stated;
 
     /// Whether a run may begin at a state.

@@ -122,7 +122,7 @@ pub enum Shortfall {
     EnergyJumps {
         /// `kinetic`, `potential` or `hamiltonian`, or the name of a part of H.
         function: &'static str,
-        /// By how much.
+        /// The size of the jump.
         by: f64,
         /// The time, up to a few steps.
         time: f64,

@@ -36,8 +36,8 @@ pub struct Start<C> {
 }
 
 impl<C: Coords> Phase<C> {
-    /// This point at time `time`, as the start of what a check measures. The time of a run is set by
-    /// [`Run::at_time`](crate::Run::at_time).
+    /// Returns this point at time `time`, as the start of a check. [`Run::at_time`](crate::Run::at_time) sets the time
+    /// of a run.
     pub fn at_time(self, time: f64) -> Start<C> {
         Start { phase: self, time }
     }

@@ -125,7 +125,7 @@ impl Corrections {
         }
     }
 
-    /// Whether there are none, because the durations add up as they are.
+    /// Whether there are no corrections, because the durations add up as they are.
     pub(crate) fn none(&self) -> bool {
         *self == Self::NONE
     }
@@ -137,8 +137,8 @@ impl Corrections {
     }
 }
 
-/// By how much drifts, kicks and the flows between them are longer in some cycles of a compensated run with step `h`, and in
-/// which fraction of them, in units of 2^-64: for executors that loop elsewhere.
+/// Returns the corrections of the durations of drifts, kicks and the flows between them in a compensated run with step
+/// `h`, each with the fraction of cycles that it applies to, in units of 2^-64: for executors that loop elsewhere.
 pub fn corrections<H: Hamiltonian, X: Scheme>(h: f64) -> [(f64, u64); 3] {
     let Corrections { drift, kick, middle } = Corrections::new(&X::STAGES, h, Between::of::<H>());
     [drift, kick, middle].map(|Correction { longer, frequency }| (longer, frequency))
@@ -195,7 +195,8 @@ mod tests {
         Big::try_from(x).expect("a finite number").with_precision(400).value()
     }
 
-    /// By how much the durations of this number of cycles miss `h` times as many, with corrections and without.
+    /// Returns the deviation of the durations of this number of cycles from `h` times as many, with corrections and
+    /// without.
     fn off(h: f64, cycles: u64, fractions: &[f64]) -> [f64; 2] {
         let correction = Correction::new(h, fractions.iter().copied());
         let first = h * fractions[0];

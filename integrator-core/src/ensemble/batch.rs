@@ -64,7 +64,7 @@ pub(crate) struct Alone {
 struct Replay {
     /// The number of steps that lead to finite states.
     taken: u64,
-    /// Its engine after these.
+    /// The member's engine after these steps.
     engine: Engine,
     /// Whether the next step is not taken because a function of the user panics in it.
     panicked: bool,
@@ -106,7 +106,7 @@ impl Batch {
         }
     }
 
-    /// Where the member in a lane of these motions is.
+    /// Returns the lane of the member in a lane of these motions.
     fn lane<'m>(&self, motions: &'m dyn Motions, lane: usize) -> Lane<'m> {
         Lane { member: self.first + self.lanes[lane], motions, lane }
     }
@@ -374,7 +374,7 @@ impl Batch {
         self.finished[member - self.first].is_none()
     }
 
-    /// After how many steps the states were last changed from outside.
+    /// Returns the number of steps after which the states were last changed from outside.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn opened(&self) -> u64 {
         self.opened

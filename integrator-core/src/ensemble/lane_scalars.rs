@@ -14,11 +14,11 @@ use crate::scalar::simd::lanes::Lanes;
 /// The scalars with lanes that members of an ensemble are computed in. Named nowhere outside, like the types it leads
 /// to: vectors may only be used where their instructions were detected.
 pub trait LaneScalars: Precision {
-    /// On every machine.
+    /// The scalar for every machine.
     type Plain: Real;
-    /// Where the machine has fused multiply-add.
+    /// The scalar for machines with fused multiply-add.
     type Fused: Real;
-    /// Where it has AVX-512.
+    /// The scalar for machines with AVX-512.
     type Avx512: Real;
 }
 

@@ -24,9 +24,9 @@ const WORTH_A_THREAD: u64 = 1 << 17;
 #[cfg(feature = "checkpoint")]
 #[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Finished {
-    /// After how many steps.
+    /// The number of steps that the member has taken.
     pub(crate) steps: u64,
-    /// At what time.
+    /// The time at its last step.
     pub(crate) time: f64,
 }
 
@@ -41,7 +41,7 @@ pub(crate) struct Members {
     /// Whether the energies of the starts are still to be checked, where they depend on the time that the clock starts
     /// at.
     starts_unchecked: bool,
-    /// Where members are shown while the ensemble stands at the steps of all.
+    /// The states between steps, if the ensemble shows a time between the common steps.
     pub(super) between: Option<Between>,
     /// A bound on the energy of each member.
     pub(super) watches: Option<Vec<Watch>>,
@@ -120,7 +120,7 @@ impl Members {
         }
     }
 
-    /// After how many steps the states were last changed from outside.
+    /// Returns the number of steps after which the states were last changed from outside.
     #[cfg(feature = "checkpoint")]
     pub(crate) fn opened(&self) -> u64 {
         self.batches.first().map_or(0, Batch::opened)
@@ -229,7 +229,7 @@ impl Members {
         self.between.as_ref().map_or(self.time_at_step(), |between| between.time)
     }
 
-    /// Where a member is shown between its steps.
+    /// Returns the time and the state of a member that is shown between its steps.
     fn shown(&self, member: usize) -> Option<(f64, &dyn Point)> {
         let between = self.between.as_ref()?;
         Some((between.time, between.state(member)?))

@@ -16,8 +16,8 @@ pub(crate) struct AdvanceRequest<'a> {
     pub(crate) interval: u64,
     /// Whether the member with this index continues from this state.
     pub(crate) stays: &'a (dyn Fn(usize, &dyn Point) -> bool + Sync),
-    /// Why the member with this index may not continue from this state after this number of steps, if a watch reads all
-    /// of them.
+    /// The test of a watch, if there is one: returns the error of a member that may not continue from a state after
+    /// a number of steps.
     pub(crate) strays: Option<&'a Strays<'a>>,
     /// Panics of the user's functions: a member in whose step one panics stays at the step before, and all others go
     /// on.

@@ -41,7 +41,7 @@ pub struct Addend {
 pub trait Term<const READS: usize, const CONSTANTS: usize, const COMMON: usize, const VALUES: usize, const D: usize> {
     /// The points that it reads.
     const READS: [Read; READS];
-    /// Where its values go, in this order.
+    /// The coordinates that the values are added to.
     const ADDENDS: &'static [Addend];
 
     /// The values of a vector of terms.

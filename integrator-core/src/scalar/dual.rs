@@ -66,7 +66,7 @@ impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> Dual<F, N,
         dual!(value, direction => F::select(mask, a.along[direction], b.along[direction]))
     }
 
-    /// Whether this is constant along all directions, in all lanes.
+    /// Whether the number is constant along all directions, in all lanes.
     #[inline(always)]
     fn is_constant(&self) -> bool {
         let mut constant = true;
@@ -85,7 +85,7 @@ impl<F: Real> Dual<F> {
         Self { value, along: [slope] }
     }
 
-    /// That derivative.
+    /// Returns the derivative along the direction.
     #[inline(always)]
     pub(crate) fn slope(self) -> F {
         self.along[0]

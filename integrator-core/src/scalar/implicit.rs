@@ -23,7 +23,7 @@ pub trait Implicit<const D: usize, const C: usize> {
 pub struct Image<F: Real, const D: usize> {
     /// Positions and momenta.
     pub point: [[F; D]; 2],
-    /// Where they are no numbers.
+    /// The lanes in which there is no image.
     pub failed: F::Mask,
 }
 

@@ -49,7 +49,7 @@ impl InstructionSet {
         requested.map_or(best, |requested| requested.min(best))
     }
 
-    /// Its name in `INTEGRATOR_ISA`.
+    /// Returns the name in `INTEGRATOR_ISA`.
     fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline",

@@ -63,7 +63,7 @@ impl Clock {
         }
     }
 
-    /// Whether the clock started at a time.
+    /// Checks that the clock started at a time.
     pub(crate) fn check(&self) -> Result<(), Error> {
         match self.t0.is_finite() {
             true => Ok(()),

@@ -118,7 +118,7 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     /// The scalar of energies: the same on every machine, and compiled once.
     type Energy: Real;
 
-    /// Its name in checkpoints.
+    /// The name of the scalar type in checkpoints.
     const NAME: &'static str;
     /// The number of `f64` that it is made of.
     const PARTS: usize = 1;

@@ -39,12 +39,12 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn gather(members: &[&Self::Single]) -> Self;
 }
 
-/// For which steps a motion is moved out of memory, so that its coordinates stay in registers: a flow that calls a function
-/// now and then would else find and leave them in memory every time.
+/// The steps for which a motion is moved out of memory, so that its coordinates stay in registers: otherwise a flow that
+/// sometimes calls a function would load and store them every time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InRegisters {
     Never,
-    /// For stages that begin with a kick.
+    /// The steps whose stages begin with a kick.
     Kicked,
     Always,
 }
@@ -58,7 +58,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     const TIMED: bool = false;
     /// Whether loading and storing mixes coordinates, so that each has roundings of the size of the largest one.
     const MIXES: bool = false;
-    /// For which steps it is moved out of memory.
+    /// The steps for which the motion is moved out of memory.
     const IN_REGISTERS: InRegisters = InRegisters::Never;
 
     /// Moves it out for a while, after which it is put back.
@@ -105,7 +105,7 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     fn use_found(&mut self, _found: &Found) {}
     /// Sets the number of threads, or all that the machine has, where a layout distributes its work.
     fn share_among(&mut self, _threads: Option<usize>) {}
-    /// Why the steps of a method could not be solved in a lane, after which this stands still and is not finite.
+    /// Returns the fault of a lane whose steps could not be solved, after which it stands still and is not finite.
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         None
     }
@@ -252,14 +252,14 @@ const REGISTERS: usize = 2048;
 /// The memory of a solved flow beside the state, for all lanes of a motion. By default it is empty, for a motion that
 /// the flow is not applied to.
 pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
-    /// For which steps a small motion gains from registers.
+    /// The steps for which a small motion gains from registers.
     const IN_REGISTERS: InRegisters = InRegisters::Always;
 
     /// Creates the memory of members with these constants, one per lane; `length` counts the numbers or points of `q`.
     fn of(constants: &[&P], length: usize) -> Self;
     /// Takes over what belongs to the state of another motion with the same constants.
     fn copy_state(&mut self, _from: &Self) {}
-    /// Why the flow could not be solved in a lane.
+    /// Returns the fault of a lane in which the flow could not be solved.
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         None
     }

@@ -99,7 +99,7 @@ pub(super) struct HandedOver {
 }
 
 impl HandedOver {
-    /// Nothing yet, with room for this number.
+    /// Creates an empty list, with room for this number of workers.
     pub(super) fn with_room_for(workers: usize) -> Self {
         Self { workers: Vec::with_capacity(workers), panics: Vec::new() }
     }

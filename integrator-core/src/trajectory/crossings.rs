@@ -15,7 +15,7 @@ use crate::{
 };
 use core::{borrow::BorrowMut, fmt, mem};
 
-/// After this number of evaluations without an end, intervals are halved.
+/// The number of evaluations without a result after which intervals are halved.
 const IMPATIENT: u32 = 32;
 
 /// The direction in which a function passes through zero along a run.
@@ -180,10 +180,10 @@ pub(crate) fn crosses(side: &mut f64, value: f64, direction: Direction) -> bool 
     crosses && direction.admits(value > 0.0)
 }
 
-/// Where the function is zero in the last step of a run, as a fraction of this step and the point there, by the method of
-/// Chandrupatla (1997): the inverse of a parabola through three values where these lie on one without doubt, and the middle
-/// otherwise. Where no state has a value of zero, the point is the nearest one on the side of `after`, so that what begins there
-/// does not pass the zero again.
+/// Finds the zero of the function in the last step of a run, as a fraction of this step and the point there, by the
+/// method of Chandrupatla (1997): the inverse of a parabola through three values where these lie on one without doubt,
+/// and the middle otherwise. Where no state has a value of zero, the point is the nearest one on the side of `after`,
+/// so that what begins there does not pass the zero again.
 pub(crate) fn between<C: Coords>(
     run: &mut Run<C>,
     function: &mut impl FnMut(&Phase<C>, f64) -> f64,
@@ -222,8 +222,8 @@ pub(crate) fn between<C: Coords>(
     Ok(if nearest_is_near { near } else { far })
 }
 
-/// Where the inverse of a parabola through three points is zero, from the first of them on as a fraction of the way to
-/// the second.
+/// Returns the zero of the inverse of a parabola through three points, as a fraction of the way from the first of them
+/// to the second.
 fn parabola<C>(a: &(f64, Point<C>), b: &(f64, Point<C>), c: &(f64, Point<C>)) -> f64 {
     let (fa, fb, fc) = (a.1.value, b.1.value, c.1.value);
     fa / (fb - fa) * fc / (fb - fc) + (c.0 - a.0) / (b.0 - a.0) * fa / (fc - fa) * fb / (fc - fb)

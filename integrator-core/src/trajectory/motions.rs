@@ -63,7 +63,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the
     /// method has no dense output.
     fn dense(&mut self, begin: &dyn Motions, clock: Clock, duration: f64) -> bool;
-    /// Why the steps in a lane could not be solved, if that is why they end.
+    /// The fault of a lane, if its steps end because they could not be solved.
     fn unsolved(&self, lane: usize) -> Option<&Unsolved>;
     /// The time of a lane since its motion was loaded, and its rounding error, where it is part of the state.
     fn elapsed(&self, lane: usize) -> Option<[f64; 2]>;

@@ -11,7 +11,7 @@ use crate::{
 /// The fraction of the time to a target that is integrated in one block, at the mean rate.
 const CAUTION: f64 = 0.875;
 
-/// After this number of shorter steps the time is as near as it gets.
+/// The largest number of shorter steps, after which the time is as near as possible.
 const TRIALS: u32 = 200;
 
 /// Returns the number of steps that lead over a part of the way, at a pace.
@@ -64,7 +64,7 @@ impl<C: Coords> Run<C> {
         Ok(())
     }
 
-    /// Whether the run can go to a time.
+    /// Checks that the run can go to a time.
     pub(crate) fn check_time_ahead(&self, time: f64) -> Result<(), Error> {
         let present = self.time_at_step();
         if !time.is_finite() {

@@ -49,7 +49,7 @@ pub struct Run<C: Coords> {
     pub(crate) opened: u64,
     /// The time, where it is part of the state, when this was last changed from outside: a sum of two numbers.
     pub(crate) opened_at: [f64; 2],
-    /// Where the run is shown while it stands at the step before.
+    /// The time and the state that the run shows while it stands at the step before.
     between: Option<(f64, Phase<C>)>,
     pub(crate) watch: Option<Watch>,
     pub(crate) autonomous: bool,
@@ -235,7 +235,7 @@ impl<C: Coords> Run<C> {
         self
     }
 
-    /// Whether the clock started at a time.
+    /// Checks that the clock started at a time.
     pub(crate) fn check_clock(&self) -> Result<(), Error> {
         self.clock.check()
     }
@@ -452,7 +452,7 @@ impl<C: Coords> Run<C> {
         state
     }
 
-    /// Where the last step led that was tried.
+    /// Returns the state that the last step tried.
     fn tried(&self) -> Phase<C> {
         self.tried_lane(0)
     }

@@ -126,7 +126,7 @@ pub struct FlowByFlow;
 /// One motion after the other, a long lattice in tiles.
 pub struct InTiles;
 
-/// As flow by flow, beside deviation vectors.
+/// One motion after the other, flow by flow, beside deviation vectors.
 pub struct BesideVectors;
 
 /// Several small motions together, as fit into this number of registers.

@@ -28,7 +28,7 @@ pub(crate) use vectors::{far_exponent, numbers, scaled};
 #[cfg(feature = "check")]
 pub(crate) use vectors::{may_be_far, square, unit_vectors};
 
-/// After this number of steps vectors are looked at, whether they are far from one.
+/// The number of steps after which the lengths of vectors are tested for a rescaling.
 pub(crate) const BETWEEN_SCALES: u64 = 64;
 
 /// The number of vectors that go with one copy of the state, where there are several: as many numbers as fill a
@@ -58,7 +58,7 @@ pub struct Tangent<C: Coords> {
     between: Option<Vec<Vec<Lane<C>>>>,
 }
 
-/// Where a tangent begins.
+/// The initial data of a tangent.
 pub(crate) struct Beginning<C: Coords> {
     pub(crate) start: Phase<C>,
     pub(crate) vectors: Vec<Phase<C>>,
@@ -91,8 +91,8 @@ impl<C: Coords> Tangent<C> {
         Self::along::<H, X, K, false>(system, method, beginning, |_| Vec::new())
     }
 
-    /// Along vectors at the start, followed by vectors along this number of parameters; `slopes` gives the derivatives
-    /// of prepared constants that belong to some of the vectors.
+    /// Begins a run along vectors at the start, followed by vectors along this number of parameters; `slopes` gives the
+    /// derivatives of prepared constants that belong to some of the vectors.
     pub(crate) fn along<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,
@@ -306,7 +306,7 @@ impl<C: Coords> Tangent<C> {
         (0..self.exponents.len()).map(|vector| self.time_slope(vector)).collect()
     }
 
-    /// That along one of the vectors.
+    /// Returns the derivative of the time along a vector.
     pub(crate) fn time_slope(&self, vector: usize) -> f64 {
         let elapsed = match &self.between {
             Some(lanes) => lanes[vector / self.room][1 + vector % self.room].1,
@@ -318,7 +318,7 @@ impl<C: Coords> Tangent<C> {
         elapsed.map_or(0.0, |[time, rounding]| time + rounding)
     }
 
-    /// One of the vectors.
+    /// Returns a deviation vector.
     pub(crate) fn vector(&self, vector: usize) -> Phase<C> {
         if let Some(lanes) = &self.between {
             return lanes[vector / self.room][1 + vector % self.room].0.clone();
@@ -400,7 +400,7 @@ where
     Ok(run)
 }
 
-/// Whether these are deviation vectors at a state.
+/// Checks that these are deviation vectors at a state.
 fn check<C: Coords>(start: &Phase<C>, vectors: &[Phase<C>]) -> Result<(), Error> {
     let positions = start.q.flat().len();
     let (count, most) = (vectors.len(), 2 * positions);

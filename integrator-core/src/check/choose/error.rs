@@ -14,7 +14,7 @@ pub enum ChooseError {
     /// A run could not start, or its energy is not conserved.
     #[error(transparent)]
     Check(#[from] CheckError),
-    /// There is no splitting to choose.
+    /// The list of splittings is empty.
     #[error("there is no splitting\nhelp: name at least one system")]
     NoSplitting,
     /// The span is zero or not finite.

@@ -45,7 +45,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Nothing, for a reason.
+    /// Creates an empty result, with a reason.
     pub(super) fn none(splitting: Split, reason: &'static str) -> Self {
         let closest = Unranked { splitting, composition: "none", error: f64::INFINITY, not_tried: Some(reason) };
         Self { choices: Vec::new(), closest }

@@ -63,7 +63,7 @@ pub(super) type Energies<'s, C> = Box<dyn Fn(&Phase<C>, f64) -> [f64; 2] + 's>;
 
 /// The interface through which a choice measures a system.
 pub(super) trait Measured<C: Coords> {
-    /// Its name.
+    /// Returns the name of the splitting.
     fn name(&self) -> Split;
 
     /// The system under each composition that it admits.

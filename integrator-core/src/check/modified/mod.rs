@@ -110,17 +110,17 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
         Ok(Self { flat: OfFlat { system, series: BracketSeries::of::<X>() }, h, coordinates, coords: PhantomData })
     }
 
-    /// Its series.
+    /// Returns the series.
     pub fn series(&self) -> &BracketSeries {
         &self.flat.series
     }
 
-    /// The step.
+    /// Returns the step.
     pub fn step(&self) -> f64 {
         self.h
     }
 
-    /// Its value at a point, with all terms that are known.
+    /// Returns the value at a point, with all terms that are known.
     pub fn energy(&self, point: &Phase<C>) -> f64 {
         self.energies(point).last().copied().unwrap_or(f64::NAN)
     }

@@ -46,7 +46,7 @@ impl Bracket {
     }
 }
 
-/// As nested Poisson brackets: `{{V, T}, V}`.
+/// Displays nested Poisson brackets: `{{V, T}, V}`.
 impl fmt::Display for Bracket {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let letter = |is_potential: &bool| if *is_potential { "V" } else { "T" };

@@ -84,7 +84,7 @@ pub(crate) use crate::system::user_energies::Function as Part;
 /// The energies of a system and their flows, whatever the shape of its coordinates: in one lane, or along a tangent in
 /// the second one of duals.
 pub(crate) trait Differentiable {
-    /// Whether these are `T(p)` and `V(q)`.
+    /// Whether the energies are `T(p)` and `V(q)`.
     fn is_separable(&self) -> bool;
 
     /// Whether H has no parts: all of its energy is then the first of the two, and its field moves both halves.

@@ -94,7 +94,7 @@ struct Orbit<'s> {
     stepper: &'s dyn Stepper,
     /// The power of the step with which errors have to shrink.
     order: f64,
-    /// Whether there are many pieces.
+    /// Whether the orbit has many pieces.
     is_long: bool,
 }
 
@@ -103,7 +103,7 @@ struct Orbit<'s> {
 enum Verdict {
     /// Errors shrink with the order.
     Shown,
-    /// There are no errors.
+    /// No step size has an error.
     Silent,
     Lost(Loss),
 }

@@ -100,8 +100,8 @@ impl Order {
         within(self.uncertainty, SCATTER)
     }
 
-    /// Whether this is the claimed order. Where errors lie on no line, they fall into the rounding before the leading
-    /// one prevails.
+    /// Whether the slope is the claimed order. Where errors lie on no line, they fall into the rounding before the
+    /// leading one prevails.
     pub(crate) fn reaches(&self, claimed: u32) -> bool {
         self.slope >= if self.is_line() { f64::from(claimed) - ORDER_TOLERANCE } else { needed_along(claimed) }
     }
@@ -202,7 +202,7 @@ impl Slope {
         self.is_line() && self.order.as_ref().is_ok_and(|order| order.reaches(claimed))
     }
 
-    /// Whether this is the better line.
+    /// Whether this fit is the better line.
     fn is_better_than(&self, other: &Self) -> bool {
         match (&self.order, &other.order) {
             (Ok(one), Ok(other_one)) if self.known == other.known => within(one.uncertainty, other_one.uncertainty),

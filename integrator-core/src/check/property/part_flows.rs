@@ -38,7 +38,7 @@ pub(crate) trait Flows: Differentiable {
     /// Whether loading and storing a state mixes its coordinates.
     fn mixes(&self) -> bool;
 
-    /// Where some flows lead from a point, each for a duration, and where a tangent at the point leads.
+    /// Returns the image of a point under some flows, each for a duration, and the image of a tangent at the point.
     fn carried(&self, flows: &[(Flow, f64)], point: &Flat, tangent: Option<&Flat>, time: f64) -> (Flat, Flat);
 }
 

@@ -120,7 +120,7 @@ pub fn stability<H: Hamiltonian, X: Composition<H>, K: Precision>(
     nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into_start(), h)
 }
 
-/// As [`stability`], for a method with this limit.
+/// Estimates stability like [`stability`], for a method with this limit.
 pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Precision>(
     system: &H,
     method: X,

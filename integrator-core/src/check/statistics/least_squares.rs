@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 pub(crate) struct Slope {
     /// The slope.
     pub(crate) value: f64,
-    /// Its standard error, from how far the points lie off the line; NaN with fewer than three points.
+    /// The standard error of the slope, from the residuals of the points; NaN with fewer than three points.
     pub(crate) uncertainty: f64,
 }
 

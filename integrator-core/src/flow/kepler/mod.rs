@@ -52,7 +52,7 @@ impl<R: Real> OfBody<R> for [R] {
 /// The solver of the flow of a Kepler part, with a note of each lane in which it failed.
 #[derive(Clone, Default)]
 pub struct Kepler {
-    /// Empty as long as all were solved.
+    /// The faults by lanes; empty as long as all were solved.
     unsolved: Vec<Option<Unsolved>>,
 }
 

@@ -47,7 +47,7 @@ pub(crate) struct Body<W, const D: usize> {
 pub(crate) struct Increments<W: Real, const D: usize> {
     pub(crate) q: [W; D],
     pub(crate) p: [W; D],
-    /// Where Kepler's equation could not be solved: these are NaN.
+    /// The lanes in which Kepler's equation could not be solved: their increments are NaN.
     pub(crate) failed: W::Mask,
 }
 
@@ -88,7 +88,7 @@ pub(super) struct Orbit<W> {
 pub(super) struct Place<W> {
     /// `G₀` to `G₃`
     pub(super) functions: [W; 4],
-    /// By how much the point is later than it should be.
+    /// The time of the point minus the time at which the body should be.
     late: W,
     /// The distance, and its first two derivatives by `s`.
     distance: [W; 3],
@@ -251,7 +251,7 @@ fn within_a_period<W: Real>(mu: W, beta: W, time: W) -> W {
     W::select(long, (-whole).fma(period, time), time)
 }
 
-/// Where the body is when the time has come.
+/// Finds the point of the orbit where the body is after the duration.
 #[inline(always)]
 pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let s = orbit.short_arc(inverse);
@@ -337,7 +337,7 @@ impl<W: Real> Orbit<W> {
         [W::select(backwards, far, zero), W::select(backwards, zero, far)]
     }
 
-    /// Where the search begins: the arc of a fall, which is as good on an ellipse, or that of a fast hyperbola.
+    /// Returns the start of the search: the arc of a fall, which is as good on an ellipse, or that of a fast hyperbola.
     #[inline(always)]
     fn guess(&self, [low, high]: [W; 2]) -> W {
         let Self { mu, eta, beta, zeta, time, .. } = *self;

@@ -20,7 +20,7 @@ struct Use {
     duration: f64,
     /// The duration before it.
     before: f64,
-    /// Its number among the distinct ones.
+    /// The number of the duration among the distinct ones.
     number: usize,
     /// The use that came next.
     next: usize,
@@ -29,11 +29,11 @@ struct Use {
 /// The state of a duration in the list of known ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Known {
-    /// It has this number.
+    /// The duration is known, with this number.
     Before,
-    /// It is a new one.
+    /// The duration is new.
     New,
-    /// It is a new one, and the others are forgotten, since there are too many.
+    /// The duration is new, and the others are forgotten, since there are too many.
     Anew,
 }
 

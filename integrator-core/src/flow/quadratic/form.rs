@@ -47,7 +47,7 @@ impl Form {
         *self.first.entry(2 * self.degree(i) + 1).or_default() += value;
     }
 
-    /// Which degree of freedom it is.
+    /// Returns the index of the degree of freedom of a component of a point.
     fn degree<const D: usize>(&self, indices: [usize; D]) -> usize {
         indices.iter().fold(0, |degree, index| degree * self.components + index)
     }

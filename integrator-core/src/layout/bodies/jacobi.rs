@@ -41,7 +41,7 @@ pub struct Jacobi<L: Rows<D>, const D: usize> {
     leading: usize,
     /// The user's states, until the first flow.
     given: Given<L::Leaf>,
-    /// Why the Kepler flow could not be solved, by lanes; empty as long as it was.
+    /// The faults of the Kepler flow, by lanes; empty as long as it was solved.
     unsolved: Vec<Option<Unsolved>>,
 }
 

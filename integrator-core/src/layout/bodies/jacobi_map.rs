@@ -99,7 +99,8 @@ pub fn are_masses_of_kinetic(constants: &impl JacobiConstants, bodies: usize) ->
 /// The part of a body in Jacobi coordinates.
 #[derive(Clone, Copy)]
 pub(crate) struct Part {
-    /// Its share of the masses up to it; none for the first body, whose coordinates are those of the centre of mass.
+    /// The share of the body in the masses up to it; none for the first body, whose coordinates are those of the centre
+    /// of mass.
     pub(crate) share: f64,
     /// The inverse of its reduced mass; for the first body, of the mass of all.
     pub(crate) inverse_mass: f64,

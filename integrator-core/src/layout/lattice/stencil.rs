@@ -66,7 +66,7 @@ const fn is_read(boundary: Option<Boundary>) -> [bool; 2] {
     }
 }
 
-/// Whether nothing depends on others along such a direction.
+/// Whether no site depends on others along such a direction.
 const fn is_pointwise(boundary: Option<Boundary>) -> bool {
     match boundary {
         Some(boundary) => boundary.is_pointwise(),
@@ -365,7 +365,7 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         H::contributions::<R, W>(&window, self.parameters, self.time)
     }
 
-    /// Where the row is.
+    /// Returns the position of the row.
     #[inline(always)]
     pub(crate) fn row(&self) -> RowPosition {
         let (length, AdjacentRows { row, rows, plane, .. }) = (self.length, &self.adjacent);

@@ -76,7 +76,7 @@ pub struct Flow {
 pub struct StencilRadii {
     drift: Boundary,
     kick: Boundary,
-    /// Whether they are counted in layers: rows of a plane, or planes of a volume.
+    /// Whether the radii are counted in layers: rows of a plane, or planes of a volume.
     pub(crate) of_layers: bool,
 }
 
@@ -288,7 +288,7 @@ struct Chunk<'s> {
     skewed: &'s SkewedFlows,
     /// Whether another chunk lies to the left.
     skewed_left: bool,
-    /// Whether one lies to the right.
+    /// Whether another chunk lies to the right.
     skewed_right: bool,
 }
 

@@ -16,7 +16,7 @@ pub(crate) const ADJACENT: usize = 4;
 /// The blocks of a window before, at and after the position; those that the stencil does not read hold no coordinates.
 pub(crate) type Blocks<W> = [W; 2 * MAX_RADIUS + 1];
 
-/// Where a row is in its lattice.
+/// The position of a row in its lattice.
 #[derive(Clone, Copy)]
 pub(crate) struct RowPosition {
     /// The number of sites in the line or in a row.

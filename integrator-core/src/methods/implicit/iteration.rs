@@ -111,7 +111,7 @@ pub(super) struct Equation<'m, H: Hamiltonian, R: Real, const S: usize> {
 struct Solution<H: Hamiltonian, R: Real, const S: usize> {
     slopes: [Pair<H, R>; S],
     evaluations: u64,
-    /// Why lanes have none, where some do not.
+    /// The faults of lanes without a solution; empty if all have one.
     unsolved: Vec<Option<Unsolved>>,
 }
 

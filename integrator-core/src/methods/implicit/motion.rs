@@ -19,7 +19,7 @@ pub struct Implicit<R: Real, C: Coords, P: Prepared<R>> {
     pub(super) constants: Vec<P::Single>,
     /// A point in the shape of the coordinates.
     pub(super) shape: Phase<C::With<f64>>,
-    /// Why lanes stand still, where some do.
+    /// The faults of lanes that stand still; empty if none does.
     pub(super) unsolved: Vec<Option<Unsolved>>,
     /// The number of evaluations of the field.
     pub(super) evaluations: u64,

@@ -11,7 +11,7 @@ pub struct Tableau<const S: usize> {
 
 /// A method with this number of stages.
 pub trait Stages<const S: usize>: Described {
-    /// Its coefficients.
+    /// The coefficients of the method.
     const TABLEAU: Tableau<S>;
 }
 

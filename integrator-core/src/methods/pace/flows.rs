@@ -191,7 +191,7 @@ where
             F::drift::<R, K>(self.motion, R::of(duration));
         }
     }
-    /// There is no third part.
+    /// Does nothing, since there is no third part.
     #[inline(always)]
     fn middle(&mut self, _duration: f64, _time: f64, _backwards: bool) {}
     /// Compositions with these kicks are rejected, since `f(T + B)` is not quadratic in the momenta.

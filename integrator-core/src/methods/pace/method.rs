@@ -131,7 +131,8 @@ macro_rules! time_transformation {
     ($method:ident of $system:ident, $transformation:ty, $exponent:expr, $transforms_energy:expr) => {
         #[diagnostic::do_not_recommend]
         impl<H: $system, X: Composition<H>> Method<H> for $method<X> {
-            /// As members of ensembles are computed, whose powers have other roundings with these instructions.
+            /// A single run uses AVX-512, as members of ensembles do, because powers round differently with these
+            /// instructions.
             const WIDE: bool = true;
             type Constants = Constants<H::Parameters<f64>>;
             type Motion<R: Real, K: Precision> = TimedOf<H, R, K>;

@@ -10,7 +10,7 @@ use crate::{
 };
 use alloc::{sync::Arc, vec::Vec};
 
-/// By which factor the numbers that a drift and a kick divide by may differ. They are equal but for the errors of the steps; where
+/// The largest ratio of the numbers that a drift and a kick divide by. They are equal up to the errors of the steps. If
 /// these are so large, a step has leapt over the edge of the domain, or close to it.
 const APART: f64 = 10.0;
 
@@ -41,7 +41,7 @@ pub struct Timed<R: Real, C: Coords, P> {
     drifted_by: R,
     /// The number that the kick since then divided by: `-V`, or the pace by the user's function; NaN without a kick.
     kicked_by: R,
-    /// Why lanes stand still, where some do.
+    /// The faults of lanes that stand still; empty if none does.
     unsolved: Vec<Option<Unsolved>>,
 }
 

@@ -68,7 +68,7 @@ macro_rules! any {
         /// The memory of a method from step to step.
         #[derive(Clone, Default)]
         pub enum Memory<R: Real> {
-            /// Nothing yet.
+            /// No memory before the first step.
             #[default]
             Empty,
             $(#[doc = "That of this method."] $method(<$method as Recipe>::Memory<R>),)*

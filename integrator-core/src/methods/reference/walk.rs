@@ -28,13 +28,13 @@ pub trait Recipe: Described {
     fn increment<R: Real>(self, memory: &mut Self::Memory<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved>;
 }
 
-/// Where a step begins.
+/// The beginning of a step: the field, the state and the time.
 pub struct Place<'f, R> {
     /// The field.
     pub(crate) field: &'f dyn Field<R>,
     /// Positions, then momenta.
     pub(crate) y: &'f [R],
-    /// When.
+    /// The time at the beginning of the step.
     pub(crate) time: f64,
     /// The length of the step.
     pub(crate) h: f64,

@@ -24,7 +24,7 @@ pub fn splat<R: Real, V: Row<Wide<R>>>(x: R) -> V {
 pub struct IterationBlock<R: Real, T, const READS: usize, const CONSTANTS: usize> {
     /// The record of the iterations.
     pub kept: T,
-    /// Their constants.
+    /// The constants of the iterations.
     pub constants: [Wide<R>; CONSTANTS],
     reads: [AccessPattern; READS],
 }
@@ -48,7 +48,7 @@ type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; 
 /// A coordinate that each iteration moves.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// Of positions (0) or momenta (1).
+    /// The half that the coordinate belongs to: 0 for positions, 1 for momenta.
     half: usize,
     /// The number of the value that it gets,
     value: usize,

@@ -108,7 +108,7 @@ impl<R: Real, const VALUES: usize, const ORDERS: usize, const VECTORS: usize> Fe
 
 /// Some vectors of a line, as many as `V` has; `T` is their record.
 pub struct Vectors<'l, R: Real, V, T, const VALUES: usize, const ORDERS: usize> {
-    /// Their record.
+    /// The record of the vectors.
     pub kept: &'l mut T,
     first: usize,
     results: &'l mut [Results<R, VALUES, ORDERS>],
@@ -152,7 +152,7 @@ impl<R: Real, B: Default, T: Default, const VALUES: usize, const ORDERS: usize> 
         0..computing::<R>(layout, ends) % vectors::<R, Bundle<R>>()
     }
 
-    /// One of these vectors.
+    /// Returns a vector that fills no bundle.
     #[inline(always)]
     pub fn single(&mut self, number: usize, layout: Layout, ends: Ends) -> Vectors<'_, R, Wide<R>, T, VALUES, ORDERS> {
         let first = self.bundles(layout, ends).len() * vectors::<R, Bundle<R>>() + number;

@@ -21,7 +21,8 @@ const PARTS: i64 = 1 << (52 - CUT);
 /// The exponent of zero, lower than any number's by more than products and roots of numbers make up for.
 const NOTHING: i64 = -(1 << 15);
 
-/// By how many binary digits reciprocals are shorter than 64; as many of the first ones of a logarithm are free.
+/// The number of binary digits by which reciprocals are shorter than 64; as many of the first ones of a logarithm are
+/// free.
 const SHORT: u32 = 2;
 
 impl Logarithm {
@@ -62,7 +63,7 @@ impl Logarithm {
         (self.0 >> (52 - CUT)) as i32
     }
 
-    /// As a number.
+    /// Converts the logarithm to a floating-point number.
     pub(super) fn value(self) -> f64 {
         self.0 as f64 / PARTS as f64
     }

@@ -45,11 +45,11 @@ pub(super) fn digits<R: Real>() -> [i32; 2] {
 /// The progress of a member on its polynomial.
 #[derive(Clone, Copy)]
 pub(super) enum Progress {
-    /// It arrives after this duration.
+    /// The member arrives after this duration.
     Arrives(f64),
-    /// It goes to the end of the segment, after this duration, and takes the next one from there.
+    /// The member goes to the end of the segment, after this duration, and takes the next one from there.
     NextSegment(f64),
-    /// It has stopped at a fault.
+    /// The member has stopped at a fault.
     Stopped,
 }
 

@@ -30,7 +30,7 @@ const fn are_few(length: usize, components: usize) -> bool {
     length * components <= FEW
 }
 
-/// Whether all coordinates of a type are.
+/// Whether all coordinates of a type are stored without padding.
 pub(super) const fn are_always_few<C: Coords>() -> bool {
     match C::LENGTH {
         Some(length) => are_few(length, C::COMPONENTS),
@@ -143,7 +143,7 @@ impl<R: Real> Table<R> {
     pub fn of(&mut self, layout: Layout, unit: R) -> Coefficients<'_, R> {
         Coefficients { numbers: self.numbers_mut(layout), layout, unit }
     }
-    /// All of them, order by order.
+    /// Returns all coefficients, order by order.
     #[inline(always)]
     pub(super) fn numbers_mut(&mut self, layout: Layout) -> &mut [R] {
         &mut self.numbers[..COEFFICIENTS * layout.width]

@@ -122,7 +122,7 @@ impl<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool> Block<Dual<F, 
     }
 }
 
-/// As many numbers with one derivative each as a vector has lanes, as they are in memory.
+/// Returns as many numbers with one derivative each as a vector has lanes, in the order of memory.
 #[inline(always)]
 fn pairs<F: Real, V: Block<F>, const N: usize, const SENSITIVE: bool>(from: &[Dual<F, N, false, SENSITIVE>]) -> [V; 2] {
     let numbers = &Dual::in_memory(from)[..2 * V::WIDTH];

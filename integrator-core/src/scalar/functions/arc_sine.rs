@@ -66,7 +66,7 @@ pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     add_quarters(quarters, [factor * s, factor * rest])
 }
 
-/// As `inner`, with the root and the result rounded.
+/// The outcome of `inner`, with the root and the result rounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
     let half = R::of(0.5);

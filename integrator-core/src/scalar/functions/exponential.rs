@@ -30,7 +30,7 @@ pub(crate) trait Exponential: Sized {
     fn short_series<R: Bits<Scalar = Self>>(r: R) -> R;
 }
 
-/// Of the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its
+/// Splits the sum of a number and a small one: `n` in the last bits of the pattern, and `eʳ - 1` with the error of its
 /// rounding.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn parts<R: Bits<Scalar: Exponential>>(x: R, small: R) -> (R, [R; 2]) {

@@ -58,7 +58,7 @@ pub(crate) fn fast_cos<R: Bits<Scalar: HalfCircle>>(x: R) -> R {
     reduced_or_fallback(value.bits_xor(half_turns.bits_left(R::Scalar::SIGN)), x, 1)
 }
 
-/// Its error is 2^-52.3.
+/// The error of the series is 2^-52.3.
 impl HalfCircle for f64 {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f64>>(z: R) -> R {
@@ -71,7 +71,7 @@ impl HalfCircle for f64 {
     }
 }
 
-/// Its error is 2^-27.2.
+/// The error of the series is 2^-27.2.
 impl HalfCircle for f32 {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn series<R: Bits<Scalar = f32>>(z: R) -> R {

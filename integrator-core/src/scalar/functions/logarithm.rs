@@ -25,7 +25,7 @@ pub(crate) trait Logarithm: Exponential {
     fn fallback(lanes: &mut [Self]);
 }
 
-/// Of a normal number: `k` and `f`.
+/// Splits a normal number into `k` and `f`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn split<R: Bits<Scalar: Logarithm>>(x: R) -> (R, R) {
     let [root, one, integer] = R::Scalar::PATTERNS;

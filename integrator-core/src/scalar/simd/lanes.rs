@@ -53,7 +53,7 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     pub(crate) fn parts_mut(&mut self) -> &mut [F] {
         &mut self.0
     }
-    /// One of the parts.
+    /// Returns a part of the vector.
     #[inline(always)]
     pub(crate) fn part(self, part: usize) -> F {
         self.0[part]

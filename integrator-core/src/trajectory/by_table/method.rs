@@ -35,7 +35,7 @@ pub(crate) struct ByTable<G> {
 pub(crate) struct WithGradients;
 
 impl<G> ByTable<G> {
-    /// This composition. It has to be one for the system that it is run with.
+    /// Creates the method of this composition. It has to be one for the system that it is run with.
     pub(crate) fn of<X: Scheme>(composition: X) -> Self {
         Self { facts: composition.facts(), stages: X::STAGES, processor: X::PROCESSOR, gradients: PhantomData }
     }

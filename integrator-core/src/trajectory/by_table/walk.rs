@@ -91,7 +91,7 @@ struct Pass<'l> {
     letters: &'l [Letter],
     /// The number of the step that they belong to.
     step: u64,
-    /// Whether their durations are corrected.
+    /// Whether the durations of the flows are corrected.
     corrected: bool,
 }
 

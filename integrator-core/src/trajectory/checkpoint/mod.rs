@@ -54,7 +54,7 @@ pub(crate) struct Origin {
     composition: &'static str,
     /// The composition that the method is over; empty where it is over none.
     over: &'static str,
-    /// Nothing for a method that is no composition; its runs cannot be resumed.
+    /// The stages of the composition; `None` for a method that is no composition, whose runs cannot be resumed.
     table: Option<(Stages, Processor)>,
 }
 
@@ -343,7 +343,7 @@ impl<C: Coords> Run<C> {
         }
     }
 
-    /// Whether the run is at a time.
+    /// Checks that the time of the run is finite.
     fn check_time(&self) -> Result<(), Error> {
         match self.time_at_step() {
             time if time.is_finite() => Ok(()),

@@ -49,7 +49,7 @@ pub(crate) struct Record {
     pub(crate) stages: u64,
     pub(crate) leaf: String,
     pub(crate) steps: u64,
-    /// After how many of them the state was last changed from outside.
+    /// The number of steps after which the state was last changed from outside.
     pub(crate) opened: u64,
     pub(crate) h: f64,
     pub(crate) t0: f64,
@@ -121,7 +121,7 @@ impl Stored {
         opened <= steps && self.own.as_ref().is_none_or(|own| own.beside.conjugate.is_some() == (opened < steps))
     }
 
-    /// Whether the names of a system, a method and a precision are those that are stored, and the stages too.
+    /// Checks that the names of a system, a method and a precision are those that are stored, and the stages too.
     pub(crate) fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let Record { system, composition, stages, leaf, .. } = &self.record;
         let over = facts.over.unwrap_or_default();

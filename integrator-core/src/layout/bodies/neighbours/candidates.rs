@@ -17,7 +17,7 @@ pub(crate) struct Candidates<T: Real, const D: usize> {
     /// after the last one.
     found: Vec<u32>,
     found_at: [Vec<T>; D],
-    /// Where the cell's own bodies begin among these.
+    /// The index at which the cell's own bodies begin among these.
     home: usize,
     /// Numbers from zero on, and those of them that are candidates.
     numbers: Vec<u32>,

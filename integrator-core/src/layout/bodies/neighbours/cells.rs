@@ -12,7 +12,7 @@ use crate::scalar::{
 use alloc::{vec, vec::Vec};
 use core::ops::Range;
 
-/// Where bodies may be: along each axis the side of a periodic box, or zero where there is no end.
+/// The extent of the space of bodies: along each axis the side of a periodic box, or zero for an unbounded axis.
 pub(crate) type Sides<const D: usize> = [f64; D];
 
 /// The most axes that are divided: more would have more cells beside each one than bodies near it.
@@ -189,8 +189,8 @@ fn division<const D: usize>(points: &[[f64; D]], sides: Sides<D>, radius: f64) -
     (counts, origin, width)
 }
 
-/// Where most bodies are along an axis without an end: where the range begins, and how long it is. Who is outside belongs to
-/// the first cell or the last one, so that a few that flew away do not make all others share a cell.
+/// Returns the range of most bodies along an axis without an end: its beginning and its length. A body outside belongs
+/// to the first cell or the last one, so that a few that flew away do not make all others share a cell.
 fn crowded(mut all: Vec<f64>) -> (f64, f64) {
     all.retain(|x| x.is_finite());
     if all.is_empty() {

@@ -10,7 +10,7 @@ use crate::{layout::bodies::many_rows::WIDTH, scalar::real::Real, system::motion
 /// Lists for a motion that may compute in other numbers.
 struct FoundLists<const D: usize> {
     lists: Arc<Lists>,
-    /// Where bodies were.
+    /// The positions of the bodies when the lists were made.
     reference: Vec<[f64; D]>,
     slack: f64,
     skin: f64,
