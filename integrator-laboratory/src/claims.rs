@@ -54,7 +54,7 @@ impl Verdict {
     }
 }
 
-/// A claim of which the methods of every system are asked.
+/// A claim about methods, which is checked for every system.
 struct Claim {
     name: &'static str,
     says: &'static str,

@@ -90,8 +90,8 @@ fn table<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64) -> Option<(Rows<Ve
     Some((rows, errors))
 }
 
-/// Where this number of steps of the modified midpoint rule lead: a step of Euler, then steps across two. What the
-/// field adds is told by Euler steps.
+/// Returns the end of this number of steps of the modified midpoint rule: a step of Euler, then steps across two. Euler
+/// steps evaluate the field.
 fn midpoints<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64, division: u32) -> Option<Vec<f64>> {
     let h = step / f64::from(division);
     let added = |state: &[f64], number: u32, h: f64| -> Option<Vec<f64>> {

@@ -24,9 +24,10 @@ pub(crate) struct Portrait {
     pub(crate) largest: [f64; 2],
 }
 
-/// From short steps to long ones.
+/// The numbers of steps to a period that are tried, from short steps to long ones.
 const COUNTS: [u32; 13] = [80, 57, 40, 28, 20, 14, 10, 8, 7, 6, 5, 4, 3];
-/// From here on, an orbit is followed for longer where nothing is seen: this number of times as long.
+/// The largest number of steps to a period for which orbits without a visible change are integrated longer, by
+/// `LONGER`.
 const LONG: u32 = 10;
 const LONGER: f64 = 8.0;
 /// The steps to a period that show a method which keeps its energy, and those that are tried if it does not in steps as long.

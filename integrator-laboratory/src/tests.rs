@@ -187,7 +187,8 @@ fn curves_of_energies_are_broken_where_their_sign_changes() {
     assert!(pieces(&study) > before);
 }
 
-/// Who gains or loses so much that the sight of it is enough, and who comes back from there.
+/// Tests that visible energy changes are those of methods that are not symplectic, and how far reversals end from the
+/// start.
 #[test]
 fn portraits_show_what_a_method_does() {
     let study = study();

@@ -7,7 +7,7 @@ use crate::{
 };
 use zeno::{Cap, Command, Fill, Join, Mask, PathBuilder, Point, Stroke, Style};
 
-/// Three bytes for each pixel, row after row, of this number of times the size.
+/// Returns three bytes for each pixel, row after row, of the canvas enlarged by a factor.
 pub(crate) fn pixels(canvas: &Canvas, times: u32) -> Vec<u8> {
     let size = [canvas.size.0, canvas.size.1].map(|length| (length * times) as usize);
     let times = f64::from(times);

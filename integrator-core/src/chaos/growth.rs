@@ -88,7 +88,7 @@ impl Growth {
         self.time
     }
 
-    /// The vector has changed by so much more, in units of its length.
+    /// Adds a change of the vector, in units of its length.
     pub(super) fn change(&mut self, by: f64) {
         self.changed += by;
     }
@@ -137,8 +137,8 @@ pub(super) fn relative_change<C: Coords>(before: &Phase<C>, after: &Phase<C>, ex
     (change / length).sqrt()
 }
 
-/// The logarithm of the length of a vector times a power of two. Where squares leave the numbers, the length is that of
-/// the vector over its largest number.
+/// The logarithm of the length of a vector times a power of two. If squares overflow or underflow, the vector is
+/// divided by its largest number first.
 pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
     let square = square(vector);
     let mut of_square = [square];

@@ -42,7 +42,7 @@ pub struct Certificate {
     pub reversibility: f64,
     /// The [`energy_drift`](crate::check::energy_drift) over 8192 steps; `None` for a time-dependent Hamiltonian.
     ///
-    /// The steps are longer if this number of are too short to distinguish a trend from part of an oscillation.
+    /// The steps are longer if 8192 steps are too short to distinguish a trend from part of an oscillation.
     pub energy_drift: Option<EnergyDrift>,
     /// The energy drift over the same time in steps of half the length; `None` if rounding explains the deviation.
     pub finer_energy_drift: Option<EnergyDrift>,

@@ -12,11 +12,11 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// A member: after how many steps it was lost or gone and when, if it is; and its state, in the middle of the current
-/// step unless it is.
+/// A member: the number of steps and the time at which it failed or finished, if it did; and its state, in the middle
+/// of the current step if it is in progress.
 pub type MemberElsewhere<C> = (Option<(u64, f64)>, Phase<C>);
 
-/// All that steps have to know of the members of an ensemble.
+/// The data of an ensemble that steps elsewhere require.
 pub struct Elsewhere<C: Coords> {
     /// The time at which the clock started.
     pub t0: f64,
@@ -40,9 +40,8 @@ pub fn leave<C: Coords>(ensemble: &Ensemble<C>) -> Elsewhere<C> {
     Elsewhere { t0, h, steps, opened: ensemble.members.opened(), members }
 }
 
-/// Lets members continue where steps elsewhere have led them: after this number of steps of all, since the states were
-/// changed after
-/// `opened` of them.
+/// Continues the members from the states that steps elsewhere have led to, after `steps` steps of all. The states were
+/// last changed from outside after `opened` of them.
 pub fn come_back<C: Coords>(ensemble: &mut Ensemble<C>, steps: u64, opened: u64, members: &[MemberElsewhere<C>]) {
     let clock = Clock { steps, ..ensemble.members.clock };
     ensemble.members.between = None;

@@ -226,7 +226,7 @@ impl Members {
     /// Takes the whole steps that lead no member beyond a time, and returns the members that fail.
     ///
     /// # Errors
-    /// As [`Ensemble::advance_to`], but for lost members.
+    /// The errors of [`Ensemble::advance_to`], except for failed members.
     fn whole_steps_to(&mut self, time: f64) -> Result<Vec<(usize, Divergence)>, Error> {
         if !time.is_finite() {
             return Err(Error::Time { time });

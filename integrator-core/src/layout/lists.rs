@@ -99,8 +99,8 @@ impl<
         });
     }
 
-    /// Adds as many of them as fill whole vectors, and leaves the rest. The points of a vector are gathered before the values
-    /// of the one before it are scattered, so that its values can be computed while sums wait for each other.
+    /// Adds the terms that fill whole vectors, and leaves the rest. The points of a vector are gathered before the
+    /// values of the one before it are scattered, so that its values can be computed while sums wait for each other.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn add_vectors<
         W: Block<R>,

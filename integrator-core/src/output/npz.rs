@@ -93,7 +93,7 @@ impl Arrays {
     }
 }
 
-/// The shape of an array that holds this number of of these coordinates.
+/// Returns the shape of an array of `count` samples of these coordinates.
 fn shape<C: Coords>(count: usize, coordinates: &C) -> Vec<u64> {
     let (components, rows) = (C::COMPONENTS, C::ROWS);
     let inner = match (components, rows) {

@@ -54,7 +54,7 @@ impl Hasher for Digest {
 
 /// A prepared number, a table of prepared numbers over the indices of loops, or another value that is made of numbers.
 pub trait Digested {
-    /// Adds it to a digest.
+    /// Adds the value to a digest.
     fn add_to(&self, digest: &mut Digest);
 }
 

@@ -53,8 +53,8 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
 
     /// Creates a point on a grid for bitwise reversible runs: the grid point nearest to `q` and `p`.
     ///
-    /// `n` steps by `h` and then `n` steps by `-h` return the same bits. This requires a symmetric composition and a
-    /// Hamiltonian that does not depend on time.
+    /// `n` steps by `h` and then `n` steps by `-h` return to the bitwise identical point. This requires a symmetric
+    /// composition and a Hamiltonian that does not depend on time.
     ///
     /// `grid` is the spacing to which every coordinate is rounded after each update, in the unit of the coordinate. It is a
     /// power of two, such as `1.0 / (1_u64 << 40) as f64`. Coordinates have to stay below 2^51 times the spacing.

@@ -22,7 +22,7 @@ pub trait DeviceText: Hamiltonian {
 
 /// A prepared number, or a table of prepared numbers.
 pub trait Pushed {
-    /// Adds it to a list: a table, as many elements as these lengths say from the outermost on, where they say it.
+    /// Adds the value to a list. A table is padded with zeros up to these lengths, from the outermost level on.
     fn push_to(&self, lengths: &[usize], numbers: &mut Vec<f64>);
 }
 

@@ -39,8 +39,8 @@ pub trait Prepared<R: Real>: Clone + Send + Sync + 'static {
     fn gather(members: &[&Self::Single]) -> Self;
 }
 
-/// The steps for which a motion is moved out of memory, so that its coordinates stay in registers: otherwise a flow that
-/// sometimes calls a function would load and store them every time.
+/// The steps for which a motion is moved out of memory, so that its coordinates stay in registers. Otherwise a flow
+/// that sometimes calls a function would load and store them every time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InRegisters {
     Never,

@@ -36,9 +36,9 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
     /// Adds a motion with members from lanes of others, if their states do not determine it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
-    /// Gives the last motion what states do not contain, from lanes of others.
+    /// Copies data that states do not contain to the last motion, from lanes of others.
     fn take_over(&mut self, lanes: &[Lane]);
-    /// Adds a copy of one of others.
+    /// Adds a copy of a motion of another list.
     fn push_copy(&mut self, from: &dyn Motions, motion: usize);
     /// Copies the states of as many motions with the same constants, in place, on this number of threads or on all.
     fn copy_states(&mut self, from: &dyn Motions, threads: Option<usize>);
@@ -48,7 +48,7 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn complete(&mut self, clock: Clock, threads: Option<usize>);
     /// Whether the states that are shown at the ends of completed steps differ from these.
     fn shows(&self) -> bool;
-    /// Makes these of them.
+    /// Converts the completed states to those that are shown.
     fn show(&mut self, clock: Clock);
     /// Whether all numbers are finite, by this number of threads or by all.
     fn finite(&self, threads: Option<usize>) -> bool;

@@ -7,7 +7,7 @@ use alloc::{format, string::String};
 use core::{fmt, ops::ControlFlow, time::Duration};
 use std::time::Instant;
 
-/// Portions take about this long: short for those who wait for a key to be heard, long beside what is told.
+/// The shortest and the longest duration of a portion: short for a user who waits after a key, long beside a report.
 const LEAST: Duration = Duration::from_millis(50);
 const MOST: Duration = Duration::from_millis(200);
 

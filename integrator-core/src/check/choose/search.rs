@@ -63,8 +63,7 @@ impl Found {
     }
 }
 
-/// The search among the candidates of a splitting; those that take sixteen times this number of seconds are not looked
-/// for.
+/// Searches among the candidates of a splitting, without those that take sixteen times as long as `best`.
 pub(super) fn search<C: Coords>(
     problem: &Problem<'_, C>,
     splitting: Split,
@@ -107,7 +106,7 @@ pub(super) fn search<C: Coords>(
     Ok(Found { choices, closest })
 }
 
-/// The evaluations that sixteen times this number of seconds are enough for.
+/// Returns the number of evaluations that sixteen times `best` seconds are enough for.
 fn affordable<C: Coords>(problem: &Problem<'_, C>, candidates: &[Candidate<'_, C>], best: f64) -> u64 {
     if best == f64::INFINITY {
         return MOST_EVALUATIONS;

@@ -33,12 +33,13 @@ const GROWTH: f64 = 0.25;
 /// The trend of a quantity that should be conserved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
-    /// It oscillates, or scatters, about a value that stays. The energy of a symplectic step does, up to rounding.
+    /// The quantity oscillates or scatters about a constant value, as the energy of a symplectic step does, up to
+    /// rounding.
     Bounded,
-    /// It wanders off as the root of the time, in either direction: unbiased rounding, or the diffusion of a chaotic
-    /// motion in a step that is too long for it.
+    /// The quantity deviates as the root of the time, in either direction: unbiased rounding, or the diffusion of a
+    /// chaotic motion in steps that are too long for it.
     RandomWalk,
-    /// It goes one way in proportion to the time: biased rounding, or a step that is not symplectic.
+    /// The quantity changes in proportion to the time: biased rounding, or a step that is not symplectic.
     Drift,
 }
 

@@ -312,7 +312,7 @@ composition! {
         Verlet
     );
 
-    /// [`Verlet`] with the corrector of order 17 as its processor: one kick a step, for long runs that are seldom looked at.
+    /// [`Verlet`] with the corrector of order 17 as its processor: one kick a step, for long runs with few outputs.
     pub struct WisdomHolmanTouma17: order (18, 2),
         citation "Wisdom, Holman and Touma 1996, Fields Institute Communications 10, 217; Wisdom 2006, Astronomical Journal 131, 2294"
     = processed(

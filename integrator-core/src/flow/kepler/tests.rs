@@ -322,7 +322,7 @@ fn bodies<R: Real>() -> ([[[R; 3]; 5]; 2], [[R; 5]; 2]) {
 
 type Pair = Lanes<f64, 2>;
 
-/// The bits of the coordinates of these bodies after a flow, in the last lane, with this number of of them in a call.
+/// The bits of the coordinates of these bodies after a flow, in the last lane, with `some` of them in a call.
 fn flown_by<R: Real>(some: usize) -> Vec<u64> {
     let ([mut q, mut p], [masses, strengths]) = bodies::<R>();
     for first in (0..5).step_by(some) {

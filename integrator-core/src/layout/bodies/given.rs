@@ -40,7 +40,7 @@ impl<K: Precision> Given<K> {
         true
     }
 
-    /// Takes over those of another motion of the same lanes.
+    /// Copies the given states of another motion of the same lanes.
     #[inline(always)]
     pub(super) fn copy(&mut self, from: &Self) {
         if self.0.is_some() || from.0.is_some() {

@@ -122,7 +122,7 @@ fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<
     mapped
 }
 
-/// Puts what there is this number of of for each body in the order of rows, where the leading one is first.
+/// Sorts a list with `many` elements for each body into the order of rows, where the leading body is first.
 fn in_order_of_rows<T>(of_bodies: &mut [T], leading: usize, many: usize) {
     if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
         moved.rotate_right(many);

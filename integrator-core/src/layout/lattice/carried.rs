@@ -42,7 +42,7 @@ impl<H: Hamiltonian, R: Real> Half<H, R> {
         }
     }
 
-    /// Lets the numbers take over what they can of what they carry.
+    /// Adds the carried numbers to the numbers, and carries the rounding errors.
     #[inline(always)]
     fn take_over(&mut self) {
         let numbers = H::Coords::slots_mut(&mut self.numbers);
@@ -81,7 +81,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
         && !H::PIECEWISE_IN_TIME
         && is_short::<H::Coords>();
 
-    /// Takes the state of a motion apart; nothing where it is no lattice.
+    /// Separates the numbers of a motion from those that they carry; `None` where it is no lattice.
     #[inline(always)]
     pub(crate) fn load(motion: &'m mut H::Motion<R, K>) -> Option<Self> {
         let sites = H::sites::<R, K>(motion)?;
@@ -89,7 +89,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
         Some(Self { motion, q, p })
     }
 
-    /// Puts it together again.
+    /// Writes the separated numbers back to the motion.
     #[inline(always)]
     pub(crate) fn store(&mut self) {
         if let Some(sites) = H::sites::<R, K>(self.motion) {

@@ -220,7 +220,7 @@ fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other <= one { one } else { other }
 }
 
-/// Takes back what was found in the lanes that are settled.
+/// Restores the previous slopes in the lanes that are settled.
 #[inline(always)]
 pub(super) fn keep_settled<H: Hamiltonian, R: Real, const S: usize>(
     settled: &R,

@@ -22,8 +22,8 @@ use crate::{
 /// The plain motion of a system, whatever layout its steps in `t` have.
 pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
 
-/// Where Gauss's rule of five points looks between 0 and 1, and with which weights. It errs in the eleventh power of what is
-/// integrated over, so that steps keep every order that is proved for a composition, which is ten at most.
+/// The nodes of Gauss's rule of five points between 0 and 1, with their weights. Its error is of the eleventh power of
+/// the range, so that steps keep every order that is proved for a composition, which is ten at most.
 pub const NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668_004, 0.118_463_442_528_094_54],
     [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],

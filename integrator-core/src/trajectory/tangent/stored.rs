@@ -38,7 +38,7 @@ struct Record {
 }
 
 impl<C: Coords> Tangent<C> {
-    /// State and vectors as bytes, from which [`Tangent::resume`] continues bitwise, like [`Run::checkpoint`].
+    /// Saves state and vectors as bytes, from which [`Tangent::resume`] continues bitwise, like [`Run::checkpoint`].
     pub fn checkpoint(&self) -> Vec<u8> {
         let vectors = (0..self.exponents.len()).map(|vector| {
             let (run, lane) = self.place(vector);

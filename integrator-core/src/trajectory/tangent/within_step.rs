@@ -5,9 +5,9 @@ use crate::{error::Error, state::coords::Coords, trajectory::run::Lane};
 use alloc::vec::Vec;
 
 impl<C: Coords> Tangent<C> {
-    /// Goes to a time as [`Run::advance_to`](crate::Run::advance_to) does: the state has the bits of the run there, and the
-    /// vectors are the derivatives of the whole steps and of the shorter one after them. [`Tangent::advance`] continues
-    /// from the last whole step.
+    /// Advances to a time like [`Run::advance_to`](crate::Run::advance_to): the state is bitwise identical to that run,
+    /// and the vectors are the derivatives of the whole steps and of the shorter one after them. [`Tangent::advance`]
+    /// continues from the last whole step.
     ///
     /// By a method in a fictitious time, such as [`Logarithmic`](crate::Logarithmic), the shorter step is as long as
     /// that of the state: neighbours arrive at other times, see [`Tangent::time_slopes`].

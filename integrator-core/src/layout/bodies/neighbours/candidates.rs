@@ -128,7 +128,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         self.square = T::of(radius * radius);
     }
 
-    /// Keeps the cell's own bodies, this number of of them, and those that are near the box around these. Differences
+    /// Keeps the cell's `own` bodies, and those that are near the box around these. Differences
     /// and squares are rounded in the same way as those of two bodies, and are not greater: no body near another one is
     /// left out.
     #[inline(always)]

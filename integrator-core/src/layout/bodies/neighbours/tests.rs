@@ -101,7 +101,8 @@ fn gradient<R: Real>(motion: &Rows<R>, lane: usize) -> Vec<[u64; 3]> {
     (0..BODIES).map(of_body).collect()
 }
 
-/// Of every this number of bodies, the bits of the gradient and of one sum over all others in the order of their numbers.
+/// Tests that the gradient of sampled bodies is bitwise identical to one sum over all others in the order of their
+/// numbers.
 fn compare_bits<R: Real>(motion: &Rows<R>, lane: usize) {
     let body = |body: usize| {
         let of_lane = |row: &R::Row<WIDTH>| R::state(&|lane| row.lane(body % WIDTH * R::LANES + lane));
