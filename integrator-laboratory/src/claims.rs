@@ -74,7 +74,7 @@ const fn order(order: f64) -> [f64; 2] {
 /// An energy that has changed by less than a hundredth has not grown or decayed to speak of.
 const CHANGED: f64 = 0.01;
 
-/// By how much larger the energy error of the second half may be where it does not drift.
+/// The largest ratio of the energy errors of the second and the first half of a run without drift.
 const STAYS: f64 = 1.5;
 
 /// A thousand steps whose roundings differ in two orbits: as far apart as they were after a step, times a shear that

@@ -18,10 +18,10 @@ pub(crate) struct Rung {
     pub(crate) error: f64,
 }
 
-/// Where a motion arrives.
+/// The reference for the end of a motion.
 pub(crate) struct Exact {
     end: Vec<f64>,
-    /// By how much two references differ.
+    /// The difference of two references.
     uncertainty: f64,
     /// The largest kinetic energy on the way: how much of the energy moves, wherever its zero is.
     pub(crate) motion: f64,

@@ -28,7 +28,7 @@ pub(crate) struct Extrapolation {
     pub(crate) errors: Vec<Vec<f64>>,
     /// The errors for half of the long step, in the same order.
     pub(crate) halved: Vec<Vec<f64>>,
-    /// By how much the last entry differs from a step of Gragg, Bulirsch and Stoer.
+    /// The difference of the last entry from a step of Gragg, Bulirsch and Stoer.
     pub(crate) corner: f64,
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>) -> Option<
     Some(Extrapolation { step, errors, halved, corner })
 }
 
-/// Where one step of a method leads from the start.
+/// Returns the end of one step of a method from the start.
 fn stepped<H: Hamiltonian>(problem: &Problem<'_, H>, method: AnyReference, step: f64) -> Option<Vec<f64>> {
     let mut run = problem.run(method, &problem.start, step).ok()?;
     run.advance(1).ok()?;

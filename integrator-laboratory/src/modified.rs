@@ -16,7 +16,7 @@ pub(crate) struct Modified {
     pub(crate) powers: Vec<i32>,
     /// Steps, and the largest relative changes of these energies in a few periods.
     pub(crate) changes: Vec<(f64, Vec<f64>)>,
-    /// By how much the measured powers exceed these, at least; none where they cannot be measured.
+    /// The excess of the measured powers over `powers`, at least; `None` where they cannot be measured.
     pub(crate) excess: Option<f64>,
     /// The levels in the plane of a system of one degree of freedom.
     pub(crate) levels: Option<Levels>,
@@ -28,13 +28,13 @@ pub(crate) struct Levels {
     /// Steps to a period.
     pub(crate) count: u32,
     pub(crate) orbit: Vec<(f64, f64)>,
-    /// Of `H`, and of the modified Hamiltonian: curves with a point that is no number between them.
+    /// The levels of `H`, and of the modified Hamiltonian: curves that are separated by NaN.
     pub(crate) of: [Vec<(f64, f64)>; 2],
 }
 
 /// Steps to a period, from long to short ones.
 const COUNTS: [u32; 8] = [8, 12, 16, 24, 34, 48, 68, 96];
-/// For this number of periods.
+/// The duration of the orbit, in periods.
 const PERIODS: f64 = 2.0;
 /// The series is of use where the modified Hamiltonian changes by no more than this part of what `H` does.
 const USEFUL: f64 = 0.1;
@@ -116,7 +116,7 @@ fn levels<C: Coords<Leaf = f64>>(
     Levels { count, orbit: points, of }
 }
 
-/// Where two functions are zero: on a grid, by straight lines within its cells.
+/// Finds the zeros of two functions: on a grid, by straight lines within its cells.
 fn zeros(function: &dyn Fn((f64, f64)) -> [f64; 2], [x, y]: [[f64; 2]; 2], cells: usize) -> [Vec<(f64, f64)>; 2] {
     let part = |[least, most]: [f64; 2], index: usize| least + (most - least) * index as f64 / cells as f64;
     let place = |column: usize, row: usize| (part(x, column), part(y, row));

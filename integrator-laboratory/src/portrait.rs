@@ -41,7 +41,7 @@ const CHANGED: f64 = 1.0;
 const LEFT: f64 = 3.0;
 
 impl Portrait {
-    /// By which factor the largest change of the second half is larger than that of the first, where both are more than rounding.
+    /// Returns the ratio of the largest changes of the second and the first half, where both are more than rounding.
     pub(crate) fn growth(&self) -> f64 {
         if self.left {
             return f64::INFINITY;

@@ -58,7 +58,7 @@ pub(crate) trait Stepped<C: Coords> {
     fn run(&self, start: &Phase<C>, h: f64) -> Result<Run<C>, Error>;
     /// The order that it shows, where that can be measured.
     fn slope(&self, start: &Phase<C>, h: f64) -> Option<f64>;
-    /// By how much the map of some steps is not symplectic.
+    /// Returns the deviation of the map of some steps from a symplectic one.
     fn defect(&self, start: &Phase<C>, h: f64, steps: u64) -> Result<f64, CheckError>;
     /// The tangent maps of one step, of two, and so on.
     fn maps(&self, start: &Phase<C>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError>;

@@ -32,7 +32,7 @@ pub(crate) struct Study {
     pub(crate) modified: Vec<Modified>,
     /// One long step, extrapolated.
     pub(crate) extrapolation: Option<Extrapolation>,
-    /// By how much Verlet's inner half steps differ from the leapfrog.
+    /// The difference of Verlet's inner half steps from the leapfrog.
     pub(crate) shifted: f64,
 }
 

@@ -28,7 +28,7 @@ pub(crate) const PERIODS: f64 = 4.0;
 const ROUNDING: f64 = 200.0 * 8.0 * f64::EPSILON;
 
 impl Deviation {
-    /// By how much the bracket is off, in units of what rounding alone may have made of it.
+    /// Returns the error of the bracket, in units of the error that rounding alone may cause.
     pub(crate) fn excess(&self) -> f64 {
         let rounding = ROUNDING * self.steps as f64 * self.largest.max(1.0).powi(2);
         (self.bracket - 1.0).abs() / rounding

@@ -317,7 +317,7 @@ fn a_view_of_a_coordinate_that_there_is_not_is_refused() {
     assert_eq!(refusal, "a view of coordinate 4: there are 2 positions, then as many momenta");
 }
 
-/// Nothing is claimed of an energy that is not conserved, and the rest holds.
+/// Tests that the page of a Hamiltonian that reads the time has no claims about the energy, and all others.
 #[test]
 fn a_hamiltonian_that_reads_the_time_has_its_page() {
     let study = driven_study();

@@ -33,7 +33,7 @@ impl Colour {
         Self(part(self.0, other.0), part(self.1, other.1), part(self.2, other.2))
     }
 
-    /// As it is written in SVG.
+    /// Returns the colour as it is written in SVG.
     pub(crate) fn hexadecimal(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.0, self.1, self.2)
     }

@@ -27,7 +27,7 @@ const BAR: [f64; 2] = [18.0, 22.0];
 const SHADES: usize = 256;
 
 impl Field {
-    /// From the least to the greatest number, without room around.
+    /// Returns the scale from the least to the greatest number, without room around.
     fn scale(&self) -> Scale {
         let numbers = || self.values.iter().copied().filter(|value| value.is_finite());
         let fitted = self.axis.fit(numbers());

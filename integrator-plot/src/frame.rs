@@ -186,14 +186,14 @@ impl<'c> Frame<'c> {
         self.border
     }
 
-    /// Where a point lies, inside or not; `None` where its coordinates have no place on a scale.
+    /// Returns the place of a point, inside or not; `None` where its coordinates have no place on a scale.
     fn place(&self, (x, y): (f64, f64)) -> Option<Place> {
         let [left, top, right, bottom] = self.border;
         let (along, up) = self.scales[0].part(x).zip(self.scales[1].part(y))?;
         Some((left + along * (right - left), bottom + up * (top - bottom)))
     }
 
-    /// Where a point inside the border lies.
+    /// Returns the place of a point inside the border.
     fn visible(&self, point: (f64, f64)) -> Option<Place> {
         let [left, top, right, bottom] = self.border;
         let (x, y) = self.place(point)?;

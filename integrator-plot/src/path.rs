@@ -65,8 +65,8 @@ fn is_crowd(column: &[Place]) -> bool {
     column.len() >= CROWD && length >= TO_AND_FRO * (highest - lowest)
 }
 
-/// Which points a curve needs, after Ramer, Douglas and Peucker: of a part of the curve the one that is farthest from the
-/// chord, and the same of both halves, until no point is seen to be off the chord.
+/// Marks the points that a curve needs, after Ramer, Douglas and Peucker: of a part of the curve the one that is
+/// farthest from the chord, and the same of both halves, until no point is visibly off the chord.
 fn needed(points: &[Place]) -> Vec<bool> {
     let mut needed = vec![false; points.len()];
     let mut parts = Vec::new();

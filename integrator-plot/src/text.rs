@@ -5,7 +5,7 @@ use std::error::Error;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 use zeno::Command;
 
-/// Where a text lies in relation to its place.
+/// The position of a text in relation to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Begin,

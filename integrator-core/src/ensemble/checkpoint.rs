@@ -26,7 +26,7 @@ const MAGIC: [u8; 8] = *b"symplens";
 /// The version of the format.
 const VERSION: u16 = 2;
 
-/// All there is to an ensemble.
+/// The record of an ensemble.
 #[derive(Serialize, Deserialize)]
 struct Record {
     /// The record that all members share: that of a run, without its state.

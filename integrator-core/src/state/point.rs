@@ -60,7 +60,7 @@ pub(crate) fn shaped_mut<C: Coords>(point: &mut dyn Point) -> &mut Phase<C> {
     }
 }
 
-/// All states of a run or of an ensemble have one type, and so have its motions.
+/// Panics: all states of a run or of an ensemble have one type, and so have its motions.
 #[cold]
 #[inline(never)]
 pub(crate) fn mixed_up() -> ! {

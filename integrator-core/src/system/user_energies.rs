@@ -35,8 +35,8 @@ const NEARBY: f64 = 256.0;
 #[cfg(debug_assertions)]
 const SMALL: usize = 4096;
 
-/// One of the two functions that a Hamiltonian is made of: what depends on the momenta, and what depends on the positions;
-/// where its parts have names, the first one, and the sum of all others.
+/// One of the two functions that a Hamiltonian is made of: the one of the momenta, or the one of the positions. If its
+/// parts have names, these are the first part, and the sum of all others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Function {
     Kinetic,

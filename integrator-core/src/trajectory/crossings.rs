@@ -23,11 +23,11 @@ const IMPATIENT: u32 = 32;
 /// If the step is negative, the run goes backwards in time, and the direction is that of the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// From negative to positive values.
+    /// The function passes from negative to positive values.
     Rising,
-    /// From positive to negative values.
+    /// The function passes from positive to negative values.
     Falling,
-    /// In both directions.
+    /// The function passes through zero in either direction.
     Either,
 }
 

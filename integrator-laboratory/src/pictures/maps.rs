@@ -8,7 +8,7 @@ use crate::{
 };
 use integrator_plot::{Axis, Chart, Mark, colour::GREY};
 
-/// By how much the exact tangent map is off, step by step.
+/// Draws the deviation of the exact tangent map from a symplectic one, step by step.
 pub(super) fn maps(study: &Study) -> Chart {
     let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket() - 1.0)));
     let numbers: Vec<_> = ["forward Euler", "symplectic Euler", "Verlet"].into_iter().filter_map(number).collect();

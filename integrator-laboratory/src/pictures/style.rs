@@ -16,7 +16,7 @@ pub(super) fn series(
     if symplectic { chart } else { chart.dashed() }
 }
 
-/// Of a method with steps of the run.
+/// A series of a method with steps of the run.
 pub(super) fn of_method(
     chart: Chart,
     mark: Mark,
@@ -26,7 +26,7 @@ pub(super) fn of_method(
     series(chart, mark, (&measured.row, measured.symplectic), measured.name().to_owned(), points)
 }
 
-/// Of a method that chooses its steps.
+/// A series of a method that chooses its steps.
 pub(super) fn of_adaptive(
     chart: Chart,
     mark: Mark,

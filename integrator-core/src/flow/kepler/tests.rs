@@ -107,8 +107,8 @@ fn orbits_in_single_precision_are_those_of_the_table() {
     }
 }
 
-/// By how many times what the roundings of the data make the end of a fall is off, the larger one of position and momentum. Where
-/// no digit is correct, the first order of errors is meaningless.
+/// Returns the error of the end of a fall, in units of the error that the roundings of the data cause: the larger one
+/// of position and momentum. Where no digit is correct, the first order of errors is meaningless.
 fn error_of_fall(start: [f64; 4], found: [f64; 4], after: [f64; 4], conditions: [f64; 4], unit: f64) -> f64 {
     let part = |i: usize| {
         let size = |numbers: [f64; 4]| numbers[i].hypot(numbers[i + 1]);

@@ -24,9 +24,9 @@ use core::{marker::PhantomData, ops::Range};
 /// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
 pub(crate) const WIDTH: usize = 8;
 
-/// From how many rows on pairs are summed in how many chunks: fewer are done before another thread has started, and the more
-/// there are, the less it takes to add up what chunks have summed. The order of sums depends on these, and not on the number
-/// of threads.
+/// The smallest numbers of rows for a number of chunks in which pairs are summed. Fewer rows are done before another
+/// thread has started, and for many rows the sums of chunks take little time to add up. The order of sums depends on
+/// the chunks, and not on the number of threads.
 const CHUNKS: [(usize, usize); 2] = [(512, 32), (64, 8)];
 
 /// Any number of bodies with `D` coordinates and `S` prepared constants each. The last row may have fewer bodies than

@@ -21,8 +21,8 @@ use crate::{
 };
 use alloc::vec::Vec;
 
-/// After this number of iterations without an end this one leads nowhere: each leaves half of the distance at least
-/// where it may be waited for.
+/// The largest number of iterations. A usable iteration at least halves the distance each time, so that more lead
+/// nowhere.
 const ITERATIONS: u32 = 64;
 
 /// An update that no longer shrinks is rounding if it is as small as this, in ε of the largest coordinate of its kind.

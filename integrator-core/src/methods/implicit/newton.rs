@@ -18,8 +18,8 @@ use crate::{
 use core::{array, ops::Range};
 use nalgebra::{DMatrix, DVector};
 
-/// After this number of iterations without an end there is none. Newton's iteration doubles the digits with each, so
-/// that a handful reaches the rounding from wherever it converges.
+/// The largest number of iterations. Newton's iteration doubles the digits with each, so that a handful reaches the
+/// rounding from wherever it converges.
 const ITERATIONS: u32 = 32;
 
 /// The update at which the iteration has reached the rounding, in ε of the largest coordinate of its kind.

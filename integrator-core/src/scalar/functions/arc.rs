@@ -88,7 +88,7 @@ fn with_fallback<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [
     if outside.any() { R::select(outside, y.zip_scalars(x, R::Scalar::fallback), value) } else { value }
 }
 
-/// At most 1 ulp.
+/// The arc tangent, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
@@ -98,7 +98,7 @@ pub(crate) fn atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     add_quarters(quarters, [angle.bits_xor(flip), rest.bits_xor(flip)]).bits_xor(sign(x))
 }
 
-/// At most 1 ulp.
+/// The angle of the point `(x, y)`, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());
@@ -116,7 +116,7 @@ fn short_octant<R: Bits<Scalar: Arc>>(small: R, big: R) -> R {
     (t * z).fma(R::Scalar::short_series(z), t)
 }
 
-/// At most 4 ulp.
+/// The arc tangent, with an error of at most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     let one = R::of(1.0);
@@ -126,7 +126,7 @@ pub(crate) fn fast_atan<R: Bits<Scalar: Arc>>(x: R) -> R {
     quarters.fma(R::of(FRAC_PI_2), angle).bits_xor(sign(x))
 }
 
-/// At most 4 ulp.
+/// The angle of the point `(x, y)`, with an error of at most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_atan2<R: Bits<Scalar: Arc>>(y: R, x: R) -> R {
     let (small, big, steep) = sorted(y.abs(), x.abs());

@@ -50,7 +50,7 @@ fn of_cosine<R: Bits>(x: R, outer: R::Mask) -> [R; 2] {
     [R::select(outer, quarters, R::of(1.0)), factor]
 }
 
-/// At most 1 ulp.
+/// The arc sine, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
@@ -58,7 +58,7 @@ pub(crate) fn asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     add_quarters(quarters, [factor * s, factor * rest]).bits_xor(sign(x))
 }
 
-/// At most 1 ulp.
+/// The arc cosine, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, [s, rest]) = inner(x.abs());
@@ -76,7 +76,7 @@ fn short_inner<R: Bits<Scalar: ArcSine>>(size: R) -> (R::Mask, R) {
     (outer, (s * z).fma(<R::Scalar as ArcSine>::short_series(z), s))
 }
 
-/// At most 4 ulp.
+/// The arc sine, with an error of at most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, angle) = short_inner(x.abs());
@@ -84,7 +84,7 @@ pub(crate) fn fast_asin<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     factor.fma(angle, quarters * R::of(FRAC_PI_2)).bits_xor(sign(x))
 }
 
-/// At most 4 ulp.
+/// The arc cosine, with an error of at most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_acos<R: Bits<Scalar: ArcSine>>(x: R) -> R {
     let (outer, angle) = short_inner(x.abs());

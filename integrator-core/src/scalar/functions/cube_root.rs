@@ -48,7 +48,7 @@ fn signed_or_fallback<R: Bits<Scalar: CubeRoot>>(value: R, x: R, size: R) -> R {
     with_fallback(value, normal(size), x, <R::Scalar as CubeRoot>::fallback)
 }
 
-/// At most 1 ulp.
+/// The cube root, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let size = x.abs();
@@ -63,7 +63,8 @@ pub(crate) fn cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     signed_or_fallback((y * delta).fma(terms, y), x, size)
 }
 
-/// At most 4 ulp: of the root `x·p²` no bits are dropped, and the correction sees but a third of its rounding errors.
+/// The cube root, with an error of at most 4 ulp: of the root `x·p²` no bits are dropped, and the correction sees but a
+/// third of its rounding errors.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_cbrt<R: Bits<Scalar: CubeRoot>>(x: R) -> R {
     let size = x.abs();

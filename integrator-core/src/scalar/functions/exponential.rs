@@ -66,7 +66,7 @@ fn far<R: Bits<Scalar: Exponential>>(x: R) -> R {
     first.fma(less_one, first) * second
 }
 
-/// At most 0.9 ulp.
+/// The exponential, with an error of at most 0.9 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, [less_one, _]) = parts(x, R::of(0.0));
@@ -85,7 +85,7 @@ fn short_parts<R: Bits<Scalar: Exponential>>(x: R) -> (R, R) {
     (pattern, n.fma(R::of(-second), n.fma(R::of(-first), x)))
 }
 
-/// At most 4 ulp.
+/// The exponential, with an error of at most 4 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (n, r) = short_parts(x);
@@ -94,7 +94,7 @@ pub(crate) fn fast_exp<R: Bits<Scalar: Exponential>>(x: R) -> R {
     if outside.any() { R::select(outside, far(x), value) } else { value }
 }
 
-/// At most 4 ulp, as `tanh`.
+/// The hyperbolic tangent, with an error of at most 4 ulp, as `tanh`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));
@@ -106,7 +106,8 @@ pub(crate) fn fast_tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     (risen / (risen + R::of(2.0))).bits_xor(x.bits_and(R::of(-0.0)))
 }
 
-/// At most 2 ulp: `tanh x = E / (E + 2)` with `E = e²ˣ - 1`, of the absolute value.
+/// The hyperbolic tangent, with an error of at most 2 ulp: `tanh x = E / (E + 2)` with `E = e²ˣ - 1`, of the absolute
+/// value.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn tanh<R: Bits<Scalar: Exponential>>(x: R) -> R {
     let (size, farthest) = (x.abs(), R::of(R::Scalar::SATURATED));

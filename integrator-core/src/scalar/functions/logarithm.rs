@@ -45,7 +45,7 @@ pub(super) fn normal<R: Bits<Scalar: Logarithm>>(x: R) -> R::Mask {
     least.less_or_equal(x).and(x.less_or_equal(greatest))
 }
 
-/// At most 1 ulp.
+/// The natural logarithm, with an error of at most 1 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let (k, f) = split(x);
@@ -59,7 +59,7 @@ pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     with_fallback(value, normal(x), x, <R::Scalar as Logarithm>::fallback)
 }
 
-/// At most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
+/// The natural logarithm, with an error of at most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
     let (k, f) = split(x);

@@ -55,7 +55,7 @@ fn logarithm<R: Bits<Scalar: Power>>(x: R) -> [R; 2] {
     fast_two_sum(value, lost + k.fma(second, small_mantissa))
 }
 
-/// At most 2 ulp.
+/// The number `x` to the power `y`, with an error of at most 2 ulp.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
     let [logarithm, small] = logarithm(x);

@@ -26,7 +26,7 @@ const AS_GIVEN: u16 = 4;
 
 const CHECKSUM: Crc<u64> = Crc::<u64>::new(&CRC_64_XZ);
 
-/// All that a checkpoint says.
+/// The contents of a checkpoint.
 #[cfg_attr(test, derive(Debug, PartialEq))]
 pub(crate) struct Stored {
     pub(crate) record: Record,
@@ -37,7 +37,7 @@ pub(crate) struct Stored {
     pub(super) own: Option<OwnTime>,
 }
 
-/// All there is to a run, but for what is beside its state.
+/// The record of a run, without the data beside its state.
 #[derive(PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(Debug))]
 pub(crate) struct Record {

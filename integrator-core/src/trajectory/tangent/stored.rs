@@ -25,7 +25,7 @@ const MAGIC: [u8; 8] = *b"sympltan";
 /// The version of the format.
 const VERSION: u16 = 2;
 
-/// All there is to a tangent.
+/// The record of a tangent.
 #[derive(Serialize, Deserialize)]
 struct Record {
     /// The checkpoint of its first run.
