@@ -150,7 +150,7 @@ pub enum Error {
         /// The name of the composition.
         composition: &'static str,
     },
-    /// Positions and momenta of a start whose size is known at run time differ in number.
+    /// The numbers of positions and momenta of a start differ. Their size is known at run time only.
     #[error("the initial state has {positions} positions but {momenta} momenta")]
     Length {
         /// The number of positions.
@@ -158,7 +158,7 @@ pub enum Error {
         /// The number of momenta.
         momenta: usize,
     },
-    /// The time of a start, or one to go to, is not finite.
+    /// The time of a start, or a requested time, is not finite.
     #[error("the time {time} is not finite", time = Number(*time))]
     Time {
         /// The requested time.
@@ -226,7 +226,7 @@ pub enum Error {
         /// together.
         bound: f64,
     },
-    /// The energy is not finite along an orbit whose forces are.
+    /// The energy is not finite along an orbit, although the forces are.
     #[error(
         "the energy is {energy} at t = {time}, although the forces are finite\nhelp: use a smaller step\nnote: a step \
          led out of the domain of H",
@@ -544,7 +544,7 @@ pub enum Unsolved {
         value = Number(*value)
     )]
     Rate {
-        /// The pace.
+        /// The rate.
         value: f64,
     },
     /// A step of a time transformation leapt over an edge of the domain, or is far too long.
@@ -560,7 +560,7 @@ pub enum Unsolved {
         /// `-V` at the kick.
         value: f64,
     },
-    /// A step by a pace leapt over an edge of the domain, or is far too long.
+    /// A step of [`Paced`](crate::Paced) leapt over an edge of the domain, or is far too long.
     #[error(
         "the step is too long for the time transformation: `rate` is {value}, but the variable that follows it is \
          {followed}\nhelp: use a smaller step, or a `rate` that varies less\nnote: the two are equal up to the errors of \
@@ -568,9 +568,9 @@ pub enum Unsolved {
         followed = Number(*followed), value = Number(*value)
     )]
     RatesApart {
-        /// The variable that follows the pace, after a kick.
+        /// The variable that follows the rate, after a kick.
         followed: f64,
-        /// The pace at the kick.
+        /// The rate at the kick.
         value: f64,
     },
     /// An adaptive method found no steps within its tolerance.
@@ -608,7 +608,7 @@ fn listed(constants: &[NotFinite]) -> String {
     constants.iter().map(NotFinite::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// A function of the user whose value differs from that of the generated code.
+/// A difference between the value of a function of the user and that of the generated code.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 #[error(
@@ -624,7 +624,7 @@ pub struct Misread {
     pub stated: f64,
     /// The value of the generated code.
     pub generated: f64,
-    /// The largest difference that rounding explains.
+    /// The largest difference that rounding can cause.
     pub rounding: f64,
     /// The time at this state.
     pub time: f64,

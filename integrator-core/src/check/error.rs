@@ -4,14 +4,14 @@ use crate::error::{Error, Number, debug_as_display};
 
 debug_as_display!(CheckError);
 
-/// Why a check has no result. That a stepper is wrong is not among the reasons: then the result says so.
+/// The reason why a check has no result. A wrong stepper is not an error: the result of the check shows it.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CheckError {
     /// The run of the check failed.
     #[error(transparent)]
     Run(#[from] Error),
-    /// Too few step sizes have an error that stands out of the rounding, so that no slope can be fitted.
+    /// Too few step sizes have an error above the rounding, so that no slope can be fitted.
     #[error(
         "only {found} step sizes from {coarsest:.1e} down have an error above the rounding, but a fit requires \
          {needed}\nhelp: choose another initial state\nnote: the motion is too small, or so simple that every step is \
@@ -25,7 +25,7 @@ pub enum CheckError {
         /// The coarsest step size that was tried.
         coarsest: f64,
     },
-    /// However short the time, halving the step changes the result by more than a tenth of the motion.
+    /// Halving the step changes the result by more than a tenth of the motion, however short the time.
     #[error(
         "no step size down to {finest} resolves the motion from this initial state\nnote: the motion is singular, or the \
          flows do not belong to one Hamiltonian",
@@ -47,16 +47,16 @@ pub enum CheckError {
         /// The step.
         h: f64,
     },
-    /// The method takes steps of its own.
+    /// The method chooses its own steps, so that its errors have no order.
     #[error("{method} chooses its own steps, so its errors follow a tolerance and have no order")]
     NoOrder {
         /// The name of the method.
         method: &'static str,
     },
-    /// Deviations grow beyond the root of the largest number, where no eigenvalues are computed.
+    /// Deviation vectors grow beyond the root of the largest number, so that eigenvalues cannot be computed.
     #[error("deviation vectors grow by more than 1e150 within {steps} steps\nhelp: choose a shorter period")]
     Growth {
-        /// The steps of the period.
+        /// The number of steps of the period.
         steps: u64,
     },
     /// A measured quantity is NaN where the motion is finite.
@@ -74,7 +74,7 @@ pub enum CheckError {
         /// The name of the measurement.
         what: &'static str,
     },
-    /// The derivative of an energy by duals is not the one by central differences: it has a kink or a jump here.
+    /// The derivatives of an energy by dual numbers and by central differences differ: it has a kink or a jump here.
     #[error(
         "{energy} has a kink or a jump here: its derivative by coordinate {index} is {dual:.4e} by dual numbers, but \
          {difference:.4e} ± {uncertainty:.1e} by central differences"
@@ -84,14 +84,14 @@ pub enum CheckError {
         energy: &'static str,
         /// The index of the coordinate, counted over the flattened `p` or `q`.
         index: usize,
-        /// The derivative by duals.
+        /// The derivative by dual numbers.
         dual: f64,
         /// The derivative by central differences.
         difference: f64,
         /// A bound on truncation and rounding of the latter.
         uncertainty: f64,
     },
-    /// An invariant does not change with any coordinate.
+    /// The gradient of an invariant is zero at a state of the orbit.
     #[error(
         "the gradient of the invariant `{name}` is zero at a state of the orbit, so its conservation cannot be tested"
     )]
@@ -99,7 +99,7 @@ pub enum CheckError {
         /// The name of the function.
         name: &'static str,
     },
-    /// At no state could the generated code be compared with the user's functions.
+    /// The generated code could not be compared with the user's functions at any state.
     #[error(
         "none of {left_out} comparisons with your own functions was possible\nnote: they have kinks, jumps or no finite \
          value at all sampled states of the orbit"
@@ -116,7 +116,7 @@ pub enum CheckError {
         /// The number of coordinates.
         coordinates: usize,
     },
-    /// The run is too short for what is measured.
+    /// The run is too short for the measurement.
     #[error("{steps} steps are too few for a measurement, which requires at least {needed}")]
     TooFewSteps {
         /// The number of steps of the run.
@@ -124,7 +124,7 @@ pub enum CheckError {
         /// The number that is needed.
         needed: u64,
     },
-    /// One step parts deviation vectors by more than numbers have digits.
+    /// The growths of deviation vectors within one step differ by more than the precision.
     #[error(
         "within one step of {step}, deviation vectors grow differently by a factor of {factor:.1e}, which exceeds the \
          precision\nhelp: use a step of at most {shorter:.2e}\nnote: the smaller exponents are lost to rounding",
@@ -138,7 +138,7 @@ pub enum CheckError {
         /// A step that is short enough for the precision.
         shorter: f64,
     },
-    /// The exact motion is not known well enough to hold a run against it.
+    /// The exact motion is not known well enough to compare a run with it.
     #[error(
         "over a time of {span}, the exact motion is known only to {uncertainty} of its size\nhelp: choose a shorter \
          time, or write `#[hamiltonian(taylor)]`, which gives a better reference\nnote: the motion leads into a \

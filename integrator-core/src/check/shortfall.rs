@@ -16,20 +16,20 @@ debug_as_display!(CertifyError, Shortfall);
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifyError {
-    /// No run would begin with this start or this step.
+    /// A run cannot begin with this start or this step.
     #[error(transparent)]
     Run(#[from] Error),
-    /// The stepper was measured and falls short of what it claims.
+    /// The stepper was measured and does not satisfy its claims.
     #[error("no certificate for {}:{}\nmeasured: {certificate}", certificate.system, Lines(shortfalls))]
     Refused {
-        /// All that was measured. What could not be measured is NaN.
+        /// All measurements. A quantity that could not be measured is NaN.
         certificate: Box<Certificate>,
-        /// Everything that fell short, at least one.
+        /// The claims that are not satisfied, at least one.
         shortfalls: Vec<Shortfall>,
     },
 }
 
-/// A claim that a stepper does not meet.
+/// A claim that a stepper does not satisfy.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Shortfall {
@@ -62,17 +62,17 @@ pub enum Shortfall {
         /// The order that the composition claims.
         claimed: u32,
     },
-    /// The order holds up to a time only.
+    /// The order was observed up to a time only.
     #[error("order {claimed} was observed only up to t = {}: beyond it, {}", Number(readable(*time)), Shrinking(*observed))]
     OrderLost {
         /// The time up to which the order was observed.
         time: f64,
-        /// The power of the step with which errors shrink there.
+        /// The power of the step with which errors scale after that time.
         observed: f64,
         /// The order that the composition claims.
         claimed: u32,
     },
-    /// A composition that claims symmetry does not come back.
+    /// A composition that claims symmetry does not return to the start.
     #[error(
         "a run forward and back ends {distance:.1e} from its start, but a symmetric composition ends within \
          {tolerance:.1e}"
@@ -105,9 +105,9 @@ pub enum Shortfall {
         .drift.deviation, Number(.drift.step), .finer.deviation, Number(.finer.step), 1_u64 << (*order).min(63)
     )]
     EnergyNotExplained {
-        /// In the step of the certificate.
+        /// The energy drift in the step of the certificate.
         drift: Box<EnergyDrift>,
-        /// In steps of half the length.
+        /// The energy drift in steps of half the length.
         finer: Box<EnergyDrift>,
         /// The order that the composition claims.
         order: u32,
@@ -136,7 +136,7 @@ pub enum Shortfall {
         .0.size, Orders(.0.orders)
     )]
     NotSmall(SecondPart),
-    /// A flow is not that of its energy.
+    /// A flow does not belong to its energy.
     #[error(
         "gradient error {error:.1e} exceeds the rounding tolerance {tolerance:.1e}\nnote: the flows are not those of T \
          and V"
@@ -147,14 +147,14 @@ pub enum Shortfall {
         /// The error that rounding explains.
         tolerance: f64,
     },
-    /// The flow of a part of H is none, or is not that of its energy.
+    /// The flow of a part of H violates a law of flows, or does not belong to its energy.
     #[error(
         "the flow of `{part}` {law} (error {error:.1e}, tolerance {tolerance:.1e}, t = {time}, duration {duration:.1e})\nhelp: \
          check your own `#[flow]`; if there is none, please report this part as a bug",
         time = Number(*time)
     )]
     Flow {
-        /// The name of the part, or of several parts whose energies are not known apart.
+        /// The name of the part, or of several parts if their energies are not known separately.
         part: String,
         /// The law that the flow violates.
         law: FlowLaw,
@@ -176,7 +176,7 @@ pub enum Shortfall {
         .0.name, .0.bracket
     )]
     NotInvariant(InvariantDrift),
-    /// A function of the user's is not what the generated code computes.
+    /// The generated code disagrees with a function of the user.
     #[error(transparent)]
     Misread(Misread),
     /// A derivative of the generated code is not that of the user's function: a derivative that is stated by
@@ -204,7 +204,7 @@ pub enum Shortfall {
         /// The state, positions first.
         state: Vec<f64>,
     },
-    /// A check could not be carried out.
+    /// A check has no result.
     #[error("{check} could not be measured: {reason}")]
     Unmeasured {
         /// The name of the check.

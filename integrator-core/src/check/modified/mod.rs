@@ -21,9 +21,9 @@ use std::{fmt, marker::PhantomData, sync::Arc};
 /// The modified Hamiltonian of a composition with a step `h`, as a series in `h` up to its fourth power.
 ///
 /// A symplectic step is, up to terms that are smaller than any power of it, the exact flow of another Hamiltonian,
-/// `M = H + h·H₁ + h²·H₂ + …`, whose terms are nested Poisson brackets of `T` and `V` (Hairer, Lubich and Wanner,
-/// Geometric Numerical Integration, chapter IX). So runs conserve it, and their energy swings by what the two differ.
-/// It prints as this sum, with `{f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q`.
+/// `M = H + h·H₁ + h²·H₂ + …`. Its terms are nested Poisson brackets of `T` and `V` (Hairer, Lubich and Wanner,
+/// Geometric Numerical Integration, chapter IX). Runs conserve `M`, and their energy oscillates by the difference
+/// `M - H`. It prints as this sum, with `{f, g} = Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q`.
 ///
 /// The table of the composition is expanded, whatever composition of `T(p) + V(q)` it is, and brackets are evaluated by
 /// derivatives of the generated flows. Terms of higher powers than the fourth are left out, so that a composition of
@@ -89,7 +89,8 @@ impl<'s, C: Coords<Leaf = f64>> ModifiedHamiltonian<'s, C> {
     /// Creates the modified Hamiltonian of a system; `like` is any point of it, for the number of coordinates.
     ///
     /// # Errors
-    /// A Hamiltonian that reads the time, or whose parts are no `T(p)` and `V(q)`; a point or a step that no run would begin with.
+    /// - The Hamiltonian reads the time, or its parts are not `T(p)` and `V(q)`.
+    /// - The point or the step is invalid for a run.
     pub fn new<H: Hamiltonian<Coords = C> + 's, X: Composition<H>>(
         system: &H,
         composition: X,

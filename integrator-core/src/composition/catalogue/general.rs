@@ -47,7 +47,7 @@ composition! {
 
     /// Position-extended Forest–Ruth: four kicks.
     ///
-    /// From molecular dynamics, where it is widely used; [`Omelyan4`] does better for one evaluation more.
+    /// Widely used in molecular dynamics. [`Omelyan4`] is more accurate with one more evaluation.
     #[doc(alias("PEFRL", "position extended Forest-Ruth-like"))]
     pub struct Pefrl: order 4, symmetric,
         citation "Omelyan, Mryglod and Folk 2002, Comput. Phys. Commun. 146, 188"

@@ -41,19 +41,19 @@ composition! {
         citation "Laskar and Robutel 2001, Celestial Mechanics and Dynamical Astronomy 80, 39"
     = symmetric(B(1/20) A((1 - sqrt(3/7))/2) B(49/180) A(_) B(_));
 
-    /// SABAC2: [`Saba2`] between two kicks along the gradient of the squared force, which take away what is of second
+    /// SABAC2: [`Saba2`] between two kicks along the gradient of the squared force, which cancel the error of second
     /// order in the small part.
     pub struct Sabac2: order (4, 4), symmetric,
         citation "Laskar and Robutel 2001, Celestial Mechanics and Dynamical Astronomy 80, 39"
     = symmetric(B(0, -(2 - sqrt(3))/48) A((1 - 1/sqrt(3))/2) B(1/2) A(_));
 
-    /// SABAC3: [`Saba3`] between two kicks along the gradient of the squared force, which take away what is of second
+    /// SABAC3: [`Saba3`] between two kicks along the gradient of the squared force, which cancel the error of second
     /// order in the small part.
     pub struct Sabac3: order (6, 4), symmetric,
         citation "Laskar and Robutel 2001, Celestial Mechanics and Dynamical Astronomy 80, 39"
     = symmetric(B(0, -(54 - 13*sqrt(15))/1296) A((1 - sqrt(3/5))/2) B(5/18) A(sqrt(3/5)/2) B(_));
 
-    /// SABAC4: [`Saba4`] between two kicks along the gradient of the squared force, which take away what is of second
+    /// SABAC4: [`Saba4`] between two kicks along the gradient of the squared force, which cancel the error of second
     /// order in the small part.
     pub struct Sabac4: order (8, 4), symmetric,
         citation "Laskar and Robutel 2001, Celestial Mechanics and Dynamical Astronomy 80, 39"
