@@ -150,7 +150,7 @@ pub enum Error {
         /// The name of the composition.
         composition: &'static str,
     },
-    /// The numbers of positions and momenta of a start differ. Their size is known at run time only.
+    /// The numbers of positions and momenta of a start differ. The type of the coordinates does not fix them.
     #[error("the initial state has {positions} positions but {momenta} momenta")]
     Length {
         /// The number of positions.

@@ -17,22 +17,22 @@ use core::{marker::PhantomData, ops::Range};
 /// A point that a term reads.
 #[derive(Clone, Copy, Debug)]
 pub struct Read {
-    /// The part of the coordinates that it belongs to, by its number among those that are read,
+    /// The part of the coordinates that the point belongs to, by its number among those that are read.
     pub part: usize,
-    /// and the list that names it.
+    /// The number of the list with the index of the point.
     pub list: usize,
 }
 
 /// A coordinate that a term adds to.
 #[derive(Clone, Copy, Debug)]
 pub struct Addend {
-    /// The list that names its point,
+    /// The number of the list with the index of the point.
     pub list: usize,
-    /// and its component.
+    /// The component of the point.
     pub component: usize,
-    /// The number of the value that is added,
+    /// The number of the value that is added or subtracted.
     pub value: usize,
-    /// or subtracted.
+    /// Whether the value is subtracted.
     pub negative: bool,
 }
 

@@ -30,10 +30,11 @@ type Divisions = (&'static [&'static [u64]], u64);
 const FIRST: Divisions = (&[&[2, 3], &[4, 5, 6]], 12);
 const MANY: u64 = 64;
 
-/// The divisions for a part of a piece in which the order is missing: it has to show twice,
+/// The divisions for a part of a piece in which the order is missing: it has to show twice.
 const CLOSE: Divisions = (&[&[2, 3], &[4, 5, 6], &[8, 10, 12]], 24);
 
-/// and thrice if it is low, so that an order that is not reached is not much lower.
+/// The divisions for a low order, which has to show three times, so that an order that is not reached is not much
+/// lower.
 const CLOSE_LOW: Divisions = (&[&[2, 3], &[4, 5, 6], &[8, 10, 12], &[16, 20, 24]], 48);
 
 /// The largest number of halvings of a piece. The steps of the shortest one are 10^5 times shorter than those of the

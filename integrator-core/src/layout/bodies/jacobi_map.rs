@@ -11,7 +11,7 @@
 use crate::{error::Error, scalar::real::Real};
 use alloc::vec::Vec;
 
-/// Masses and attractions of the bodies, from which Jacobi coordinates follow. Implemented by `#[hamiltonian]`.
+/// Masses and attractions of the bodies, from which Jacobi coordinates follow. `#[hamiltonian]` implements it.
 pub trait JacobiConstants {
     /// The number of the body that leads.
     fn leading_body(&self) -> usize;

@@ -22,9 +22,9 @@ use alloc::vec::Vec;
 pub(super) struct Half<R: Real, C: Coords> {
     /// The polynomials.
     table: Table<R>,
-    /// The states of coordinates one by one, where they are few or numbers have lanes already,
+    /// The states of coordinates one by one, where they are few or numbers have lanes already.
     few: States<<C::Leaf as Precision>::Slot<R>>,
-    /// or eight to a vector.
+    /// The states of coordinates in vectors of eight, otherwise.
     vectors: States<<C::Leaf as Precision>::Slot<Wide<R>>>,
 }
 

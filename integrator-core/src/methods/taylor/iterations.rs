@@ -50,9 +50,9 @@ type Results<R, const VALUES: usize, const ORDERS: usize> = [[Wide<R>; ORDERS]; 
 pub struct Target {
     /// The half that the coordinate belongs to: 0 for positions, 1 for momenta.
     half: usize,
-    /// The number of the value that it gets,
+    /// The number of the value that the coordinate gets.
     value: usize,
-    /// and the value's sign.
+    /// The sign of the value.
     sign: i8,
 }
 

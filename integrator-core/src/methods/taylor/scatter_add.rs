@@ -12,9 +12,9 @@ use alloc::{collections::BTreeMap, vec::Vec};
 pub(super) struct Addend {
     /// The index of the coordinate.
     pub(super) index: usize,
-    /// The number of the result vector,
+    /// The number of the result vector.
     pub(super) result: usize,
-    /// and the lane in it.
+    /// The lane in the result vector.
     pub(super) lane: usize,
     /// One, or minus one where the result is subtracted.
     pub(super) sign: i8,
@@ -57,9 +57,9 @@ struct TargetBlock {
 struct Pass<S> {
     /// The first result vector.
     result: usize,
-    /// The lanes that the coordinates get, unless each gets its own,
+    /// The lanes of results that the coordinates get; `None` if each gets its own lane.
     lanes: Option<[u64; EIGHT]>,
-    /// and their signs: zero where a coordinate gets nothing.
+    /// The signs of the results: zero where a coordinate gets nothing.
     signs: S,
 }
 
@@ -68,11 +68,11 @@ type Passes = (usize, Vec<usize>);
 
 /// The plan of a scatter-add.
 struct Plan<S> {
-    /// Target vectors in blocks, first those of three, then those of two and of one,
+    /// Target vectors in blocks, first those of three, then those of two and of one.
     blocks: [Vec<TargetBlock>; MOST],
-    /// with their passes in the same order;
+    /// The passes of the blocks, in the same order.
     passes: Vec<Pass<S>>,
-    /// or addends one by one.
+    /// Addends one by one, in place of blocks.
     single: Vec<Addend>,
 }
 
