@@ -265,7 +265,7 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     }
 }
 
-/// The solver of two flows: a pair of theirs.
+/// The solver of two flows is the pair of their solvers.
 impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
     const IN_REGISTERS: InRegisters = match (A::IN_REGISTERS, B::IN_REGISTERS) {
         (InRegisters::Always, InRegisters::Always) => InRegisters::Always,

@@ -14,7 +14,7 @@ pub(super) struct Letter {
     pub(super) duration: f64,
     /// The coefficient of the gradient of the squared force.
     pub(super) gradient: f64,
-    /// The time at which the flow reads the time, as a fraction of the step.
+    /// The time that the flow reads, as a fraction of the step.
     pub(super) time: f64,
 }
 

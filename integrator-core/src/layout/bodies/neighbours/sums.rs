@@ -181,8 +181,7 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
     }
 }
 
-/// The number of steps of a row that all lanes take part in, that any lane takes part in, and that each lane takes part
-/// in.
+/// The numbers of steps of a row: of those with all lanes, of those with any lane, and of those with each lane.
 struct Steps<W> {
     common: usize,
     most: usize,
