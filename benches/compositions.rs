@@ -20,13 +20,13 @@ use integrator_bench::{
 };
 use integrator_core::{Coords, Visitor, prelude::*};
 
-/// Force evaluations of one computation: divisible by the number of kicks of nearly every composition.
+/// Force evaluations per computation; divisible by the number of kicks of nearly every composition.
 const EVALUATIONS: u64 = 2 * 2 * 2 * 3 * 3 * 5 * 7 * 11;
 
-/// A step so short that no composition strays from the orbit.
+/// Step scale so small that every composition stays on the orbit.
 const SHORTENING: f64 = 1e-6;
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 41;
 
 struct Ratios<'p, H: Hamiltonian> {
@@ -50,7 +50,7 @@ impl<H: Hamiltonian> Ratios<'_, H>
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    /// Steps with so many force evaluations in all. Every round goes on from the last one.
+    /// Takes enough steps for the given number of force evaluations. Every round continues from the previous one.
     fn evaluated<X: Composition<H>>(&self, name: &'static str) -> Racer<'static> {
         let Problem { system, start, span, .. } = self.problem;
         let run = system.run_with::<f64, X>(X::default(), start.clone(), span * SHORTENING);
@@ -59,7 +59,7 @@ where
     }
 }
 
-/// Compares all that the problem admits, and prints nanoseconds per force evaluation.
+/// Compares all compositions that the problem supports, and prints nanoseconds per force evaluation.
 fn measure<H: Hamiltonian>(problem: &Problem<H>) -> Vec<String>
 where
     H::Coords: Coords<Leaf = f64>,

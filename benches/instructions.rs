@@ -20,10 +20,10 @@ use std::{
     process::{Command, ExitCode},
 };
 
-/// Whole blocks of steps between which a run looks after itself, so that the two numbers differ by steps alone.
+/// Steps per block. A run does its checks between blocks, so whole blocks make the two numbers differ by steps alone.
 const BLOCK: u64 = 1024;
 
-/// What is counted: steps of Verlet unless the name says more.
+/// Names of the counted problems; they use `Verlet` unless the name contains a composition.
 const PROBLEMS: [&str; 10] = [
     "pendulum",
     "henon",
@@ -53,7 +53,7 @@ where
     advance(&problem.system, problem.start, Verlet, h, steps);
 }
 
-/// Takes the steps that are counted.
+/// Takes the steps to be counted.
 fn take(problem: &str, steps: u64) {
     let problems = Problems::default();
     let angles = (0..64).map(|i| f64::from(i) / 32.0);
@@ -91,7 +91,7 @@ fn swarm<C: Coords>(ensemble: Result<Ensemble<C>, integrator_core::Error>, steps
     black_box(ensemble.state(0));
 }
 
-/// The instructions of this program when it takes so many steps.
+/// Returns the instructions that this program executes for the given number of steps.
 fn instructions(problem: &str, steps: u64) -> Result<u64, Box<dyn Error>> {
     let file = env::temp_dir().join(format!("integrator-{}-{problem}-{steps}.callgrind", std::process::id()));
     let output = Command::new("valgrind")
@@ -117,7 +117,7 @@ fn count() -> Result<Counts, Box<dyn Error>> {
     PROBLEMS.into_iter().map(per_step).collect()
 }
 
-/// Whether all kept counts hold.
+/// Returns whether all counts agree with the stored ones.
 fn check(kept: &Path) -> Result<bool, Box<dyn Error>> {
     let counted = count()?;
     if env::var_os("BLESS").is_some() {

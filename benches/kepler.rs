@@ -13,7 +13,7 @@ use integrator_bench::{
 };
 use integrator_core::prelude::*;
 
-/// Steps of a round, and rounds.
+/// Steps per round, and number of rounds.
 const STEPS: u64 = 20_000;
 const ROUNDS: usize = 61;
 

@@ -17,10 +17,10 @@ use integrator_core::prelude::*;
 use integrator_plot::{Axis, Chart};
 use std::{error::Error, f64::consts::PI};
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 7;
 const STEP: f64 = 0.004;
-/// Pairs within the cutoff, for each atom.
+/// Number of pairs within the cutoff, per atom.
 const PAIRS: f64 = 0.5 * DENSITY * 4.0 / 3.0 * PI * ArgonInBox::CUTOFF * ArgonInBox::CUTOFF * ArgonInBox::CUTOFF;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let atoms = start.q.len();
         let steps = (1_000_000 / atoms as u64).max(15);
         let mut run = system.run_with(Verlet, start, STEP)?.with_threads(1);
-        // Until the crystal has melted a little.
+        // Lets the crystal melt a little.
         run.advance(100)?;
         let [mut one, mut two] = [run.clone(), run.clone().with_threads(2)];
         #[cfg(target_arch = "x86_64")]

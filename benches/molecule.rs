@@ -15,7 +15,7 @@ use integrator_bench::{
 use integrator_core::prelude::*;
 use std::error::Error;
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 31;
 const STEP: f64 = 0.005;
 const STEPS: u64 = 50;

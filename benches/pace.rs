@@ -30,15 +30,15 @@ use integrator_core::{
 use integrator_plot::{Axis, Chart, MARKERS, Mark, Panels, write};
 use std::{cell::RefCell, f64::consts::TAU};
 
-/// The errors that times are given for.
+/// Errors at which times are reported.
 const ERRORS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
-/// Repetitions of a run, of which the median counts.
+/// Repetitions of a run; the median counts.
 const REPETITIONS: usize = 3;
-/// Runs of more milliseconds end a row.
+/// Longest run in milliseconds; a longer one ends the row.
 const PATIENCE: f64 = 120.0;
-/// The step of long runs, in the time in which a revolution takes 2π.
+/// Step of the long runs, in units in which a revolution takes 2π.
 const LONG_STEP: f64 = 0.8;
-/// Steps of a round of the race, and rounds.
+/// Steps per round of the race, and number of rounds.
 const STEPS: u64 = 4_096;
 const ROUNDS: usize = 41;
 
@@ -62,7 +62,7 @@ impl Comet {
     }
 }
 
-/// The same without the further potential, as a user without need of it writes it.
+/// The same system without the further potential, as a user who does not need it writes it.
 struct TwoBodies;
 
 #[hamiltonian(taylor)]
@@ -78,21 +78,21 @@ impl TwoBodies {
     }
 }
 
-/// A system with a known end.
+/// A system with a known final state.
 struct Orbit<'s, H> {
     name: &'static str,
     system: &'s H,
     start: Phase<[f64; 2]>,
     span: f64,
     end: [f64; 2],
-    /// Errors and milliseconds of the methods that were measured.
+    /// Errors and milliseconds of the measured methods.
     paths: RefCell<Vec<(String, Path)>>,
 }
 
-/// Errors and milliseconds, of ever shorter steps.
+/// Errors and milliseconds, with decreasing steps.
 type Path = Vec<(f64, f64)>;
 
-/// What the picture shows: names in the table and in the picture.
+/// Methods in the picture: name in the table, name in the picture.
 const SHOWN: [(&str, &str); 4] = [
     ("BlanesMoanSrkn14", "fixed steps"),
     ("Logarithmic(SofroniouSpaletta10)", "Logarithmic"),
@@ -104,7 +104,7 @@ fn at_pericentre(e: f64) -> Phase<[f64; 2]> {
     Phase::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()])
 }
 
-/// Least milliseconds to the errors, and what reaches them.
+/// Least time in milliseconds to each error.
 #[derive(Clone, Copy)]
 struct Best([f64; ERRORS.len()]);
 
@@ -119,11 +119,11 @@ impl Best {
 }
 
 impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
-    /// A row of runs by steps of `h` or tolerances, each with the error of its end, nothing where it fails.
+    /// Measures one row: `run(level)` returns the final position, or `None` if the run fails.
     fn row(&self, table: &mut Table, method: &str, run: impl Fn(i32) -> Option<[f64; 2]>) -> [f64; ERRORS.len()] {
         let mut path = Path::new();
         for level in 0..48 {
-            // In units of a million, nanoseconds are milliseconds.
+            // Per million units, nanoseconds become milliseconds.
             let time = race(REPETITIONS, 1e6, vec![Racer::new("", || run(level))]).median(0);
             if let Some([x, y]) = run(level) {
                 path.push(((x - self.end[0]).hypot(y - self.end[1]), time));
@@ -138,7 +138,7 @@ impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
         times
     }
 
-    /// A row of a method by its step in units of its own time.
+    /// Adds a row for a method with decreasing steps, in units of its own time variable.
     fn steps<X: Method<H>>(&self, table: &mut Table, name: &str, longest: f64, method: X) -> [f64; ERRORS.len()] {
         self.row(table, name, |level| {
             let h = longest * 0.5_f64.powf(f64::from(level) / 2.0);
@@ -148,7 +148,7 @@ impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
         })
     }
 
-    /// The same with compensated states.
+    /// Adds the same row with compensated states.
     fn compensated<X: Method<H>>(&self, table: &mut Table, name: &str, longest: f64, method: X) -> [f64; ERRORS.len()] {
         self.row(table, &format!("{name}, compensated"), |level| {
             let h = longest * 0.5_f64.powf(f64::from(level) / 2.0);
@@ -161,7 +161,7 @@ impl<H: Hamiltonian<Coords = [f64; 2]>> Orbit<'_, H> {
 }
 
 impl<H> Orbit<'_, H> {
-    /// Time against error of one method of each kind, as far as errors fall.
+    /// Plots time against error for one method of each kind, as long as errors decrease.
     fn chart(&self, title: &str) -> Chart {
         let paths = self.paths.borrow();
         let chart = Chart::new(title)
@@ -182,7 +182,7 @@ impl<H> Orbit<'_, H> {
 }
 
 impl<H: Recurrences<Coords = [f64; 2]> + QuadraticKinetic + TimeTransformed> Orbit<'_, H> {
-    /// Rows of Taylor's method by its tolerance, for its own orders and others.
+    /// Adds rows for Taylor's method with decreasing tolerances, with automatic and with fixed orders.
     fn taylor(&self, table: &mut Table) -> Best {
         let mut best = Best::NONE;
         for order in [None, Some(16), Some(20), Some(24)] {
@@ -225,7 +225,7 @@ impl<H: Recurrences<Coords = [f64; 2]> + QuadraticKinetic + TimeTransformed> Orb
     }
 }
 
-/// Milliseconds to an error, between the longest step from which on errors are less and the one before.
+/// Returns the milliseconds to an error, interpolated between the first smaller error and the run before it.
 fn time_to(path: &[(f64, f64)], target: f64) -> f64 {
     let Some(first) = path.iter().position(|(error, _)| *error < target) else { return f64::NAN };
     let (error, time) = path[first];
@@ -234,7 +234,7 @@ fn time_to(path: &[(f64, f64)], target: f64) -> f64 {
     earlier.powf(1.0 - share) * time.powf(share)
 }
 
-/// The largest change of the energy in 100,000 revolutions, relative, looked at a thousand times.
+/// Returns the largest relative energy change in 100,000 revolutions, from a thousand samples.
 fn energy_change(e: f64) -> f64 {
     const PER_REVOLUTION: f64 = TAU / LONG_STEP;
     let mut run =

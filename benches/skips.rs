@@ -16,10 +16,10 @@ use integrator_bench::{
 use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 31;
 
-/// A system, and its text for the report of the macro.
+/// Defines a system and stores its source code for the macro's report.
 macro_rules! scene {
     ($name:ident { $($field:ident),* }, $($functions:tt)*) => {
         struct $name { $($field: f64),* }
@@ -34,7 +34,7 @@ macro_rules! scene {
 trait Scene {
     const TEXT: &str;
 
-    /// Operations of a drift and a kick: as they occur in the derivatives, and as they are computed.
+    /// Returns the operations of a drift and a kick: first as written in the derivatives, then as computed.
     fn operations() -> [f64; 2] {
         let item = Self::TEXT.parse().expect("tokens");
         let report = integrator_symbolic::report(Default::default(), item).expect("no mistake");
@@ -124,7 +124,7 @@ struct Report {
 }
 
 impl Report {
-    /// A race of `with` against `without`, and the operations of each.
+    /// Adds a race of `with` against `without`, and the operations of each.
     fn add(&mut self, name: &str, scene: &str, units: f64, [without, with]: [Racer; 2], operations: [f64; 2]) {
         let times = race(ROUNDS, units, vec![without, with]);
         let ratio = times.ratio(0, 1);
@@ -133,7 +133,7 @@ impl Report {
         self.lines.push(format!("ratio_{name}={ratio:.3}"));
     }
 
-    /// Two scenes, both generated.
+    /// Compares two generated scenes.
     fn scenes<A: Hamiltonian + Scene, B: Hamiltonian + Scene>(
         &mut self,
         name: &str,
@@ -150,7 +150,7 @@ impl Report {
     }
 }
 
-/// Every round goes on from the last one.
+/// Takes steps; every round continues from the previous one.
 fn steps_of<H: Hamiltonian>(name: &'static str, system: H, start: Phase<H::Coords>, steps: u64) -> Racer<'static>
 where
     H::Coords: Coords<Leaf = f64>,
@@ -178,7 +178,7 @@ fn small(report: &mut Report) {
     );
     report.scenes("shared", "3 r named once, or written out", (Named {}, plane), (WrittenOut {}, plane));
 
-    // Steps that are looked at are closed, on a copy; others merge with the next.
+    // Reading the state completes the last step on a copy; without an output, consecutive steps merge.
     let steps = 10_000;
     let run = || Free {}.run_with(KahanLi8, line, 1e-3).expect("a start");
     let (mut merged, mut looked_at) = (run(), run());
@@ -194,7 +194,8 @@ fn small(report: &mut Report) {
     report.add("merged", "4 merged steps, or every step read", steps as f64, racers, [f64::NAN; 2]);
 }
 
-/// The text of a kick does not grow with the sites; its time per site neither.
+/// Compares the time per site of a long chain with that of a short one. Neither this time nor the code of a kick should
+/// grow with the number of sites.
 fn loops(report: &mut Report) {
     let chain = |sites: usize, steps: u64| {
         let run = Fput { alpha: 0.25 }.run_with(Verlet, waves(sites), 0.05);
@@ -209,7 +210,7 @@ fn loops(report: &mut Report) {
     report.add("loops", "5 one chain of 1600 sites, or ten of 160", 1.6e6, racers, [f64::NAN; 2]);
 }
 
-/// The naive hand-written chain: every bond adds to both of its ends.
+/// A naive hand-written chain: every bond adds to both of its ends.
 fn scatter(q: &mut [f64], p: &mut [f64], alpha: f64, h: f64) {
     let bond = |stretch: f64| stretch + alpha * stretch * stretch;
     let last = q.len() - 1;
@@ -261,7 +262,7 @@ fn large(report: &mut Report) {
     report.add("pairs", "7 tiles of bodies, or hand-written pairs", 8.0 * pairs, [tiles, by_hand], [f64::NAN; 2]);
 
     let drop_of = |cutoff: f64| {
-        // Too few for lists of neighbours.
+        // Too few atoms for neighbour lists.
         let mut run = Argon { cutoff }.run_with(Verlet, argon(376).1, 1e-4).expect("a start");
         Racer::new("argon", move || run.advance(8).expect("finite states"))
     };

@@ -31,17 +31,17 @@ use integrator_bench::{
 use integrator_core::{Coords, check::candidates_with, prelude::*};
 use std::collections::BTreeMap;
 
-/// The errors that times are given for.
+/// Errors at which times are reported.
 const ERRORS: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// The fewest and the most force evaluations of a run, as powers of two, and the fewest steps.
+/// Minimum and maximum number of force evaluations per run, as powers of two.
 const EVALUATIONS: [u32; 2] = [7, 19];
 const FEWEST: u64 = 128;
 
-/// What the others are held against.
+/// The splitting that the others are compared with.
 const SEPARABLE: &str = "T + V";
 
-/// How often a run is timed; the median counts.
+/// Number of times a run is timed; the median counts.
 const ROUNDS: usize = 7;
 
 /// Compositions for a small second part.
@@ -74,7 +74,7 @@ const NEAR_INTEGRABLE: [&str; 26] = [
     "WisdomHolmanTouma17",
 ];
 
-/// Compositions for any parts, or for a first one that is quadratic in p.
+/// Compositions for any parts, or for a first part that is quadratic in p.
 const OTHERS: [&str; 7] = [
     "BlanesMoanSrkn6",
     "BlanesMoanSrkn11",
@@ -112,7 +112,7 @@ impl Jacobi {
     }
 }
 
-/// Two oscillators and a weak coupling.
+/// Two oscillators with a weak coupling.
 #[derive(Clone, Copy)]
 struct Oscillators {
     coupling: f64,
@@ -128,7 +128,7 @@ impl Oscillators {
     }
 }
 
-/// The same, with both oscillators as one part.
+/// The same system with both oscillators as one part.
 #[derive(Clone, Copy)]
 struct Perturbed {
     coupling: f64,
@@ -142,24 +142,24 @@ impl Perturbed {
     }
 }
 
-/// A composition of a splitting.
+/// A composition applied to a splitting.
 struct Row<'p> {
     splitting: &'static str,
     composition: String,
-    /// Force evaluations of a step.
+    /// Force evaluations per step.
     each: u64,
-    /// The error at the end of so many steps; infinite where the run breaks off.
+    /// Returns the final error for a number of steps; infinite if the run fails.
     run: Box<dyn Fn(u64) -> f64 + 'p>,
-    /// The errors that were found, each with the number of steps.
+    /// Errors found so far, each with its number of steps.
     path: Vec<(f64, u64)>,
-    /// The milliseconds of each round in so many steps.
+    /// Milliseconds of each round, by number of steps.
     times: BTreeMap<u64, Vec<f64>>,
 }
 
-/// A start, and the value of its leaves.
+/// An initial state, and a function that converts its scalar type to `f64`.
 type Begin<C, K> = (Phase<C>, fn(K) -> f64);
 
-/// The rows of a splitting with these compositions, from a start whose leaves have these values.
+/// Returns the rows of a splitting for these compositions.
 fn rows<'p, H, C>(
     splitting: &'static str,
     problem: &'p Problem<H>,
@@ -200,10 +200,10 @@ where
 }
 
 impl Row<'_> {
-    /// Finds the errors, and which runs have to be timed.
+    /// Finds the errors, and selects the runs to be timed.
     fn search(&mut self) {
         for half in 2 * EVALUATIONS[0]..2 * EVALUATIONS[1] {
-            // Powers of two, and three halves of them.
+            // Powers of two and 1.5 times powers of two.
             let evaluations = (2 + u64::from(half % 2)) << (half / 2 - 1);
             let steps = evaluations / self.each;
             if steps < FEWEST {
@@ -223,7 +223,7 @@ impl Row<'_> {
         }
     }
 
-    /// The longest step from which on all errors are less, and the one before, as errors with numbers of steps.
+    /// Finds the first run after which all errors are below the target, and the run before it, each as error and steps.
     fn around(&self, target: f64) -> Option<[(f64, u64); 2]> {
         let first = self.path.iter().rposition(|(error, _)| *error > target).map_or(0, |last| last + 1);
         let found = *self.path.get(first)?;
@@ -231,15 +231,15 @@ impl Row<'_> {
         Some([before.filter(|(error, _)| error.is_finite()).unwrap_or(found), found])
     }
 
-    /// Times each of the runs once more.
+    /// Times each selected run once more.
     fn time(&mut self) {
         for (steps, times) in &mut self.times {
-            // In units of a million, nanoseconds are milliseconds.
+            // Per million units, nanoseconds become milliseconds.
             times.push(race(1, 1e6, vec![Racer::new("", || (self.run)(*steps))]).median(0));
         }
     }
 
-    /// Milliseconds to an error.
+    /// Returns the milliseconds to an error.
     fn time_to(&self, target: f64) -> f64 {
         let Some([(before, longer), (error, steps)]) = self.around(target) else { return f64::NAN };
         let [longer, shorter] = [longer, steps].map(|steps| median(self.times[&steps].clone()));
@@ -248,7 +248,7 @@ impl Row<'_> {
     }
 }
 
-/// The race of a problem: the rows by T + V against those by another splitting.
+/// Measures a problem: the rows by `T + V` and those by another splitting.
 fn measure(table: &mut Table, problem: &str, mut all: Vec<Row<'_>>) {
     all.iter_mut().for_each(Row::search);
     for _ in 0..ROUNDS {
@@ -293,7 +293,7 @@ fn solar(table: &mut Table) {
     measure(table, "solar", all);
 }
 
-/// A system of two degrees of freedom.
+/// Measures a system of two degrees of freedom.
 fn plane<H, Q>(table: &mut Table, separable: &Problem<H>, quadratic: Q)
 where
     H: Hamiltonian<Coords = [f64; 2]>,
@@ -308,7 +308,7 @@ where
     measure(table, name, all);
 }
 
-/// A problem of no known end, with that of compensated steps of order 10 in T + V.
+/// A problem without stored reference; compensated steps of order 10 by `T + V` provide it.
 fn followed<H: Hamiltonian<Coords = [f64; 2]>>(
     name: &'static str,
     system: H,

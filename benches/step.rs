@@ -26,14 +26,14 @@ use integrator_bench::{
 use integrator_core::{Compensated, Coords, prelude::*};
 use std::error::Error;
 
-/// Force evaluations of a round of a small system, about.
+/// Approximate number of force evaluations per round of a small system.
 const EVALUATIONS: u64 = 40_000;
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 61;
-/// Rounds of races between large systems, which take longer.
+/// Number of rounds for large systems, which take longer.
 const FEW_ROUNDS: usize = 15;
 
-/// A hand-written stepper: its name, and the trajectory to its end.
+/// A hand-written stepper: its name, and a function that integrates and returns a number of the final state.
 type HandWritten<'a> = (&'static str, Box<dyn Fn(&Plan, u64) -> f64 + 'a>);
 
 struct Report {
@@ -55,7 +55,7 @@ impl Report {
         self.ratios.push(format!("ratio_{problem}_{what}={:.3}", times.ratio_to_best()));
     }
 
-    /// One composition on a small problem, nanoseconds per force evaluation.
+    /// Measures a composition on a small problem, in nanoseconds per force evaluation.
     fn small<H: Hamiltonian, X: Composition<H>>(&mut self, problem: &Problem<H>, _: X, h: f64, by_hand: &[HandWritten])
     where
         H::Coords: Coords<Leaf = f64>,
@@ -74,8 +74,7 @@ impl Report {
         self.add(problem.name, &X::NAME.to_lowercase(), &race(ROUNDS, units, racers));
     }
 
-    /// The same with coordinates that carry their rounding errors, against states that carry none as well: in the column of
-    /// plain loops.
+    /// The same with compensated coordinates. The column of plain loops contains the run without compensation.
     fn compensated<H: Hamiltonian, X: Composition<H>>(
         &mut self,
         problem: &Problem<H>,
@@ -120,7 +119,7 @@ impl Report {
         self.ratios.push(format!("ratio_{problem}_{what}_over_plain={:.3}", times.ratio(0, 2)));
     }
 
-    /// Verlet and long compositions.
+    /// Measures Verlet and long compositions.
     fn small_in_all<H: Hamiltonian>(&mut self, problem: &Problem<H>, h: f64, by_hand: &[HandWritten])
     where
         H::Coords: Coords<Leaf = f64>,
@@ -130,14 +129,14 @@ impl Report {
         self.small(problem, SofroniouSpaletta10, h, by_hand);
     }
 
-    /// Verlet on a chain, nanoseconds per site and step. Every round goes on from the last one.
+    /// Measures Verlet on a chain, in nanoseconds per site and step. Every round continues from the previous one.
     fn chain<H: Hamiltonian<Coords = Vec<f64>>>(&mut self, name: &str, system: &H, law: Law, sites: usize) {
         let start = waves(sites);
-        // As many as there are from one look to the next in a long run.
+        // As many steps as a long run takes between two outputs.
         let steps = (2_000_000 / sites).max(1024);
         let h = 0.05;
         let plan = Plan::of::<Verlet>(h);
-        // One thread, as the hand-written steppers have: the clock of a racer is that of its own thread.
+        // One thread, as in the hand-written steppers: a racer measures the CPU time of its own thread.
         let mut run = system.run_with::<f64, Verlet>(Verlet, start.clone(), h).expect("a start").with_threads(1);
         let skewed = Chain { law, q: start.q, p: start.p };
         let [mut skewed, mut plain] = [skewed.clone(), skewed];
@@ -149,7 +148,7 @@ impl Report {
         self.add(name, "verlet", &race(FEW_ROUNDS, (sites * steps) as f64, racers));
     }
 
-    /// Verlet on a plane, nanoseconds per site and step.
+    /// Measures Verlet on a plane, in nanoseconds per site and step.
     fn plane(&mut self, name: &str, system: Phi4Plane, rows: usize) {
         let start = rows_of_waves(rows);
         let sites = rows * start.q[0].len();
@@ -168,7 +167,7 @@ impl Report {
         self.add(name, "verlet", &race(FEW_ROUNDS, (sites * steps) as f64, racers));
     }
 
-    /// Verlet on bodies, nanoseconds per pair and step.
+    /// Measures Verlet on bodies, in nanoseconds per pair and step.
     fn bodies<H: Hamiltonian<Coords = Vec<[f64; 3]>>>(&mut self, name: &str, system: &H, mut by_hand: Bodies, h: f64) {
         let count = by_hand.count();
         let start = Phase::new(
@@ -178,7 +177,7 @@ impl Report {
         let plan = Plan::of::<Verlet>(h);
         let pairs = count * (count - 1) / 2;
         let steps = (10_000_000 / pairs as u64).max(2);
-        // Racers tell the time of one processor.
+        // Racers measure the CPU time of one thread.
         let mut run = system.run_with::<f64, Verlet>(Verlet, start, h).expect("a start").with_threads(1);
         let racers = vec![
             Racer::new("generated", || run.advance(steps).expect("finite states")),
@@ -272,7 +271,7 @@ fn large_problems(report: &mut Report) {
     let (system, start) = cluster(1000);
     let by_hand = Bodies::new(Attraction::Gravity, &system.masses, &start.q, &start.p);
     report.bodies("nbody_1000", &system, by_hand, 1e-3);
-    // Too few for lists of neighbours.
+    // Too few atoms for neighbour lists.
     let (system, start) = argon(376);
     let attraction = Attraction::LennardJones { cutoff: system.cutoff };
     report.bodies("argon_376", &system, Bodies::new(attraction, &vec![1.0; 376], &start.q, &start.p), 1e-4);

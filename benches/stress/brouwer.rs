@@ -5,24 +5,24 @@
 
 use integrator_core::{Coords, prelude::*};
 
-/// Over how many steps in a row an energy is averaged: its own rounding and what is left of the oscillation of the
-/// method are no part of the walk.
+/// Number of consecutive steps over which an energy is averaged. The average removes the rounding of the energy itself
+/// and most of the oscillation of the method.
 const AVERAGED: u64 = 64;
 
-/// How many times the energies are looked at, the number of steps doubling from one look to the next.
+/// Number of energy samples; the number of steps doubles from one to the next.
 const LOOKS: u32 = 10;
 
-/// How the energy errors of an ensemble grow.
+/// Growth of the energy errors of an ensemble.
 pub(crate) struct Growth {
-    /// The numbers of steps, and the root of the mean squared change of the energies, in units of their mean size.
+    /// Number of steps, and root mean square change of the energies in units of their mean size.
     pub(crate) looks: Vec<(u64, f64)>,
-    /// The exponent of the power law through them.
+    /// Exponent of the power law fitted to these samples.
     pub(crate) exponent: f64,
-    /// The mean change at the end in units of its standard error.
+    /// Mean change at the end in units of its standard error.
     pub(crate) bias: f64,
 }
 
-/// The growth over `steps` steps.
+/// Measures the growth over `steps` steps.
 pub(crate) fn growth<C: Coords>(mut swarm: Ensemble<C>, steps: u64) -> Result<Growth, Error> {
     let begin = energies(&mut swarm)?;
     // The energy of a single member may be zero.
@@ -40,7 +40,7 @@ pub(crate) fn growth<C: Coords>(mut swarm: Ensemble<C>, steps: u64) -> Result<Gr
     Ok(Growth { exponent: slope(&logarithms), bias: bias(&changes), looks })
 }
 
-/// The energies of all members, each averaged over the next steps.
+/// Returns the energies of all members, each averaged over the next steps.
 fn energies<C: Coords>(swarm: &mut Ensemble<C>) -> Result<Vec<f64>, Error> {
     let mut sums = vec![0.0; swarm.len()];
     for _ in 0..AVERAGED {
@@ -52,7 +52,7 @@ fn energies<C: Coords>(swarm: &mut Ensemble<C>) -> Result<Vec<f64>, Error> {
     Ok(sums)
 }
 
-/// The slope of the straight line through some points, by least squares.
+/// Returns the slope of the least-squares line through the points.
 fn slope(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -61,7 +61,7 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     of(|x, y| x * y) / of(|x, _| x * x)
 }
 
-/// The mean in units of its standard error.
+/// Returns the mean in units of its standard error.
 fn bias(values: &[f64]) -> f64 {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count;

@@ -4,15 +4,15 @@ use integrator_bench::problems::HenonHeiles;
 use integrator_core::{InstructionSet, prelude::*};
 use std::{env, io, process::Command};
 
-/// Tells a process to print the bits of the orbit and end.
+/// Environment variable that makes a process print the bits of the orbit and exit.
 const STEPS: &str = "STRESS_CHAOS_STEPS";
 
-/// What precedes the bits in such a process's output.
+/// Prefix of the bits in the output of such a process.
 const MARK: &str = "bits of a chaotic orbit: ";
 
 const H: f64 = 0.05;
 
-/// Energies up to 0.16 below the escape at 1/6: chaos, and close members that part.
+/// Chaotic orbits with energies up to 0.16, below the escape energy of 1/6; close members diverge.
 fn start(member: usize) -> Phase<[f64; 2]> {
     Phase::new([0.0, -0.15], [0.5 + 1e-9 * member as f64, 0.2])
 }
@@ -28,7 +28,7 @@ fn alone(member: usize, steps: u64) -> Result<[u64; 4], Error> {
     Ok(bits(run.state()))
 }
 
-/// Members that differ from their runs alone, over thread counts and shares of lanes.
+/// Counts members that differ from their single runs, over thread counts and lane assignments.
 pub(crate) fn members_differing(steps: u64) -> Result<usize, Error> {
     const MEMBERS: usize = 37;
     let alone: Vec<[u64; 4]> = (0..MEMBERS).map(|member| alone(member, steps)).collect::<Result<_, _>>()?;
@@ -46,7 +46,7 @@ pub(crate) fn members_differing(steps: u64) -> Result<usize, Error> {
     Ok(differing)
 }
 
-/// Prints the bits of the orbit if this process is asked for them.
+/// Prints the bits of the orbit if the environment variable requests them.
 pub(crate) fn answer() -> bool {
     let Some(steps) = env::var(STEPS).ok().and_then(|steps| steps.parse().ok()) else { return false };
     if let Ok(bits) = alone(0, steps) {
@@ -55,8 +55,9 @@ pub(crate) fn answer() -> bool {
     true
 }
 
-/// Runs of the same orbit on each instruction set, in processes that `command` starts and that come to [`answer`]:
-/// those that differ from another run on their own set or, all but the baseline, from this process's set.
+/// Runs the same orbit on each instruction set, in processes that `command` starts and that call [`answer`]. Returns
+/// the number of sets that give different results in two runs, plus the number of differences between sets other than
+/// the baseline.
 pub(crate) fn sets_differing(steps: u64, command: impl Fn() -> io::Result<Command>) -> io::Result<usize> {
     let on = |set: InstructionSet| -> io::Result<String> {
         let output = command()?.env("INTEGRATOR_ISA", set.to_string()).env(STEPS, steps.to_string()).output()?;

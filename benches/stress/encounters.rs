@@ -8,7 +8,7 @@ use integrator_core::{
 };
 use std::fmt;
 
-/// Bodies in the plane that attract each other.
+/// Bodies in the plane with mutual gravity.
 struct ThreeBodies {
     masses: [f64; 3],
 }
@@ -46,13 +46,13 @@ impl Spring {
     }
 }
 
-/// What became of an orbit.
+/// Result of a run.
 pub(crate) enum Outcome {
-    /// The energy stayed, up to this share of it.
+    /// The energy is conserved up to this relative error.
     Right(f64),
-    /// The run, a certificate or the stability says what is wrong.
+    /// The run, a certificate or the stability check reports the problem.
     Told(String),
-    /// The energy went astray by this share, and nothing was said.
+    /// The energy has this relative error, and the user gets no report.
     Silent(f64),
 }
 
@@ -66,7 +66,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// An orbit and what became of it.
+/// An orbit and its result.
 pub(crate) struct Encounter {
     pub(crate) name: String,
     pub(crate) outcome: Outcome,
@@ -87,7 +87,7 @@ impl fmt::Display for Encounter {
     }
 }
 
-/// Orbits that the step resolves, which have to come out right.
+/// Orbits that the step resolves; their results have to be correct.
 pub(crate) fn resolved(steps: u64) -> Vec<Encounter> {
     let mut resolved = Vec::new();
     for eccentricity in [0.9, 0.99, 0.999] {
@@ -97,14 +97,15 @@ pub(crate) fn resolved(steps: u64) -> Vec<Encounter> {
             pericentre(eccentricity),
             0.02 * f64::powf(1.0 - eccentricity, 1.5),
             steps,
-            // Rounding of the kinetic energy at the pericentre, 4e3 of the total at most, in a walk of `steps` steps.
+            // Rounding of the kinetic energy at the pericentre (at most 4e3 of the total), accumulated as a random
+            // walk.
             1e-9,
         ));
     }
     resolved.push(follow("three bodies before they meet", &PYTHAGOREAN, at_rest(), 1.8 / steps as f64, steps, 1e-9));
     let single = |numbers: [f64; 2]| numbers.map(|number| number as f32);
     let Phase { q, p } = pericentre(0.9);
-    // Singles round 2^29 times as coarsely as doubles.
+    // `f32` rounds 2^29 times as coarsely as `f64`.
     resolved.push(follow("Kepler, e = 0.9, in f32", &Kepler, Phase::new(single(q), single(p)), 1e-3, steps, 1e-2));
     for scale in [1e-100, 1e-60, 1e60, 1e100] {
         resolved.push(in_units(scale, steps));
@@ -113,7 +114,8 @@ pub(crate) fn resolved(steps: u64) -> Vec<Encounter> {
     resolved
 }
 
-/// Orbits that no step of these lengths survives, two bodies that collide and three that meet, and units out of all numbers.
+/// Orbits that these steps do not resolve: collisions, close encounters of three bodies, and units beyond the range of
+/// `f64`.
 pub(crate) fn unresolved(steps: u64, colliding: &[f64], meeting: &[f64]) -> Vec<Encounter> {
     let mut unresolved = Vec::new();
     for &h in colliding {
@@ -129,26 +131,26 @@ pub(crate) fn unresolved(steps: u64, colliding: &[f64], meeting: &[f64]) -> Vec<
     unresolved
 }
 
-/// Three bodies at rest at the corners of a triangle of sides 3, 4 and 5, which fall together (Burrau 1913).
+/// Three bodies at rest at the corners of a triangle with sides 3, 4 and 5 (Burrau 1913).
 const PYTHAGOREAN: ThreeBodies = ThreeBodies { masses: [3.0, 4.0, 5.0] };
 
 fn at_rest() -> Phase<[[f64; 2]; 3]> {
     Phase::new([[1.0, 3.0], [-2.0, -1.0], [1.0, -1.0]], [[0.0; 2]; 3])
 }
 
-/// The point of an orbit of semi-major axis 1 that is nearest to the centre.
+/// The pericentre of an orbit with semi-major axis 1.
 fn pericentre(eccentricity: f64) -> Phase<[f64; 2]> {
     let momentum = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
     Phase::new([1.0 - eccentricity, 0.0], [0.0, momentum])
 }
 
-/// A nearly circular orbit of radius `scale`: squares and cubes of it may be out of all numbers.
+/// A nearly circular orbit of radius `scale`; its square or cube may overflow or underflow.
 fn in_units(scale: f64, steps: u64) -> Encounter {
     let start = Phase::new([scale, 0.0], [0.0, 1.1 / scale.sqrt()]);
     follow(&format!("Kepler in units of {scale:e}"), &Kepler, start, 0.02 * scale * scale.sqrt(), steps, 1e-9)
 }
 
-/// Follows an orbit by a composition of order 8; its energy is right up to the share `tolerance`.
+/// Integrates an orbit with a composition of order 8. An energy error up to `tolerance` is correct.
 fn follow<H, C>(name: &str, system: &H, start: Phase<C>, h: f64, steps: u64, tolerance: f64) -> Encounter
 where
     H: Hamiltonian,
@@ -188,8 +190,8 @@ where
     Encounter { name: name.to_owned(), outcome }
 }
 
-/// An oscillation among the smallest numbers, whose energy is below all of them: its amplitude stays, up to the
-/// spacing of these numbers in each step.
+/// An oscillation in subnormal numbers; its energy underflows. The amplitude has to be conserved up to the spacing of
+/// these numbers per step.
 fn denormal(steps: u64) -> Encounter {
     let amplitude = 1e-310_f64;
     let farthest = || -> Result<f64, Error> {

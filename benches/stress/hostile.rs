@@ -4,7 +4,7 @@ use integrator_bench::problems::{HenonHeiles, Kepler, Pendulum};
 use integrator_core::{Coords, check, prelude::*};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Numbers at the ends of all numbers, and those that are none.
+/// Extreme, infinite and NaN values.
 const NUMBERS: [f64; 14] = [
     0.0,
     -0.0,
@@ -22,7 +22,7 @@ const NUMBERS: [f64; 14] = [
     f64::NAN,
 ];
 
-/// Sites whose number is known at run time.
+/// Sites with a number known at run time.
 struct Row;
 
 #[hamiltonian]
@@ -46,7 +46,7 @@ impl Row {
     }
 }
 
-/// How many of `rounds` rounds of calls panic.
+/// Returns how many of `rounds` rounds of calls panic.
 pub(crate) fn panics(rounds: u64) -> u64 {
     let mut numbers = Numbers(0x9e37_79b9_7f4a_7c15);
     let round = |numbers: &mut Numbers| {
@@ -64,7 +64,7 @@ pub(crate) fn panics(rounds: u64) -> u64 {
         calls(&Row, Phase::new(sites(numbers), sites(numbers)), h, numbers);
         let members = (0..numbers.below(20)).map(|_| (Kepler, Phase::new(pair(numbers), pair(numbers))));
         if let Ok(mut swarm) = Ensemble::new(Yoshida4, members.collect::<Vec<_>>(), h) {
-            // What is lost is named; which members are is no matter here.
+            // The error lists failed members; which ones they are does not matter here.
             let _ = swarm.advance(numbers.below(3000));
             swarm.states().for_each(drop);
             let _ = (swarm.energy(7), swarm.state(usize::MAX));
@@ -76,7 +76,7 @@ pub(crate) fn panics(rounds: u64) -> u64 {
     (0..rounds).filter(|_| catch_unwind(AssertUnwindSafe(|| round(&mut numbers))).is_err()).count() as u64
 }
 
-/// Whatever can be asked of a run; outcomes are dropped, for all that matters is that there is one.
+/// Calls the methods of a run and the checks. Results are ignored, because only panics count.
 fn calls<H, C>(system: &H, start: Phase<C>, h: f64, numbers: &mut Numbers)
 where
     H: Hamiltonian,
@@ -104,7 +104,7 @@ where
     }
 }
 
-/// Numbers at random (the generator of Marsaglia 2003).
+/// Random numbers (Marsaglia 2003).
 struct Numbers(u64);
 
 impl Numbers {
@@ -115,7 +115,7 @@ impl Numbers {
         if limit == 0 { 0 } else { (self.0 >> 11) % limit }
     }
 
-    /// One of the [`NUMBERS`], or one of any size.
+    /// Returns one of the [`NUMBERS`], a number between -1 and 1, or a number with random bits.
     fn next(&mut self) -> f64 {
         match self.below(3) {
             0 => NUMBERS[self.below(NUMBERS.len() as u64) as usize],

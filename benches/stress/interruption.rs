@@ -9,7 +9,7 @@ use std::{
     time::Duration,
 };
 
-/// Tells a process which file to go on with until it is killed.
+/// Environment variable with the checkpoint file that a process resumes until it is killed.
 const FILE: &str = "STRESS_RUN_TO_KILL";
 
 type Orbit = Run<[f64; 2]>;
@@ -22,7 +22,7 @@ fn resumed(bytes: &[u8]) -> Result<Orbit, CheckpointError> {
     Run::resume_with(&HenonHeiles, Yoshida4, bytes)
 }
 
-/// Goes on with a run until this process is killed, if it is asked to.
+/// Resumes a run until this process is killed, if the environment variable requests it.
 pub(crate) fn answer() -> bool {
     let Some(path) = env::var_os(FILE).map(PathBuf::from) else { return false };
     let going = match fs::read(&path) {
@@ -34,9 +34,9 @@ pub(crate) fn answer() -> bool {
     true
 }
 
-/// Kills a run `attempts` times, each time as soon as it has written something and at another moment; how many times what
-/// it left could not be gone on with or was behind what had been there, and whether the end has other bits than a run
-/// that was never killed. `command` starts a process that comes to [`answer`].
+/// Kills a run `attempts` times, each time at another moment after its first write. Counts the checkpoints that cannot
+/// be resumed or that lie behind an earlier one, and adds one if the final state is not bitwise identical to that of an
+/// uninterrupted run. `command` starts a process that calls [`answer`].
 pub(crate) fn failures(attempts: u64, command: impl Fn() -> io::Result<Command>) -> io::Result<u64> {
     let path = env::temp_dir().join(format!("stress-run-{}", std::process::id()));
     let steps = |path: &Path| fs::read(path).map_or(Ok(0), |bytes| resumed(&bytes).map(|run| run.steps()));
@@ -72,8 +72,8 @@ pub(crate) fn failures(attempts: u64, command: impl Fn() -> io::Result<Command>)
     Ok(failures)
 }
 
-/// How many of a checkpoint's damaged copies are accepted: each bit flipped, and each pair of bits that are `stride`
-/// apart and more.
+/// Counts the damaged copies of a checkpoint that are accepted: copies with one flipped bit, and copies with two
+/// flipped bits at least `stride` bits apart.
 pub(crate) fn damaged_accepted(stride: usize) -> Result<usize, Error> {
     let mut run = begin()?;
     run.advance(1_234)?;

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 const SITES: usize = 4;
 
-/// Springs between neighbours and to the walls, such that the fastest mode has the frequency 1.
+/// Springs between neighbours and to the walls; the fastest mode has the frequency 1.
 struct Chain {
     stiffness: f64,
 }
@@ -28,23 +28,23 @@ impl Chain {
     }
 }
 
-/// By how much the energies of the second half of a run may exceed those of the first where nothing grows: beats close
-/// to the limit take their time.
+/// Largest ratio of the energies of the second half of a run to those of the first half without growth. Beats close to
+/// the limit are slow.
 const GROWN: f64 = 10.0;
 
-/// How often the energy is looked at in each half.
+/// Number of energy samples in each half.
 const LOOKS: u64 = 64;
 
-/// What became of a run.
+/// Result of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outcome {
-    /// The energy stayed within a bound.
+    /// The energy is bounded.
     Bounded,
-    /// The run ended in an error.
+    /// The run returned an error.
     Reported,
-    /// The energy grew, and `check::stability` warns of the step.
+    /// The energy grew, and `check::stability` warns of this step.
     Warned,
-    /// The energy grew, and nothing was said.
+    /// The energy grew without any report.
     Silent,
 }
 
@@ -54,19 +54,19 @@ pub(crate) struct Trial {
     pub(crate) composition: &'static str,
     /// `h·ω` of the fastest mode.
     pub(crate) angle: f64,
-    /// The `h·ω` up to which the composition is stable.
+    /// Largest stable `h·ω` of the composition.
     pub(crate) limit: f64,
     pub(crate) outcome: Outcome,
 }
 
 impl Trial {
-    /// Whether the answer was wrong: an instability below the limit, or one that nobody was told of.
+    /// Returns whether the result is wrong: an instability below the limit, or one without any report.
     pub(crate) fn is_wrong(&self) -> bool {
         self.outcome == Outcome::Silent || (self.angle < self.limit && self.outcome != Outcome::Bounded)
     }
 }
 
-/// All compositions with the steps `angles`.
+/// Runs all compositions with the steps `angles`.
 pub(crate) fn trials(angles: &[f64], steps: u64) -> Vec<Trial> {
     let fastest = 2.0 * (PI * SITES as f64 / (2 * SITES + 2) as f64).sin();
     let mut sweep = Sweep { chain: Chain { stiffness: fastest.powi(-2) }, angles, steps, trials: Vec::new() };

@@ -30,11 +30,11 @@ use std::{
     process::Command,
 };
 
-/// The steps of a pendulum and of a star in a galaxy, and those of a Kepler part and of the outer solar system.
+/// Steps of the pendulum and of a star in a galaxy; `PLANETARY`: those of a Kepler part and of the outer solar system.
 const LONG: u64 = 1_000_000_000;
 const PLANETARY: u64 = 100_000_000;
 
-/// A Kepler part and another one that does nothing.
+/// A Kepler part, and another part with no effect.
 struct Revolving {
     rest: f64,
 }
@@ -49,7 +49,7 @@ impl Revolving {
     }
 }
 
-/// How many trajectories grow errors side by side: two vectors of singles, or two times two of doubles, on two threads.
+/// Number of trajectories for the growth of errors: with two threads, one vector of `f32` or two of `f64` per thread.
 const MEMBERS: usize = 32;
 
 fn main() -> Result<(), Box<dyn Failure>> {
@@ -81,7 +81,7 @@ fn main() -> Result<(), Box<dyn Failure>> {
     Ok(())
 }
 
-/// What is said at the end.
+/// Final lines and failures.
 #[derive(Default)]
 struct Report {
     lines: Vec<String>,
@@ -89,7 +89,7 @@ struct Report {
 }
 
 impl Report {
-    /// A part of the stress, and its last lines. What panics is counted, and the other parts go on.
+    /// Runs one part of the bench and collects its last lines. Panics are counted, and the other parts continue.
     fn part(&mut self, name: &str, run: impl FnOnce(&mut Vec<String>) -> Result<(), Box<dyn Failure>>) {
         println!("\n{name}");
         match catch_unwind(AssertUnwindSafe(|| run(&mut self.lines))) {
@@ -146,7 +146,7 @@ fn reversal_table(steps: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Fai
     Ok(())
 }
 
-/// Steps so short that the error of the composition is below the rounding of an energy.
+/// Steps so short that the error of the composition is below the rounding of the energy.
 fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(), Box<dyn Failure>> {
     let pendula = (0..MEMBERS).map(|member| {
         let start = Phase::compensated([1.0 + 0.02 * member as f64], [0.1]);
@@ -158,7 +158,7 @@ fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(
     });
     let planets = Problems::default().solar();
     let systems = (0..MEMBERS).map(|member| {
-        // Velocities that differ a little, but for the Sun's.
+        // Slightly different velocities, except for the Sun.
         let mut p = planets.start.p;
         for momentum in &mut p[1..] {
             *momentum = momentum.map(|p| p * (1.0 + 1e-4 * member as f64));
@@ -166,7 +166,7 @@ fn brouwer_table(long: u64, planetary: u64, lines: &mut Vec<String>) -> Result<(
         (planets.system, Phase::compensated(planets.start.q, p))
     });
     let bodies = (0..MEMBERS).map(|member| {
-        // Eccentricities up to 0.3 from the pericentre on.
+        // Starts at the pericentre, with eccentricities up to 0.3.
         let start = Phase { q: [1.0, 0.0], p: [0.0, (1.0 + 0.01 * member as f64).sqrt()] };
         (Revolving { rest: 0.0 }, start)
     });

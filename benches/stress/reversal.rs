@@ -3,19 +3,19 @@
 use integrator_bench::problems::HenonHeiles;
 use integrator_core::{Coords, Visitor, prelude::*};
 
-/// 2^-44, so that coordinates may reach 128.
+/// 2^-44, which allows coordinates up to 128.
 const GRID: f64 = 1.0 / (1_u64 << 44) as f64;
 
-/// What a composition brought back.
+/// Result of a run forwards and backwards.
 pub(crate) struct Return {
     pub(crate) composition: &'static str,
-    /// Bits of coordinates on the grid that are not those of the start.
+    /// Number of bits of coordinates on the grid that differ from the initial state.
     pub(crate) bits_lost: u32,
-    /// The largest change of a coordinate in floating point.
+    /// Largest change of a coordinate in floating point.
     pub(crate) distance: f64,
 }
 
-/// All symmetric compositions, `steps` steps each way on an orbit that is not chaotic.
+/// Runs all symmetric compositions, `steps` steps in each direction, on a regular orbit.
 pub(crate) fn returns(steps: u64) -> Result<Vec<Return>, Error> {
     let mut each = Each { steps, returns: Ok(Vec::new()) };
     HenonHeiles::visit_compositions(&mut each);

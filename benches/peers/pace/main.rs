@@ -17,9 +17,9 @@ use integrator_peers::{
 };
 use std::{error::Error, f64::consts::TAU, hint::black_box};
 
-/// The errors that times are given for.
+/// Errors at which times are reported.
 const ERRORS: [f64; 5] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10];
-/// How many forces the longest steps of others take.
+/// Force evaluations of the other crates' runs with the longest steps.
 const EVALUATIONS: u64 = 1 << 15;
 
 struct TwoBodies;
@@ -37,13 +37,13 @@ impl TwoBodies {
     }
 }
 
-/// The orbit from its pericentre, which is where it ends.
+/// Starts at the pericentre; the orbit ends there as well.
 fn orbit(e: f64) -> Case<Kepler, 2> {
     let q = [1.0 - e, 0.0];
     Case { field: Kepler, q, v: [0.0, ((1.0 + e) / (1.0 - e)).sqrt()], span: 1_000.0 * TAU, reference: q.to_vec() }
 }
 
-/// Runs of one of this library's methods, by what it is at each level and its step there.
+/// Measures a method of this library; `method` returns the method and its step at each level.
 fn ours<X: Method<TwoBodies>>(case: &Case<Kepler, 2>, name: &str, method: impl Fn(i32) -> (X, f64)) -> Curve {
     let end = |level: u32| {
         let (method, h) = method(level as i32);
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             (method, case.span / 100.0)
         });
         let peers = curves::<_, 2, 4>(&case, EVALUATIONS);
-        // The distance of a case is in units of its end, which is so far from the centre.
+        // Errors of a case are relative to the norm of the final position, which is `1 - e`.
         let time_to = |curve: &Curve, error: f64| curve.time_to(Kind::Global, error / (1.0 - e));
         for curve in [&logarithmic, &paced, &taylor].into_iter().chain(&peers) {
             let times = ERRORS.map(|error| time_to(curve, error).unwrap_or(f64::NAN));

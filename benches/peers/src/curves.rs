@@ -11,10 +11,10 @@ use ode_solvers::{Dop853, OutputType};
 use std::{hint::black_box, ops::ControlFlow};
 use utsuroi::{DynamicalSystem, State, Tolerances};
 
-/// How often the energy is looked at along a run.
+/// Number of energy samples per run.
 const LOOKS: u64 = 256;
 
-/// The largest energy error so far, and the end.
+/// The largest energy error so far, and the final positions.
 struct Look<'c, F, const D: usize> {
     case: &'c Case<F, D>,
     energy: f64,
@@ -33,14 +33,15 @@ impl<'c, F: Field<D>, const D: usize> Look<'c, F, D> {
         let (q, v) = y.split_at(D);
         self.at(q.try_into().expect("positions"), v.try_into().expect("velocities"));
     }
-    /// Nothing where a number was lost.
+    /// Returns the energy error and the error at the end, or `None` if one of them is not finite.
     fn errors(&self) -> Option<[f64; 2]> {
         let errors = [self.energy, self.case.global_error(&self.end)];
         errors.iter().all(|error| error.is_finite()).then_some(errors)
     }
 }
 
-/// All methods of all peers on a problem of `N` = 2 `D` numbers. `evaluations` is how many forces the longest steps take.
+/// Measures all methods of all peers on a problem with `N` = 2 `D` coordinates. `evaluations` is the number of force
+/// evaluations with the longest steps.
 pub fn curves<F: Field<D>, const D: usize, const N: usize>(case: &Case<F, D>, evaluations: u64) -> Vec<Curve> {
     type Run<'r, F, const D: usize> = dyn Fn(u64, Option<&mut Look<F, D>>) + 'r;
     type Solve<'r, F, const D: usize> = dyn Fn(f64, Option<&mut Look<F, D>>) + 'r;
@@ -93,7 +94,7 @@ pub fn curves<F: Field<D>, const D: usize, const N: usize>(case: &Case<F, D>, ev
     ]
 }
 
-/// A case as each of the peers wants it.
+/// Wraps a case for the traits of the other crates.
 struct Flat<'c, F, const D: usize, const N: usize>(&'c Case<F, D>);
 
 impl<F, const D: usize, const N: usize> Clone for Flat<'_, F, D, N> {
@@ -104,7 +105,7 @@ impl<F, const D: usize, const N: usize> Clone for Flat<'_, F, D, N> {
 impl<F, const D: usize, const N: usize> Copy for Flat<'_, F, D, N> {}
 
 impl<F: Field<D>, const D: usize, const N: usize> Flat<'_, F, D, N> {
-    /// Positions, then velocities.
+    /// Returns positions, then velocities.
     fn start(&self) -> [f64; N] {
         std::array::from_fn(|i| if i < D { self.0.q[i] } else { self.0.v[i - D] })
     }
@@ -179,7 +180,7 @@ fn utsuroi_dop853<F: Field<D>, const D: usize, const N: usize>(
     black_box(stepper.advance_to(case.span, seen, |_, _| ControlFlow::<()>::Continue(())).is_ok());
 }
 
-/// What `differential-equations` shows its steps to.
+/// Output callback for `differential-equations`.
 struct Watch<'l, 'c, F, const D: usize> {
     look: Option<&'l mut Look<'c, F, D>>,
     every: u64,
@@ -218,7 +219,8 @@ fn ode_solvers_dop853<F: Field<D>, const D: usize, const N: usize>(
     look: Option<&mut Look<F, D>>,
 ) {
     let (span, start) = (system.0.span, system.start().into());
-    // As by default, but for the number of steps, of which there are many, and for what is kept: the steps themselves.
+    // Default parameters, except for the limit on the number of steps and the output, which stores the steps
+    // themselves.
     let (safety, beta, least, most) = (0.9, 0.0, 0.333, 6.0);
     let (first, steps, stiffness) = (0.0, u32::MAX, u32::MAX);
     let mut solver = Dop853::from_param(

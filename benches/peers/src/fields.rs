@@ -8,23 +8,23 @@ use integrator_core::{Coords, Hamiltonian, Phase};
 
 /// A system of `D` positions and velocities.
 pub trait Field<const D: usize> {
-    /// What the velocities change by.
+    /// Returns the accelerations.
     fn acceleration(&self, q: &[f64; D]) -> [f64; D];
-    /// The sum of kinetic and potential energy.
+    /// Returns the sum of kinetic and potential energy.
     fn energy(&self, q: &[f64; D], v: &[f64; D]) -> f64;
 }
 
-/// A field with a start and a known end.
+/// A field with an initial state and a known final state.
 pub struct Case<F, const D: usize> {
     /// The field.
     pub field: F,
-    /// The positions of the start.
+    /// Initial positions.
     pub q: [f64; D],
-    /// Its velocities.
+    /// Initial velocities.
     pub v: [f64; D],
-    /// How long it runs.
+    /// Duration of the run.
     pub span: f64,
-    /// The positions of the end, and perhaps the momenta.
+    /// Final positions.
     pub reference: Vec<f64>,
 }
 
@@ -44,19 +44,19 @@ impl<F: Field<D>, const D: usize> Case<F, D> {
         }
     }
 
-    /// The relative deviation of the energy from that of the start.
+    /// Returns the energy error relative to the initial energy.
     pub fn energy_error(&self, q: &[f64; D], v: &[f64; D]) -> f64 {
         let start = self.field.energy(&self.q, &self.v);
         (self.field.energy(q, v) / start - 1.0).abs()
     }
 
-    /// The distance of positions from those of the end, in units of the length of these.
+    /// Returns the distance of positions from the final ones, relative to the norm of the latter.
     pub fn global_error(&self, q: &[f64; D]) -> f64 {
         distance(q, &self.reference)
     }
 }
 
-/// In units of the length of the reference.
+/// Returns the distance from the reference, relative to its norm.
 pub fn distance(q: &[f64], reference: &[f64]) -> f64 {
     let norm = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
     norm(&mut q.iter().zip(reference).map(|(q, reference)| q - reference)) / norm(&mut reference.iter().copied())
@@ -66,11 +66,11 @@ pub fn distance(q: &[f64], reference: &[f64]) -> f64 {
 pub struct Pendulum;
 /// A star in a galaxy.
 pub struct HenonHeiles;
-/// A body about a star.
+/// A body orbiting a star.
 pub struct Kepler;
-/// The sun and five planets, by their masses.
+/// The Sun and five planets; the field contains their masses.
 pub struct Solar([f64; 6]);
-/// A chain of springs, by what is not linear of them.
+/// A chain of springs; the field contains the nonlinear coefficient.
 pub struct Chain(f64);
 
 impl Field<1> for Pendulum {
@@ -106,7 +106,7 @@ impl Field<2> for Kepler {
 }
 
 impl Solar {
-    /// The difference of two positions, and its square.
+    /// Returns the difference of two positions, and its square.
     #[inline]
     fn apart(q: &[f64; 18], i: usize, j: usize) -> ([f64; 3], f64) {
         let apart = [0, 1, 2].map(|axis| q[3 * i + axis] - q[3 * j + axis]);
@@ -157,7 +157,7 @@ impl Field<32> for Chain {
     }
 }
 
-/// A pendulum that swings far.
+/// A pendulum with a large amplitude.
 pub fn pendulum(problems: &Problems) -> Case<Pendulum, 1> {
     Case::new(Pendulum, &problems.pendulum(), |_| 1.0)
 }
@@ -175,7 +175,7 @@ pub fn solar(problems: &Problems) -> Case<Solar, 18> {
     let masses = problem.system.masses;
     Case::new(Solar(masses), &problem, |i| masses[i / 3])
 }
-/// A chain of 32.
+/// A chain of 32 sites.
 pub fn chain(problems: &Problems) -> Case<Chain, 32> {
     let problem = problems.chain();
     Case::new(Chain(problem.system.alpha), &problem, |_| 1.0)

@@ -9,13 +9,13 @@ use integrator_core::{
 use integrator_peers::fields::distance;
 use std::{hint::black_box, ops::Range};
 
-/// How often the energy is looked at along a run.
+/// Number of energy samples per run.
 const LOOKS: u64 = 256;
 
-/// What the curves of the Taylor method begin with.
+/// Prefix of the names of Taylor curves.
 pub(crate) const TAYLOR: &str = "Taylor";
 
-/// The curves of a choice of the catalogue on one problem.
+/// Curves of selected methods on one problem.
 pub(crate) struct Ours<'p, H: Hamiltonian> {
     problem: &'p Problem<H>,
     evaluations: u64,
@@ -26,7 +26,7 @@ impl<H: Hamiltonian> Ours<'_, H>
 where
     H::Coords: Coords<Leaf = f64>,
 {
-    /// Runs in doubles.
+    /// Measures a composition with plain `f64` states.
     fn plain<X: Composition<H>>(&mut self, composition: X) {
         let start = || self.problem.start.clone();
         let run = |h| self.problem.system.run_with::<f64, X>(composition, start(), h);
@@ -34,7 +34,7 @@ where
         self.curves.push(curve);
     }
 
-    /// Runs that carry the rounding error of every update.
+    /// Measures a composition with compensated states.
     fn compensated<X: Composition<H>>(&mut self, composition: X) {
         let start = || Phase::compensated(self.problem.start.q.clone(), self.problem.start.p.clone());
         let run = |h| self.problem.system.run_with::<Compensated<f64>, X>(composition, start(), h);
@@ -43,7 +43,7 @@ where
         self.curves.push(curve);
     }
 
-    /// Taylor's method of an order, by ever smaller tolerances; it takes steps of its own between looks.
+    /// Measures Taylor's method of one order with decreasing tolerances. It chooses its own steps between samples.
     fn taylor(&mut self, order: usize)
     where
         Taylor: Method<H>,
@@ -60,7 +60,7 @@ where
         self.curves.push(curve);
     }
 
-    /// The steps of each level for a composition with so many forces.
+    /// Returns the number of steps at each level for a composition with `forces` force evaluations per step.
     fn steps(&self, forces: usize) -> impl Fn(u32) -> u64 + use<H> {
         let coarsest = (self.evaluations / forces as u64).next_power_of_two();
         move |level| coarsest << level
@@ -111,7 +111,7 @@ where
     }
 }
 
-/// `evaluations` is how many forces the longest steps take.
+/// Measures all curves. `evaluations` is the number of force evaluations with the longest steps.
 pub(crate) fn curves<H: integrator_core::QuadraticKinetic + Recurrences>(
     problem: &Problem<H>,
     evaluations: u64,
