@@ -156,7 +156,7 @@ impl Slab {
         start..start + self.halos[side]
     }
 
-    /// Where the sites of a border are: the halo on this side and this number of of its own sites, in the order of all.
+    /// Where the sites of a border are: the halo on this side and `own` of the sites of this rank, in index order.
     pub(crate) fn border(&self, side: usize, own: usize) -> [Range<usize>; 2] {
         let mut parts = [self.halo(side), self.edge(side, own)];
         parts.sort_unstable_by_key(|part| part.start);
