@@ -642,7 +642,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_depend_on_the_part_contributes_nothing() {
+    fn terms_independent_of_the_part_contribute_nothing() {
         let mut graph = Graph::default();
         let index = graph.loops.intern(Index::Literal(0));
         let p = graph.coordinate(Element { part: Part::Momentum, index, component: None });
@@ -651,7 +651,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_around_what_does_not_depend_on_it_is_a_factor() {
+    fn a_loop_over_a_term_independent_of_it_is_a_factor() {
         let mut graph = Graph::default();
         let by = range(&mut graph, None, Index::Literal(0), Index::Literal(7));
         let q = position(&mut graph, Index::Literal(2));

@@ -311,7 +311,7 @@ mod tests {
     ];
 
     #[test]
-    fn products_are_as_few_as_by_hand() {
+    fn products_are_as_few_as_hand_written() {
         for (name, potential, products) in POTENTIALS {
             let mut graph = Graph::default();
             let [x, y] = [0, 1].map(|position| {

@@ -354,7 +354,7 @@ fn wrong_coefficients_are_refused() {
 }
 
 #[test]
-fn equal_tokens_give_equal_text() {
+fn equal_tokens_give_equal_code() {
     let text = "struct A = suzuki(triple_jump(Verlet));";
     assert_eq!(expand(text).to_string(), expand(text).to_string());
 }

@@ -35,7 +35,7 @@ fn derivatives_are_cheap() {
 }
 
 #[test]
-fn the_same_system_gives_the_same_text() {
+fn the_same_system_gives_the_same_code() {
     for system in corpus() {
         let expansion = || hamiltonian(system.arguments.clone(), system.item.to_token_stream()).to_string();
         assert_eq!(expansion(), expansion(), "{}", system.name());

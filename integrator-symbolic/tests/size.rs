@@ -200,7 +200,7 @@ fn tokens(text: TokenStream) -> usize {
 }
 
 #[test]
-fn what_is_written_grows_with_the_text() {
+fn generated_code_grows_linearly_with_the_source() {
     let mut faster = Vec::new();
     for (name, axis) in AXES {
         let [once, twice] = [12, 24].map(|count| {

@@ -133,7 +133,7 @@ fn function(expansion: &str, name: &str) -> String {
 }
 
 #[test]
-fn what_is_not_needed_is_not_there() {
+fn unneeded_code_is_not_generated() {
     for Row { point, system: [kinetic, potential], function: name, present, absent } in ROWS {
         let item = format!("impl Scene {{ {kinetic} {potential} }}").parse().expect("tokens");
         let text = function(&hamiltonian(TokenStream::new(), item).to_string(), name);

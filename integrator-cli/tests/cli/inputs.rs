@@ -51,7 +51,7 @@ error: index 2 is out of bounds for the coordinates `[f64; 2]`
 }
 
 #[test]
-fn compositions_are_held_against_the_system() {
+fn compositions_are_checked_against_the_system() {
     let relativistic = |compose: &str| {
         format!(
             "#[hamiltonian(compose = {compose})]
@@ -87,7 +87,7 @@ impl Relativistic {{
 type Row<'a> = (&'a str, &'a [u8], &'a str);
 
 #[test]
-fn what_is_no_annotated_file_is_said_so() {
+fn a_file_without_an_annotation_is_reported() {
     let deep = "(".repeat(100_000) + &")".repeat(100_000);
     let deep_system = format!("#[hamiltonian]\nimpl Deep {{ fn kinetic(&self) -> f64 {{ {deep} }} }}");
     let rows: &[Row<'_>] = &[
@@ -118,7 +118,7 @@ fn what_is_no_annotated_file_is_said_so() {
 }
 
 #[test]
-fn what_cannot_be_read_is_said_so() {
+fn an_unreadable_file_is_reported() {
     let folder = env!("CARGO_TARGET_TMPDIR");
     for path in [folder, "/nowhere/at/all.rs"] {
         let message = refusal(&["show", path]);
@@ -128,7 +128,7 @@ fn what_cannot_be_read_is_said_so() {
 
 /// A file cut off anywhere, and with a character too many.
 #[test]
-fn damaged_files_are_answered() {
+fn damaged_files_end_without_a_panic() {
     let pendulum = fs::read_to_string(repository().join("examples/pendulum.rs")).expect("text");
     let places = (0..pendulum.len()).filter(|at| pendulum.is_char_boundary(*at)).step_by(131);
     for at in places {

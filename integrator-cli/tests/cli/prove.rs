@@ -48,7 +48,7 @@ fn answers() {
 }
 
 #[test]
-fn an_order_that_does_not_hold_is_an_error_with_its_reason() {
+fn a_wrong_order_is_an_error_with_its_reason() {
     let sequence = "V(1/6) T(1/2) V(2/3) T(1/2) V(1/6)";
     let expected = format!(
         "error: declared order 4, but the proof finds order 2

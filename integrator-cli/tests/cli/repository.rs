@@ -5,7 +5,7 @@ use std::{fs, path::Path, thread};
 
 /// Annotated files of the repository, those with mistakes on purpose too; its folders side by side.
 #[test]
-fn the_files_of_the_repository_are_answered() {
+fn the_files_of_the_repository_are_shown_or_refused() {
     let folders = ["examples", "tests/long/tests/corpus", "tests/hygiene", "tests/language", "tests/ui/cases"];
     thread::scope(|scope| {
         for folder in folders {

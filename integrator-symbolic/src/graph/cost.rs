@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shared_counts_once() {
+    fn shared_nodes_count_once() {
         let mut graph = Graph::default();
         let index = graph.loops.intern(Index::Literal(0));
         let q = graph.coordinate(Element { part: Part::Position, index, component: None });

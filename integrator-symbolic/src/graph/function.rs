@@ -469,7 +469,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_said_never_to_be_negative_is_not() {
+    fn functions_marked_never_negative_are_never_negative() {
         for row in TABLE {
             let points = EVERYWHERE.into_iter().flat_map(|x| EVERYWHERE.map(|y| [x, y]));
             let below = points.map(|[x, y]| match row.rule {

@@ -416,7 +416,7 @@ mod tests {
     }
     /// Sums that double at every level, products of the two before, and the derivatives of a product of many factors.
     #[test]
-    fn what_is_shared_stays_shared() {
+    fn shared_nodes_stay_shared() {
         let mut graph = Graph::default();
         let [x, y, z, k] = at(&mut graph);
         let mut sum = graph.mul(x, y);

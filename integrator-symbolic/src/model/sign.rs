@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn what_may_be_negative_is_left_alone() {
+    fn expressions_that_may_be_negative_are_not_rewritten() {
         for text in [
             "self.eps",
             "-1.0",

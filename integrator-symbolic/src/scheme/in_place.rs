@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sequence_is_told_from_a_path() {
+    fn a_sequence_is_distinguished_from_a_path() {
         let peek = |text: &str| {
             let parser = |input: syn::parse::ParseStream<'_>| {
                 let found = InPlace::peek(input);

@@ -99,7 +99,7 @@ fn stepper(arguments: &str, item: &str) -> String {
 }
 
 #[test]
-fn functions_of_the_flows_are_fast_where_that_is_asked() {
+fn functions_of_the_flows_are_fast_on_request() {
     let item = "impl Rotor {
         fn kinetic(&self, p: [f64; 1]) -> f64 { 0.5 * p[0] * p[0] }
         fn potential(&self, q: [f64; 1]) -> f64 { self.strength.sin() * q[0].cos() + q[0].exp() * q[0].sinh() }
@@ -252,7 +252,7 @@ fn bonds_may_lead_to_the_second_next_site_alone() {
 /// Loops stay loops: the text for a long chain is that for a short one, but for the numbers and their fingerprint, and
 /// that small systems keep their buffers on the stack.
 #[test]
-fn text_does_not_grow_with_the_system() {
+fn code_does_not_grow_with_the_system() {
     let text = |length: u32| {
         let tokens = hamiltonian(TokenStream::new(), chain(length).parse().expect("tokens"));
         let text = tokens.to_string();
@@ -307,7 +307,7 @@ const PREPARED: &[(&str, &str)] = &[
 ];
 
 #[test]
-fn what_is_prepared_is_evaluated_where_the_function_does() {
+fn prepared_constants_are_evaluated_where_the_function_reads_them() {
     let plain = |text: &str| text.split_whitespace().collect::<String>().replace(",)", ")");
     for (body, expected) in PREPARED {
         let item = format!(

@@ -9,7 +9,7 @@ use proptest::{prelude::*, test_runner::RngSeed};
 use std::{env, path::Path, sync::LazyLock};
 
 #[test]
-fn equal_tokens_give_equal_text() {
+fn equal_tokens_give_equal_code() {
     for (arguments, item) in SAMPLES {
         let expand = || hamiltonian(tokens(arguments), tokens(item)).to_string();
         assert_eq!(expand(), expand(), "{item}");

@@ -224,7 +224,7 @@ fn annotations_with_parameters() {
 
 /// The potential begins on line 2.
 #[test]
-fn what_is_made_of_parameters() {
+fn values_computed_from_parameters() {
     check(BODIES, |text| {
         let item = format!(
             "impl System {{ {KINETIC} fn potential(&self, q: [f64; 1]) -> f64 {{\n{text}\n}} \

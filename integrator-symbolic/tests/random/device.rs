@@ -251,7 +251,7 @@ fn faults(systems: &Systems, name: &str) -> Option<Vec<String>> {
 }
 
 #[test]
-fn texts_for_devices_have_the_bits_of_the_rust_text() {
+fn device_code_is_bitwise_identical_to_the_rust_code() {
     let mut systems = Systems::default();
     let number = |name: &str, otherwise| env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise);
     let (first, count) = (number("RANDOM_SYSTEMS_SEED", 1), number("DEVICE_TEXT_SYSTEMS", 50));
@@ -275,7 +275,7 @@ fn texts_for_devices_have_the_bits_of_the_rust_text() {
 
 /// A product that is rounded before it is added is found, and so are two constants in each other's place.
 #[test]
-fn texts_with_a_mistake_are_found() {
+fn device_code_with_a_mistake_is_found() {
     for (from, to) in [("fma(step, gradient[i])", "add(step * gradient[i])"), ("number(0)", "number(1)")] {
         let mut systems = Systems::default();
         systems.add("names", &named());

@@ -111,7 +111,7 @@ fn pretty(system: &System) -> String {
 }
 
 #[test]
-fn steppers_are_what_the_functions_say() {
+fn steppers_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
     for seed in seeds(50) {
         tally.judge(&format!("system {seed}"), &grammar::system(seed));
@@ -123,7 +123,7 @@ fn steppers_are_what_the_functions_say() {
 }
 
 #[test]
-fn lattices_are_what_the_functions_say() {
+fn lattices_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
     for seed in seeds(40) {
         tally.judge(&format!("lattice {seed}"), &grammar::lattice(seed));
@@ -133,7 +133,7 @@ fn lattices_are_what_the_functions_say() {
 }
 
 #[test]
-fn bodies_in_pairs_are_what_the_functions_say() {
+fn bodies_in_pairs_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
     for seed in seeds(40) {
         tally.judge(&format!("bodies {seed}"), &grammar::pairs(seed));
@@ -144,7 +144,7 @@ fn bodies_in_pairs_are_what_the_functions_say() {
 
 /// Energies and forces are finite where those of the functions are, whatever the units of coordinates.
 #[test]
-fn steppers_are_what_the_functions_say_in_units_of_any_size() {
+fn steppers_match_the_functions_in_units_of_any_size() {
     type OfSeed = fn(u64) -> System;
     let kinds: [(&str, OfSeed); 3] = [
         ("system", grammar::system_in_units),
@@ -164,7 +164,7 @@ fn steppers_are_what_the_functions_say_in_units_of_any_size() {
 }
 
 #[test]
-fn steppers_of_changed_texts_are_what_the_functions_say() {
+fn steppers_of_changed_systems_match_the_functions() {
     let mut tally = Tally::default();
     for seed in seeds(50) {
         let (mut system, mut choices) = (grammar::system(seed), Choices::new(seed));
@@ -180,7 +180,7 @@ fn steppers_of_changed_texts_are_what_the_functions_say() {
 
 /// Each kind of change, made in the generated text, is noticed in some system.
 #[test]
-fn faults_in_generated_texts_are_found() {
+fn faults_in_generated_code_are_found() {
     for mutation in MUTATIONS.iter().filter(|mutation| mutation.name != "one more adaptor") {
         let found = (1..200).any(|seed| {
             let system = grammar::system(seed);

@@ -384,7 +384,7 @@ fn it_is_shown_which_terms_are_quadratic() {
 }
 
 #[test]
-fn equations_are_what_a_person_writes() {
+fn equations_match_hand_written_ones() {
     let mut text = String::new();
     for (name, [kinetic, potential]) in TEXTBOOK {
         let (title, shape) = name.split_once(": ").expect("a shape");

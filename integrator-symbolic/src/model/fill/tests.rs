@@ -254,7 +254,7 @@ fn filled_arrays_have_the_values_of_rust() {
 
 /// The text is read once for every place that reads an element, not once for every element.
 #[test]
-fn what_is_read_does_not_grow_with_the_array() {
+fn the_graph_does_not_grow_with_the_array() {
     let nodes = |units: u32| {
         let body = format!(
             "let mut h = [0.0; {units}]; for k in 0..{units} {{ let mut s = t; for x in q {{ s += k as f64 * x; }} h[k] = s.tanh(); }} \

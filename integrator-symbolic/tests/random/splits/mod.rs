@@ -186,7 +186,7 @@ fn another_coefficient_is_found() {
 }
 
 #[test]
-fn what_the_runtime_is_told_wrongly_is_found_though_energies_and_field_are_right() {
+fn wrong_runtime_arguments_are_found_although_energies_and_field_are_right() {
     let wrong = [
         (Flow::Quadratic, "form . qq", "form . pp", Fault::Solved),
         (Flow::Quadratic, "form . pp", "form . qp", Fault::Solved),
