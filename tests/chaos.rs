@@ -268,7 +268,7 @@ fn steps_that_cannot_be_solved_end_an_orbit() {
 }
 
 #[test]
-fn orbits_that_are_lost_change_no_other() {
+fn failed_orbits_change_no_other() {
     // Beyond the three saddles orbits fall to minus infinity, in some tens of units of time.
     let inside = on_section(0.1, 0.05);
     let outside = Phase::new([0.0, 1.5], [0.0, 0.5]);
@@ -315,7 +315,7 @@ fn a_periodic_orbit_has_the_multipliers_of_its_closed_form() {
 
 /// Whatever time a method has of its own, the growth of differences at equal times is that of the flow.
 #[test]
-fn methods_with_a_time_of_their_own_tell_the_growth_at_equal_times() {
+fn methods_in_fictitious_time_measure_the_growth_at_equal_times() {
     fn holds<X: Differentiable<Comet>>(name: &str, method: X, h: f64) {
         let comet = Phase::new([0.4, 0.1], [-0.2, 1.6]);
         let report = chaos::indicators(&Comet, method, comet, h, 320).expect("an orbit");
@@ -341,7 +341,7 @@ fn methods_with_a_time_of_their_own_tell_the_growth_at_equal_times() {
 }
 
 #[test]
-fn orbits_that_tell_nothing_are_refused() {
+fn orbits_without_enough_information_are_refused() {
     let start = on_section(0.1, 0.0);
     let few = CheckError::TooFewSteps { steps: 3, needed: 16 };
     assert_eq!(chaos::indicators(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
@@ -459,7 +459,7 @@ impl Ring {
 /// A map names the orbits that are lost, ejected or refused, whoever shares their lanes; the others have the bits of a map without
 /// them.
 #[test]
-fn what_is_lost_from_a_map_is_told_from_what_is_regular() {
+fn failed_orbits_of_a_map_are_distinguished_from_regular_ones() {
     let start =
         |i: u32| Phase::new([0.05 * f64::from(i), 0.02, 0.0], [0.0, 0.01, if i == 3 { f64::NAN } else { 1e-4 }]);
     let (h, steps) = (0.2, 2_000);

@@ -207,7 +207,7 @@ mod late {
 }
 
 #[test]
-fn what_belongs_to_another_run_is_refused_with_a_reason() {
+fn the_checkpoint_of_another_run_is_refused_with_a_reason() {
     let bytes = run().checkpoint();
     let text = |error: CheckpointError| error.to_string();
 

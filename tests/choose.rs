@@ -156,7 +156,7 @@ fn only_admissible_compositions_are_ranked() {
 }
 
 #[test]
-fn the_leaf_of_the_start_decides_what_can_be_reached() {
+fn the_scalar_type_of_the_start_limits_the_accuracy() {
     let (Problem { start, .. }, span) = (pendulum(), 25.0);
     let goal = Goal::Energy(3e-14);
     let compensated = choose(&Pendulum, Phase::compensated(start.q, start.p), span, goal).expect("a ranking");
@@ -178,7 +178,7 @@ fn a_clock_hides_no_order_but_the_energy() {
 }
 
 #[test]
-fn what_cannot_be_chosen_says_why() {
+fn impossible_choices_report_the_reason() {
     let Problem { system, start, span } = henon_heiles();
     for span in [0.0, f64::NAN, f64::INFINITY] {
         let refused = choose(&system, start, span, Goal::Energy(1e-3));
@@ -277,7 +277,7 @@ fn splittings_are_measured_against_one_motion() {
 }
 
 #[test]
-fn a_splitting_of_another_hamiltonian_is_told_with_its_error() {
+fn a_splitting_of_another_hamiltonian_is_reported_with_its_error() {
     let (plain, stiffer) = (Coupled { stiffness: 1.0 }, Solved { stiffness: 1.01 });
     let goal = Goal::Trajectory(1e-5);
     let ranking = choose_among(&[&plain, &stiffer], OSCILLATORS, 50.0, goal).expect("a ranking");
@@ -310,7 +310,7 @@ impl Comet {
 }
 
 #[test]
-fn steps_in_a_time_of_their_own_are_ranked_beside_fixed_ones() {
+fn steps_in_fictitious_time_are_ranked_with_fixed_ones() {
     let comet = Comet { pull: 1.0 };
     let (start, span, tolerance) = (Phase::new([0.1, 0.0], [0.0, 19_f64.sqrt()]), 13.0, 1e-6);
     let splittings: [&dyn Splitting<_>; 3] = [&comet, &LogarithmicSteps(&comet), &PacedSteps(&comet)];
@@ -332,7 +332,7 @@ fn steps_in_a_time_of_their_own_are_ranked_beside_fixed_ones() {
 }
 
 #[test]
-fn a_pace_that_does_not_pass_says_why_it_was_not_tried() {
+fn a_pace_that_does_not_apply_reports_why_it_was_not_tried() {
     let comet = Comet { pull: -1.0 };
     let start = Phase::new([1.0, 0.0], [0.0, 1.0]);
     let splittings: [&dyn Splitting<_>; 2] = [&comet, &LogarithmicSteps(&comet)];

@@ -147,7 +147,7 @@ fn around<'p>(page: &'p str, table: &str) -> [&'p str; 3] {
 }
 
 #[test]
-fn the_facts_are_what_was_proved() {
+fn the_facts_are_those_of_the_proof() {
     if std::env::var_os("BLESS").is_some() {
         return update();
     }
@@ -176,7 +176,7 @@ fn update() {
 /// One column of the page, measured again. Other instruction sets round differently, which may move a step of the search
 /// by one place of its bisection, 2 %, on either side of the ratio, and a doubled error of a coefficient by far more.
 #[test]
-fn the_work_is_what_is_measured() {
+fn the_work_is_measured() {
     if std::env::var_os("BLESS").is_some() {
         return;
     }

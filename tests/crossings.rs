@@ -202,7 +202,7 @@ fn a_zero_after_a_step_is_the_crossing() {
 }
 
 #[test]
-fn what_touches_zero_or_stays_there_does_not_cross() {
+fn functions_that_touch_zero_or_stay_there_do_not_cross() {
     let touching = |state: &Phase<Vec<f64>>, _| state.q[0].powi(2);
     assert_eq!(straight(9.0).crossings(8, Direction::Either, touching).count(), 0);
     let mut nothing = straight(9.0).crossings(8, Direction::Either, |_, _| 0.0);
@@ -232,7 +232,7 @@ fn a_function_without_a_value_is_an_error_and_the_end() {
 }
 
 #[test]
-fn crossings_before_a_loss_are_seen() {
+fn crossings_before_a_failure_are_returned() {
     let mut crossings = straight(0.6).crossings(100, Direction::Rising, |state, _| state.q[0] - 0.1);
     let first = crossings.next().expect("a crossing").expect("finite states");
     // Straight on for 1.1, from -1 to 0.1: a rounding of each of the five steps.

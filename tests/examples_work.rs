@@ -84,7 +84,7 @@ fn order_gives_way_to_chaos_in_the_galaxy() {
 /// About half of the section is regular at the energy 1/8 (Hénon and Heiles 1964, figure 7), and asteroids are chaotic near
 /// Jupiter (Wisdom 1980), but for those that resonances protect.
 #[test]
-fn maps_tell_where_orbits_are_chaotic() {
+fn maps_show_where_orbits_are_chaotic() {
     let grid = grid::Grid { along: (-0.45, 0.75), up: (-0.5, 0.5), columns: 14, rows: 14 };
     let mut rows = 0;
     let mut goes_on = || {
@@ -191,7 +191,7 @@ fn the_soliton_passes_around_the_ring() {
 
 /// The numbers are Mathieu's: where the characteristic curves `a₀(q)` and `b₁(-q)` meet the axis and one another.
 #[test]
-fn the_trap_holds_where_mathieu_says() {
+fn the_trap_confines_where_mathieu_predicts() {
     let edge = trap::edge().expect("finite states");
     // A step is off by (h·ω)⁴, here 1e-4, with the small factor of its composition.
     assert!((edge - 0.908_046_333_7).abs() < 1e-7, "{edge}");
@@ -339,7 +339,7 @@ fn a_storage_ring_has_the_tune_of_its_matrices_and_loses_large_amplitudes() {
 
 /// Steps of 244 days arrive within 1e-10 of the reference; `T + V` misses it by ten thousand times that with as many forces.
 #[test]
-fn planets_need_few_steps_beside_their_orbits() {
+fn planets_need_few_steps_with_kepler_orbits() {
     let (system, start) = system::measured().expect("the table of the examples");
     let [separable, _] = planets::end(&system, BlanesMoanSrkn14, start, 4096 * 8 / 14).expect("a run");
     let [by_kepler, _] = planets::end(&planets::Planets(system), Aba1064, start, 4096).expect("a run");
@@ -408,7 +408,7 @@ fn solved_oscillators_leave_an_error_of_the_coupling_alone() {
 
 /// A study that is stopped after each piece, and begins a piece again, writes the files of one that never was.
 #[test]
-fn a_study_goes_on_where_it_was_stopped() {
+fn a_study_resumes_where_it_was_stopped() {
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/data/study");
     let folder = std::env::temp_dir().join(format!("study-{}", std::process::id()));
     let [at_once, by_pieces] = ["at_once", "by_pieces"].map(|name| folder.join(name));

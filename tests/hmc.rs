@@ -65,7 +65,7 @@ fn draws_have_the_mean_of_the_posterior() {
 
 /// A series of which every number is said four times has a quarter of its size.
 #[test]
-fn effective_sizes_are_told() {
+fn effective_sizes_count_independent_draws() {
     let mut random = fastrand::Rng::with_seed(7);
     let series: Vec<f64> = (0..5_000).flat_map(|_| [random.f64(); 4]).collect();
     let size = sampler::effective_size(&series);

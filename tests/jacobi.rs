@@ -187,7 +187,7 @@ fn the_energies_of_the_parts_add_up() {
 }
 
 #[test]
-fn looking_saving_and_portions_change_no_bit() {
+fn reading_saving_and_portions_change_no_bit() {
     let (system, start) = solar();
     let mut run = system.run(start, 120.0).expect("a run");
     run.advance(300).expect("steps");

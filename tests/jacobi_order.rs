@@ -204,7 +204,7 @@ fn a_changed_state_is_a_new_start_bit_for_bit() {
 }
 
 #[test]
-fn changed_members_start_anew_as_they_do_alone() {
+fn changed_members_restart_as_they_do_alone() {
     const STEP: f64 = 0.05;
     const METHOD: WisdomHolmanTouma3 = WisdomHolmanTouma3;
     let mut random = fastrand::Rng::with_seed(1);

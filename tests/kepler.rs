@@ -211,7 +211,7 @@ fn a_member_has_the_bits_of_its_run_alone() {
 }
 
 #[test]
-fn an_orbit_that_cannot_be_followed_is_reported_and_the_last_state_is_kept() {
+fn an_orbit_without_a_solution_is_reported_and_the_last_state_is_kept() {
     // 1e150 revolutions in a step: no digit is left of the time.
     let start = Phase::new([1e-100, 0.0], [0.0, 1e50]);
     let mut run = satellite(0.0).run_with(Verlet, start, 1.0).expect("a run");

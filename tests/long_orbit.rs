@@ -58,7 +58,7 @@ fn compensation_leaves_the_rounding_of_the_forces() {
 
 /// Without compensation every drift and every kick rounds the state too: some ε/2 of |q| times a force of up to 6.
 #[test]
-fn plain_leaves_lose_ten_times_as_much_and_more() {
+fn plain_scalar_types_lose_ten_times_as_much_and_more() {
     let (start, time, exact) = problem();
     let mut run = Kepler.run_with(SofroniouSpaletta10, start, time / STEPS as f64).expect("a start");
     run.advance(STEPS).expect("finite states");

@@ -156,7 +156,7 @@ fn sections_are_saved_like_samples() {
 
 /// Whatever they are kept in, numbers are doubles in a file.
 #[test]
-fn every_leaf_can_be_saved() {
+fn every_scalar_type_can_be_saved() {
     macro_rules! times_and_positions {
         ($start:expr) => {{
             let mut text = Vec::new();
@@ -214,7 +214,7 @@ impl Write for Full {
 }
 
 #[test]
-fn what_cannot_be_written_says_why() {
+fn a_failed_write_reports_the_reason() {
     for left in [0, 100_000] {
         let full = csv(springs(9.0).take(10_000), Full { left });
         let storage = |error: &io::Error| error.kind() == io::ErrorKind::StorageFull;

@@ -348,7 +348,7 @@ fn stiff_motion_is_damped_and_not_lost() {
 }
 
 #[test]
-fn what_is_not_solved_is_a_typed_error() {
+fn an_unsolved_step_is_a_typed_error() {
     /// Falls into a cusp, where no implicit step has an end.
     struct Cusp;
 

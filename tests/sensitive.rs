@@ -243,7 +243,7 @@ impl Hill {
 }
 
 #[test]
-fn derivatives_by_parameters_are_never_divided_and_end_with_the_numbers() {
+fn derivatives_by_parameters_are_never_rescaled_and_end_when_they_overflow() {
     let vector = Phase::new([1e-200], [1e-200]);
     let start = Phase::new([1e-250], [0.0]);
     let mut tangent = Hill { slope: 1.0 }.sensitivities(Verlet, start, [vector], 0.5).expect("a start");

@@ -180,7 +180,7 @@ fn vectors_are_derivatives_of_the_steps_of_every_system() {
 }
 
 #[test]
-fn other_precisions_carry_vectors() {
+fn other_precisions_support_vectors() {
     let galaxy = ([0.3, -0.2], [0.1, 0.35]);
     let vectors = directions(&Phase::new(galaxy.0, galaxy.1), 4);
     let advanced = |start: Phase<[f64; 2]>| {
@@ -251,7 +251,7 @@ impl Hill {
 }
 
 #[test]
-fn vectors_that_grow_beyond_all_numbers_are_divided_by_powers_of_two() {
+fn vectors_are_rescaled_by_powers_of_two_to_avoid_overflow() {
     let (h, steps) = (0.5_f64, 10_000);
     let mut tangent = Hill.tangent(Verlet, Phase::new([0.0], [0.0]), [Phase::new([1.0], [1.0])], h).expect("a start");
     tangent.advance(steps).expect("finite vectors");
@@ -320,7 +320,7 @@ fn branches_that_an_orbit_crosses_are_named() {
 }
 
 #[test]
-fn what_has_no_tangent_map_is_refused() {
+fn invalid_vectors_and_steppers_without_a_tangent_map_are_refused() {
     let start = Phase::new(vec![0.0, 0.1], vec![0.0, 0.0]);
     let refused = |vectors: Vec<Phase<Vec<f64>>>| {
         Chain.tangent(Verlet, start.clone(), vectors, 0.1).expect_err("these are no vectors")
@@ -347,7 +347,7 @@ fn what_has_no_tangent_map_is_refused() {
 }
 
 #[test]
-fn a_vector_that_is_lost_is_named_and_all_stay_at_the_last_step() {
+fn a_failed_vector_is_named_and_all_stay_at_the_last_step() {
     // On the axis the first coordinate stays where its force has an infinite slope.
     let on_axis = Phase::new([0.0, 0.25], [0.0, 0.0]);
     let vectors = directions(&on_axis, 4);

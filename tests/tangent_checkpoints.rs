@@ -79,7 +79,7 @@ where
 }
 
 #[test]
-fn tangents_go_on_from_their_bytes() {
+fn tangents_resume_from_their_bytes() {
     let pendulum = Pendulum { length: 1.2, drive: 0.3 };
     let (start, vector) = (Phase::new([1.0], [0.2]), Phase::new([0.3], [0.4]));
     let tangent = pendulum.tangent(Yoshida4, start, [vector], 0.1).expect("a start").at_time(2.5);
@@ -101,7 +101,7 @@ fn tangents_go_on_from_their_bytes() {
 }
 
 #[test]
-fn what_is_no_checkpoint_of_a_tangent_is_refused() {
+fn other_bytes_than_a_checkpoint_of_a_tangent_are_refused() {
     let pendulum = Pendulum { length: 1.2, drive: 0.3 };
     let start = Phase::new([1.0], [0.2]);
     let run = pendulum.run_with(Yoshida4, start, 0.1).expect("a start").checkpoint();

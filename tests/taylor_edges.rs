@@ -369,7 +369,7 @@ fn conditions_in_sums_and_on_lattices_end_steps_where_they_change() {
 }
 
 #[test]
-fn crossings_are_found_behind_an_edge() {
+fn crossings_are_found_after_an_edge() {
     let run = Edges { kind: 0 }.run_with(Taylor::tolerance(1e-16), Phase::new([0.0], [0.8]), 0.25).expect("a start");
     let mut crossings = run.crossings(16, Direction::Either, |state, _| state.q[0] - 0.3);
     let times: Vec<f64> = (0..2).map(|_| crossings.next().expect("a crossing").expect("a state").time).collect();

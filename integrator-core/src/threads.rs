@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn all_is_copied_and_looked_at() {
+    fn all_elements_are_copied_and_checked() {
         // Twice and a half what a thread is given at least.
         let from: Vec<u64> = (0..(5 << 19) / 16).collect();
         for threads in [None, Some(1), Some(2), Some(3)] {

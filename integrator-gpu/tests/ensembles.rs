@@ -117,7 +117,7 @@ fn can_compare<T>(made: &Result<T, GpuError>) -> bool {
 }
 
 #[test]
-fn the_text_has_states_and_energies_of_the_processor() {
+fn the_device_code_has_states_and_energies_of_the_processor() {
     let made = Ensemble::on(Device::Text, Yoshida4, pendulums(), 0.01);
     if !can_compare(&made) {
         return;
@@ -138,7 +138,7 @@ fn the_text_has_states_and_energies_of_the_processor() {
 }
 
 #[test]
-fn who_is_lost_is_named_once() {
+fn failed_members_are_named_once() {
     let members = || [1.0, 0.0].map(|q| (Runaway, Phase::new([q], [0.0])));
     let mut processor = OnProcessor::new(Verlet, members(), 0.01).expect("an ensemble");
     let Err(Error::Lost(reports)) = processor.advance(1_000) else { panic!("somebody is lost") };
@@ -157,7 +157,7 @@ fn who_is_lost_is_named_once() {
 }
 
 #[test]
-fn without_a_driver_there_is_an_error_and_a_fallback_where_it_is_asked() {
+fn without_a_driver_there_is_an_error_and_a_fallback_on_request() {
     let reason = match Ensemble::new(Yoshida4, pendulums(), 0.01) {
         Ok(_) => return eprintln!("SKIPPED: this machine has a device"),
         Err(reason) => reason,

@@ -113,7 +113,7 @@ fn clocks_start_at_a_time_and_stop_between_steps() {
 }
 
 #[test]
-fn who_is_lost_is_reported_as_on_the_processor() {
+fn failed_members_are_reported_as_on_the_processor() {
     let start = |i: usize| Phase::new([if i % 3 == 1 { 0.5 + i as f64 / 10.0 } else { 0.0 }], [0.0]);
     let Some((mut device, mut processor)) = both(fall, start, 0.01) else { return };
     for steps in [100, 300, 1_000] {
@@ -136,7 +136,7 @@ fn who_is_lost_is_reported_as_on_the_processor() {
 }
 
 #[test]
-fn members_leave_and_change_as_on_the_processor() {
+fn members_are_removed_and_changed_as_on_the_processor() {
     let start = |i: usize| Phase::new([0.1], [0.2 + i as f64 / 5.0]);
     let Some((mut device, mut processor)) = both(driven, start, 0.01) else { return };
     let stays = |member: usize, state: &Phase<[f64; 1]>| member == 0 || state.q[0] < 0.5;
@@ -157,7 +157,7 @@ fn members_leave_and_change_as_on_the_processor() {
 }
 
 #[test]
-fn a_checkpoint_goes_on_on_either_side() {
+fn a_checkpoint_resumes_on_either_side() {
     let start = |i: usize| Phase::compensated([if i % 3 == 1 { 0.8 } else { 0.01 }], [0.0]);
     let Some((mut device, mut processor)) = both(fall, start, 0.01) else { return };
     let _ = (device.advance(200), processor.advance(200));

@@ -370,7 +370,7 @@ mod tests {
     use super::Verdict;
 
     #[test]
-    fn what_is_expected_is_said_in_words() {
+    fn expectations_are_stated_in_words() {
         let cases = [
             ([0.0, 0.0], "exactly 0"),
             ([-1e-12, 1e-12], "0, to 10⁻¹²"),

@@ -56,7 +56,7 @@ fn a_volume_has_the_bits_of_a_run() {
 }
 
 #[test]
-fn a_checkpoint_is_that_of_a_run_and_goes_on_on_any_number_of_ranks() {
+fn a_checkpoint_is_that_of_a_run_and_resumes_on_any_number_of_ranks() {
     let path = std::env::temp_dir().join(format!("integrator-mpi-lattice-{}.run", std::process::id()));
     let name = path.display().to_string();
     let Some(of_run) = LATTICES.printed(1, &["save a run", &name]) else { return };
@@ -120,7 +120,7 @@ fn ends_that_diverge_are_renewed_where_that_helps() {
 }
 
 #[test]
-fn what_no_ranks_can_share_is_refused() {
+fn systems_that_ranks_cannot_share_are_refused() {
     let Some(alone) = LATTICES.printed(1, &["refused"]) else { return };
     let accepted = alone.lines().filter(|line| *line == "accepted").count();
     assert_eq!(accepted, 2, "one rank has no neighbours: {alone}");

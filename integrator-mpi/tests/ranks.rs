@@ -82,7 +82,7 @@ fn maps_of_orbits_do_not_depend_on_the_number_of_ranks() {
 }
 
 #[test]
-fn every_rank_is_told_the_same_mistakes() {
+fn every_rank_returns_the_same_errors() {
     let Some(refused) = RANKS.printed(3, &["refused"]) else { return };
     assert!(refused.starts_with("member 29 (on rank 0): the initial state is not finite"), "{refused}");
     let lost = RANKS.on_any_number(&["lost"]).unwrap_or_default();
@@ -110,7 +110,7 @@ fn every_rank_is_told_the_same_mistakes() {
 }
 
 #[test]
-fn a_rank_that_is_killed_or_panics_ends_the_job_and_the_checkpoint_goes_on() {
+fn a_rank_that_is_killed_or_panics_ends_the_job_and_the_checkpoint_resumes() {
     let (killed, whole) = (folder("killed"), folder("whole"));
     let [killed_name, whole_name] = [&killed, &whole].map(|folder| folder.display().to_string());
     // A panic ends the job with the code of `MPI_ABORT`, not with its own, 101; that it was called, MPI does not always say.

@@ -125,7 +125,7 @@ mod tests {
     use super::Axis;
 
     #[test]
-    fn a_scale_holds_what_it_is_fitted_to() {
+    fn a_scale_contains_the_values_it_is_fitted_to() {
         let inside = |part: Option<f64>| part.is_some_and(|part| (0.0..=1.0).contains(&part));
         let linear = Axis::linear("x").fit([-3.0, 5.0, f64::NAN]);
         assert!(inside(linear.part(-3.0)) && inside(linear.part(5.0)) && !inside(linear.part(9.0)));

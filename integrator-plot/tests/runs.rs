@@ -84,7 +84,7 @@ fn an_energy_is_drawn_against_the_time() {
 }
 
 #[test]
-fn energies_of_any_size_are_seen_beside_each_other() {
+fn energies_of_any_size_are_visible_in_one_picture() {
     let verlet = pendulum(200);
     let run = Pendulum.run_with(BlanesMoan6, Phase::new([1.0], [0.0]), 0.1).expect("a start");
     let better = run.samples(1).take(200).collect::<Result<Vec<_>, _>>().expect("samples");

@@ -115,7 +115,7 @@ fn a_broken_law_reads_well() {
 }
 
 #[test]
-fn a_flow_that_is_not_finite_is_told() {
+fn a_flow_that_is_not_finite_is_reported() {
     let system = Anharmonic { mass: 2.0, frequency: 3.0, fault: Fault::Undefined };
     let Err(CertifyError::Refused { shortfalls, .. }) = certify::<_, _, f64>(&system, Verlet, START, 0.05) else {
         panic!("neither certified nor refused");
@@ -134,7 +134,7 @@ fn three_parts_lead_where_their_energies_drive() {
 }
 
 #[test]
-fn what_belongs_to_kinetic_and_potential_energy_is_refused() {
+fn checks_for_separable_systems_are_refused() {
     let system = Anharmonic { mass: 2.0, frequency: 3.0, fault: Fault::None };
     let refused = check::stability::<_, _, f64>(&system, Verlet, START, 0.05);
     assert!(matches!(refused, Err(CheckError::NotSeparable { .. })), "{refused:?}");

@@ -144,7 +144,7 @@ fn compositions_conserve_their_modified_hamiltonians() {
 
 /// What is wrong, and the first power that tells: counted from 0, for `H` itself.
 #[test]
-fn what_is_a_little_wrong_conserves_something_else() {
+fn a_slightly_wrong_stepper_conserves_another_energy() {
     let table = [
         ("a force too strong by a thousandth", measured(&HenonHeiles {}, Strong), 0),
         ("half a drift too few", measured(&HenonHeiles {}, Unmerged), 0),

@@ -145,7 +145,7 @@ fn a_step_far_too_fine_or_backwards() {
 }
 
 #[test]
-fn a_step_far_too_coarse_still_tells_the_order() {
+fn a_step_far_too_coarse_still_shows_the_order() {
     let pendulum = Pendulum { mass: 2.0, length: 0.5, gravity: 9.81 };
     let start = Phase::new([2.0], [0.3]);
     for h in [1.0, 1e3, 1e9] {

@@ -53,7 +53,7 @@ fn outcome(slope: f64, curvature: f64, inertia: f64) -> Result<Certificate, Cert
 }
 
 #[test]
-fn stated_derivatives_are_held_against_differences() {
+fn stated_derivatives_are_checked_against_differences() {
     let certificate = outcome(1.0, 1.0, 1.0).unwrap_or_else(|error| panic!("{error}"));
     let agreement = certificate.agreement.expect("as it is stated");
     // Five states; for each function an energy, and for each coordinate a slope and its tangent.
@@ -104,7 +104,7 @@ impl Mapped {
 }
 
 #[test]
-fn arrays_of_stated_derivatives_are_held_against_differences() {
+fn arrays_of_stated_derivatives_are_checked_against_differences() {
     let outcome = |slope, curvature| {
         let start = Phase::new([0.7, 0.5, 0.9], [0.3, 0.1, -0.2]);
         certify(&Mapped { slope, curvature }, Verlet, start, 0.05)
@@ -125,7 +125,7 @@ fn arrays_of_stated_derivatives_are_held_against_differences() {
 }
 
 #[test]
-fn a_text_that_is_misread_is_told_where_it_shows() {
+fn misread_code_is_reported_at_the_function() {
     // From the axis, where the square of the square is none, so that only the orbit shows it.
     let start = Phase::new([0.0, 0.5], [1.0, 0.0]);
     let outcome = certify(&Misread {}, Verlet, start, 0.01);
@@ -168,7 +168,7 @@ impl InOne {
 }
 
 #[test]
-fn a_hamiltonian_in_one_function_is_held_against_it() {
+fn a_hamiltonian_in_one_function_is_checked_against_that_function() {
     let outcome = |slope| certify(&InOne { slope }, Verlet, Phase::new([0.7, 0.2], [0.3, 0.1]), 0.05);
     let certificate = outcome(1.0).unwrap_or_else(|error| panic!("{error}"));
     let agreement = certificate.agreement.expect("as it is written");
@@ -194,7 +194,7 @@ fn a_hamiltonian_in_one_function_is_held_against_it() {
 
 #[test]
 #[cfg(debug_assertions)]
-fn a_debug_build_holds_every_start_against_the_functions() {
+fn a_debug_build_checks_every_start_against_the_functions() {
     let start = Phase::new([2.0, 3.0], [1.0, 0.0]);
     let misread = |outcome: Result<(), Error>| match outcome {
         Err(Error::Misread(misread)) => (misread.function, misread.stated, misread.generated),

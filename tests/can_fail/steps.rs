@@ -69,7 +69,7 @@ fn a_step_near_the_limit_is_certified_with_a_warning() {
 }
 
 #[test]
-fn any_leaf_is_measured_and_bad_input_is_an_error() {
+fn any_scalar_type_is_measured_and_bad_input_is_an_error() {
     let start = Phase::new([0.1], [0.2]);
     let plain = told(&PENDULUM, Euler, start, 0.01);
     let compensated = Phase::compensated(start.q, start.p);

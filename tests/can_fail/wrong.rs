@@ -104,7 +104,7 @@ fn another_motion_is_far_from_the_exact_one_whatever_the_step() {
 }
 
 #[test]
-fn a_motion_that_no_reference_follows_is_told() {
+fn a_motion_without_a_reference_solution_is_reported() {
     // A thousand periods by flows alone.
     let measured = check::global_error(&PENDULUM, Verlet, Phase::new([2.0], [0.3]), 0.01, 200_000);
     assert!(matches!(measured, Err(CheckError::NoReference { span: 2e3, .. })), "{measured:?}");
@@ -124,7 +124,7 @@ fn friction() {
 
 /// What goes wrong a little in each step goes wrong in proportion to the time.
 #[test]
-fn a_drift_is_told_from_an_oscillation() {
+fn a_drift_is_distinguished_from_an_oscillation() {
     let start = Phase::new([2.0], [0.0]);
     let course = |drift: Result<check::EnergyDrift, CheckError>| drift.expect("finite").course;
     assert_eq!(course(check::energy_drift(&Braked {}, KahanLi8, start, 0.05, 1024)), Course::Drift);
@@ -149,7 +149,7 @@ fn many_steps_stay_symplectic_up_to_their_roundings() {
 }
 
 #[test]
-fn what_is_not_a_number() {
+fn an_energy_that_is_nan() {
     let shortfalls = shortfalls(&Undefined {}, Verlet, Phase::new([1.0], [0.0]), 0.01);
     assert_among!(shortfalls, Shortfall::Unmeasured { .. });
 }

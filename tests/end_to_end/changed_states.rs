@@ -18,7 +18,7 @@ impl Driven {
 
 /// The same bits as a run that begins there.
 #[test]
-fn a_changed_state_is_gone_on_from_like_a_start() {
+fn a_changed_state_is_continued_like_a_start() {
     fn check<K: Precision>(method: impl Method<Driven>, start: Phase<[K; 2]>, kicked: K)
     where
         [f64; 2]: integrator_core::Coords<With<K> = [K; 2]>,
@@ -98,7 +98,7 @@ fn members_are_changed_as_runs_are() {
 
 /// Members are lost at the step and the time of the ensemble, and a change that is refused for one of them changes none.
 #[test]
-fn members_that_are_changed_are_named_where_they_are_lost() {
+fn changed_members_are_named_when_they_fail() {
     let start = |member: usize| Phase::new([0.1, 0.001 * member as f64], [0.0, 0.2]);
     let far = |member: usize| member % 9 == 4;
     let out =

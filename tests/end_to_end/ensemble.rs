@@ -30,7 +30,7 @@ fn pendulum(member: usize) -> (Pendulum, Phase<[f64; 1]>) {
 const MANY: usize = 6 * 16 + 21;
 
 #[test]
-fn members_are_the_runs_that_they_would_be_alone() {
+fn members_are_identical_to_their_lone_runs() {
     for members in [1, 2, 9, MANY] {
         let mut swarm = Ensemble::new(Yoshida4, (0..members).map(pendulum), 0.01).expect("an ensemble");
         swarm.advance(700).expect("finite");
@@ -67,7 +67,7 @@ fn threads_change_nothing() {
 }
 
 #[test]
-fn progress_is_told_in_order_and_to_the_end() {
+fn progress_is_reported_in_order_and_to_the_end() {
     for threads in [1, 2] {
         let mut swarm =
             Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble").with_threads(threads);
@@ -96,7 +96,7 @@ fn orbit(member: usize) -> (HenonHeiles, Phase<[f64; 2]>) {
 const FAR: [usize; 5] = [3, 5, 12, 13, MANY - 1];
 
 #[test]
-fn a_member_that_is_lost_is_named_and_disturbs_nobody() {
+fn a_failed_member_is_named_and_disturbs_no_other() {
     let mut swarm = Ensemble::new(Verlet, (0..MANY).map(orbit), 0.1).expect("an ensemble");
     let Err(Error::Lost(lost)) = swarm.advance(5000) else { panic!("some members escape") };
     let names: Vec<usize> = lost.members.iter().map(|(member, _)| *member).collect();
@@ -139,7 +139,7 @@ fn swings_out(state: &Phase<[f64; 1]>) -> bool {
 }
 
 #[test]
-fn members_leave_when_they_are_done_and_the_others_go_on() {
+fn finished_members_are_removed_and_the_others_continue() {
     for (steps, interval, threads) in [(60, 7, 1), (3000, 1, 2), (2500, 2000, 1)] {
         let swarm = Ensemble::new(Yoshida4, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
         let mut swarm = swarm.with_threads(threads);
@@ -167,7 +167,7 @@ fn members_leave_when_they_are_done_and_the_others_go_on() {
 }
 
 #[test]
-fn members_are_asked_by_their_numbers() {
+fn callbacks_get_the_indices_of_members() {
     let mut swarm = Ensemble::new(Verlet, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
     swarm.advance_while(100, 10, |member, _| member % 3 != 0).expect("finite");
     assert_eq!(swarm.active(), MANY - MANY.div_ceil(3));
@@ -203,7 +203,7 @@ impl Chain {
 }
 
 #[test]
-fn members_of_different_sizes_run_beside_each_other() {
+fn members_of_different_sizes_run_in_one_ensemble() {
     let member = |i: usize| {
         let bonds = 2 + i / 10;
         let q: Vec<f64> = (0..=bonds).map(|site| (site + i) as f64 / 9.0).collect();
@@ -250,7 +250,7 @@ macro_rules! members_are_alone {
 
 /// In every precision and for motions of every size that goes together, of which there are 2, 3, 4 and 6 on AVX-512.
 #[test]
-fn members_of_any_precision_and_size_are_the_runs_that_they_would_be_alone() {
+fn members_of_any_precision_and_size_are_identical_to_their_lone_runs() {
     members_are_alone!(HenonHeiles, |x: f64| Phase::new([0.1, 0.001 * x], [0.0, 0.2]));
     members_are_alone!(HenonHeiles, |x: f64| Phase::new([0.1_f32, 0.001 * x as f32], [0.0, 0.2]));
     members_are_alone!(HenonHeiles, |x: f64| Phase::compensated([0.1, 0.001 * x], [0.0, 0.2]));
@@ -346,7 +346,7 @@ fn a_watch_on_an_ensemble_is_refused_as_that_of_a_run() {
 }
 
 #[test]
-fn all_that_are_refused_are_named_and_the_others_go_on_where_that_is_asked_for() {
+fn all_refused_members_are_named_and_the_others_continue_on_request() {
     let start = |member: usize| match member {
         2 => (Gamma { shape: 0.1 }, Phase::new([f64::NAN], [0.0])),
         // The potential has no value there.
@@ -395,7 +395,7 @@ fn bad_members_are_refused() {
 }
 
 #[test]
-fn who_is_told_can_stop() {
+fn the_progress_callback_can_stop_the_run() {
     let stop = |after: u64| {
         move |progress: &Progress| match progress.done < after {
             true => ControlFlow::Continue(()),
@@ -417,7 +417,7 @@ fn who_is_told_can_stop() {
 }
 
 #[test]
-fn the_lost_are_named_at_the_end() {
+fn failed_members_are_named_at_the_end() {
     let mut swarm = Ensemble::new(Verlet, (0..MANY).map(orbit), 0.1).expect("an ensemble");
     let mut calls = 0;
     let outcome = swarm.advance_with(5000, |_| {
@@ -486,7 +486,7 @@ fn the_run_of_a_member_is_resumed_watched_and_counted() {
 }
 
 #[test]
-fn what_is_counted_step_by_step_is_counted_from_where_a_member_was_taken() {
+fn counters_start_where_the_run_of_a_member_was_taken() {
     let mut swarm = Ensemble::new(ImplicitMidpoint, (0..MANY).map(pendulum), 0.01).expect("an ensemble");
     swarm.advance(123).expect("solved");
     let mut run = swarm.run_of(5).expect("under way");

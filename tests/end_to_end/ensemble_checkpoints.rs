@@ -101,7 +101,7 @@ where
 }
 
 #[test]
-fn a_resumed_ensemble_has_the_bits_of_one_that_was_not_interrupted() {
+fn a_resumed_ensemble_is_bitwise_identical_to_an_uninterrupted_one() {
     interrupted(Yoshida4, |i| (pendulum(i), Phase::new([i as f64 / 20.0], [0.1])), 0.01);
     interrupted(Yoshida4, |i| (pendulum(i), Phase::compensated([i as f64 / 20.0], [0.1])), 0.01);
     interrupted(ImplicitMidpoint, |i| (pendulum(i), Phase::new([i as f64 / 20.0], [0.1])), 0.01);

@@ -128,7 +128,7 @@ fn some_lost<X: InLanes<Comet>>(method: X, members: Vec<(Comet, Phase<[f64; 2]>)
 }
 
 #[test]
-fn members_that_are_lost_on_the_way_are_named() {
+fn members_that_fail_on_the_way_are_named() {
     // A pace that ends at a distance which only some of them reach, at times of their own.
     let slow = |(comet, start)| (Comet { slow: 0.8, ..comet }, start);
     let lost = some_lost(Paced(Yoshida4), members().into_iter().map(slow).collect(), 0.02);

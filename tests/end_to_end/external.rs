@@ -102,7 +102,7 @@ fn its_second_derivative_certifies_it() {
 
 /// The force-gradient kick needs a derivative more than is stated: the certificate must not pass for lack of it.
 #[test]
-fn what_is_not_stated_is_not_certified() {
+fn a_missing_second_derivative_is_not_certified() {
     let start = Phase::new([1.3_f64, 0.2], [0.1, 0.3]);
     let refused = certify(&Stated { depth: 1.0, width: 1.5 }, Chin4A, start, 0.01);
     assert!(refused.is_err());

@@ -108,7 +108,7 @@ fn samples_and_members_are_shown_alike() -> Result<(), Error> {
 }
 
 #[test]
-fn a_lent_run_goes_on_with_the_same_bits() -> Result<(), Error> {
+fn a_borrowed_run_continues_with_the_same_bits() -> Result<(), Error> {
     let problem = henon_heiles();
     let (q, p) = problem.start;
     let run = problem.system.run_with(Yoshida4, Phase::new(q, p), 0.1)?;

@@ -93,7 +93,7 @@ fn angular_momentum(Phase { q, p }: Phase<[[f64; 2]; 3]>) -> f64 {
 }
 
 #[test]
-fn a_run_tells_what_its_system_conserves() {
+fn a_run_returns_the_invariants_of_its_system() {
     let mut run = Kepler { mass: 2.0 }.run(START, 0.01).expect("an admissible start");
     let before = ["angular_momentum", "perihelion"].map(|name| run.invariant(name).expect("declared"));
     assert_eq!(before, [0.5 * 3.4, 3.4 * 1.7 / 4.0 - 1.0]);
@@ -109,7 +109,7 @@ fn a_run_tells_what_its_system_conserves() {
 }
 
 #[test]
-fn samples_and_members_tell_it_too() {
+fn samples_and_members_return_them_too() {
     let systems = [1.0, 2.0, 3.0].map(|mass| (Kepler { mass }, START));
     let mut swarm = Ensemble::new(Yoshida4, systems, 0.01).expect("admissible starts");
     swarm.advance(40).expect("finite");
@@ -139,7 +139,7 @@ fn invariants_are_those_of_the_users_coordinates() {
 }
 
 #[test]
-fn certificates_hold_invariants_against_their_hamiltonian() {
+fn certificates_check_invariants_against_their_hamiltonian() {
     let certificate = certify(&Kepler { mass: 2.0 }, Yoshida4, START, 0.01).expect("both are conserved");
     let [angular_momentum, perihelion] = &certificate.invariants[..] else { panic!("{certificate}") };
     assert!(angular_momentum.deviation < angular_momentum.rounding, "{certificate}");
@@ -169,7 +169,7 @@ impl Bar {
 }
 
 #[test]
-fn what_is_not_conserved_is_refused() {
+fn a_function_that_is_not_conserved_is_refused() {
     let start = Phase::new([0.7, 0.2], [0.1, 0.6]);
     certify(&Bar { flattening: 1.0 }, Verlet, start, 0.01).expect("a round one turns nothing");
     let refused = certify(&Bar { flattening: 0.9 }, Verlet, start, 0.01).expect_err("a flat one does");

@@ -171,7 +171,7 @@ fn a_time_transformation_is_symplectic_and_of_its_order() {
 }
 
 #[test]
-fn where_a_run_is_looked_at_changes_nothing_of_it() {
+fn reading_a_run_does_not_change_it() {
     fn look<C: Coords + PartialEq>(run: Run<C>) {
         let (mut alone, mut seen) = (run.clone(), run);
         alone.advance(700).expect("finite states");
@@ -216,7 +216,7 @@ fn samples_and_crossings_are_at_times_of_the_motion() {
 
 /// At each pericentre the momenta turn around: the motion goes back on its ellipse, and the time goes on.
 #[test]
-fn a_state_that_is_changed_at_crossings_goes_on_in_time() {
+fn a_state_that_is_changed_at_crossings_continues_in_time() {
     let mut run =
         TwoBodies.run_with::<f64, _>(Logarithmic(SofroniouSpaletta8), at_pericentre(0.9), 0.3).expect("a start");
     run = run.at_time(5.0);
@@ -237,7 +237,7 @@ fn a_state_that_is_changed_at_crossings_goes_on_in_time() {
 }
 
 #[test]
-fn a_changed_state_goes_on_in_time() {
+fn a_changed_state_continues_in_time() {
     let mut run = TwoBodies.run_with::<f64, _>(Logarithmic(Yoshida4), at_pericentre(0.3), 0.1).expect("a start");
     run = run.at_time(5.0);
     run.advance(10).expect("finite states");
@@ -254,7 +254,7 @@ fn a_changed_state_goes_on_in_time() {
 }
 
 #[test]
-fn members_have_the_bits_of_their_runs_also_where_others_are_lost() {
+fn members_have_the_bits_of_their_runs_even_if_others_fail() {
     // A member that is repelled has no such time, and those of its lanes are dealt out anew.
     let members: Vec<_> = (0..13)
         .map(|member| {
@@ -293,7 +293,7 @@ fn members_have_the_bits_of_their_runs_also_where_others_are_lost() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_an_error() {
+fn a_time_transformation_that_does_not_apply_is_an_error() {
     let repelled = Comet { pull: -1.0, ..TWISTED };
     let mut run = repelled.run_with::<f64, _>(Logarithmic(Verlet), at_pericentre(0.1), 0.1).expect("a start");
     let error = run.advance(1).expect_err("no attraction").to_string();

@@ -29,7 +29,7 @@ fn comet_by<X: Method<Comet>>(method: X, steps: u64) -> Run<[f64; 2]> {
 }
 
 #[test]
-fn a_run_with_a_time_of_its_own_goes_on_in_that_time() {
+fn a_run_in_fictitious_time_resumes_in_that_time() {
     fn interrupted<X: Resumable<Comet>>(method: X) {
         for steps in [0, 1, 137] {
             for changed in [false, true] {
@@ -54,7 +54,7 @@ fn a_run_with_a_time_of_its_own_goes_on_in_that_time() {
 }
 
 #[test]
-fn a_checkpoint_in_a_time_of_its_own_is_refused_elsewhere() {
+fn a_checkpoint_in_fictitious_time_is_refused_elsewhere() {
     let bytes = comet_by(Power(0.5, Yoshida4), 7).checkpoint();
     let refused = |outcome: Result<Run<[f64; 2]>, CheckpointError>| outcome.expect_err("another run").to_string();
     assert_eq!(
@@ -84,7 +84,7 @@ fn a_checkpoint_in_a_time_of_its_own_is_refused_elsewhere() {
 }
 
 #[test]
-fn other_parameters_have_another_energy_in_a_time_of_its_own() {
+fn other_parameters_have_another_energy_in_fictitious_time() {
     let before = comet_by(Logarithmic(SofroniouSpaletta8), 100);
     let bytes = before.checkpoint();
     let method = Logarithmic(SofroniouSpaletta8);

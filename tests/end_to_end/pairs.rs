@@ -196,7 +196,7 @@ fn six_bodies(number: usize) -> (six::Fixed, [[f64; 3]; 6], [[f64; 3]; 6]) {
 }
 
 #[test]
-fn members_of_an_ensemble_are_the_runs_that_they_would_be_alone() {
+fn members_of_an_ensemble_are_identical_to_their_lone_runs() {
     same!(|number| {
         let (system, q, p) = six_bodies(number);
         (system, Phase::new(q, p))
@@ -213,7 +213,7 @@ fn members_of_an_ensemble_are_the_runs_that_they_would_be_alone() {
 }
 
 #[test]
-fn members_with_bodies_by_the_slice_are_the_runs_that_they_would_be_alone() {
+fn members_with_bodies_in_slices_are_identical_to_their_lone_runs() {
     same!(|number| (Cluster::of(5 + number / 10), somewhere(5 + number / 10)));
     same!(|number| (Cluster::of(11), somewhere(11 + number / 19)));
 }
@@ -313,7 +313,7 @@ impl Liquid {
 
 /// Fast enough to leave the skin of a list within a few steps.
 #[test]
-fn no_bit_of_a_liquid_tells_how_it_was_run() -> Result<(), Error> {
+fn no_bit_of_a_liquid_depends_on_how_it_was_run() -> Result<(), Error> {
     let (liquid, start) = (Liquid::new(1.2), Liquid::start(0));
     let mut whole = liquid.run_with(VelocityVerlet, start.clone(), 0.04)?.with_threads(1);
     let energy = whole.energy();

@@ -84,7 +84,7 @@ fn ends() -> impl Iterator<Item = f64> {
 }
 
 #[test]
-fn members_stay_at_their_last_steps_and_the_others_go_on() {
+fn failed_members_stay_at_their_last_steps_and_the_others_continue() {
     const STEPS: u64 = 9_000;
     let members = || ends().map(|end| (Tabulated { end }, thrown(1.0)));
     for threads in [1, 3] {
@@ -103,7 +103,7 @@ fn members_stay_at_their_last_steps_and_the_others_go_on() {
 }
 
 #[test]
-fn questions_that_panic_stop_nobody_else() {
+fn callbacks_that_panic_stop_no_other_run() {
     let members = (0..40).map(|_| (Tabulated { end: 1e9 }, thrown(1.0)));
     let mut swarm = Ensemble::new(Verlet, members, H).expect("good starts");
     let outcome = || swarm.advance_while(500, 100, |member, _| member != 3 || panic!("asked")).expect("finite");

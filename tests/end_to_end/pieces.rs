@@ -279,7 +279,7 @@ fn cells_are_certified() {
 
 /// Steps of a choice end at all edges, or it is told where none does.
 #[test]
-fn what_is_chosen_steps_on_edges() {
+fn the_chosen_method_steps_on_edges() {
     let start = || Phase::compensated([1.0], [0.3]);
     let ranking = choose(&FODO, start(), 10.0 * FODO.cell, Goal::Trajectory(1e-6)).expect("a ranking");
     for choice in ranking.choices() {

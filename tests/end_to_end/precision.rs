@@ -23,7 +23,7 @@ fn a_run_from_f32_is_computed_in_f32() {
 }
 
 #[test]
-fn samples_keep_the_leaf() {
+fn samples_keep_the_scalar_type() {
     let problem = pendulum();
     let run = problem.system.run(Phase::new([2.0_f32], [0.0]), 0.01).expect("an admissible start");
     let sample = run.samples(10).nth(1).expect("a sample").expect("finite");
@@ -62,7 +62,7 @@ fn compensation_keeps_the_rounding_of_every_update() {
 }
 
 #[test]
-fn compensated_runs_go_on_from_what_they_carry() {
+fn compensated_runs_resume_with_their_corrections() {
     let problem = pendulum();
     let start = Phase::compensated(problem.start.0, problem.start.1);
     let mut run = problem.system.run_with(Euler, start, 0.01).expect("an admissible start");

@@ -159,7 +159,7 @@ fn grids_that_are_none() {
 }
 
 #[test]
-fn what_runs_on_a_grid_is_certified() {
+fn a_run_on_a_grid_is_certified() {
     let problem = pendulum();
     let start = Phase::reversible(problem.start.0, problem.start.1, GRID);
     let certificate = certify(&problem.system, Yoshida4, start, 0.01).expect("it is right");

@@ -129,7 +129,7 @@ fn portions_do_not_change_a_bit_of_compensated_states() {
 }
 
 #[test]
-fn looking_does_not_change_a_bit() {
+fn reading_the_state_does_not_change_a_bit() {
     fn check<X: Composition<crate::systems::HenonHeiles>>(composition: X) {
         let mut unseen = galaxy(composition, 0.05);
         unseen.advance(1200).expect("finite");
@@ -158,7 +158,7 @@ fn looking_does_not_change_a_bit() {
 }
 
 #[test]
-fn samples_give_the_run_back_where_they_left_it() {
+fn samples_return_the_run_at_the_last_sample() {
     let mut samples = galaxy(Yoshida4, 0.05).samples(10);
     let seen = samples.by_ref().take(4).last().expect("a sample").expect("finite");
     let mut run = samples.into_run();

@@ -78,7 +78,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
 }
 
 #[test]
-fn what_h_splits_into_does_not_matter() {
+fn the_result_does_not_depend_on_the_split() {
     let start = Phase::new([0.1, 0.2], [0.3, -0.1]);
     for steps in [1, 100] {
         let [one, other] =

@@ -7,7 +7,7 @@ use integrator_core::{Coords, prelude::*};
 macro_rules! moves {
     ($system:expr, $start:expr, $gradient:expr) => {
         #[test]
-        fn moves_as_by_hand() {
+        fn moves_by_the_hand_written_gradient() {
             let (found, _) = kicked(&$system, $start, TIME);
             close(&found, $gradient.flat());
         }

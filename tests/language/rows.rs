@@ -83,7 +83,7 @@ macro_rules! rows {
             }
 
             #[test]
-            fn moves_as_by_hand() {
+            fn moves_by_the_hand_written_gradient() {
                 let system = System {
                     mass: 2.0,
                     stiffness: [1.0, 2.0, 3.0, 4.0],

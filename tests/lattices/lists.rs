@@ -152,7 +152,7 @@ macro_rules! members_are_alone {
 }
 
 #[test]
-fn terms_side_by_side_change_no_bit() {
+fn vectorised_terms_change_no_bit() {
     members_are_alone!(|start: Phase<Vec<[f64; 2]>>| start);
     members_are_alone!(|start: Phase<Vec<[f64; 2]>>| Phase::compensated(start.q, start.p));
 }

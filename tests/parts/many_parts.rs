@@ -186,7 +186,7 @@ fn wrong_flows_in_the_middle_lose_the_order() {
 }
 
 #[test]
-fn generated_flows_are_those_by_hand() {
+fn generated_flows_match_hand_written_ones() {
     fn end<X: Composition<Twisted>>(composition: X) -> f64 {
         let ByHand { q, p, .. } = ByHand::start(Middle::AsTold);
         let mut run = Twisted.run_with(composition, Phase { q, p }, TIME / 64.0).expect("a start");

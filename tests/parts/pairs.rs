@@ -109,7 +109,7 @@ fn the_others_lose_their_order() {
 }
 
 #[test]
-fn generated_flows_are_those_by_hand() {
+fn generated_flows_match_hand_written_ones() {
     let start = Phase { q: [0.4, -0.3], p: [0.2, 0.5] };
     let mut run = Paired.run_with(Abah844, start, TIME / 64.0).expect("a start");
     run.advance(64).expect("finite");

@@ -115,7 +115,7 @@ fn a_section_leaves_the_bits_of_the_run() {
 
 /// A ball's turns of an oscillator: reflected at zero, it stays on one side, and each half of a turn ends there.
 #[test]
-fn polynomials_begin_anew_where_a_crossing_changes_the_state() {
+fn polynomials_are_rebuilt_where_a_crossing_changes_the_state() {
     for h in STEPS {
         let mut run = Oscillator.run_with(Taylor::tolerance(FINE), Phase::new([1.0], [0.0]), h).expect("a start");
         let mut times = Vec::new();

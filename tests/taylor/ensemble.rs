@@ -77,7 +77,7 @@ rows! {
 }
 
 #[test]
-fn members_leave_and_the_others_go_on_as_if_alone() {
+fn finished_members_are_removed_and_the_others_continue_as_if_alone() {
     let member = |i| (Pendulum, Phase::new([0.1 + 2.9 * spread(i)], [0.0]));
     let stays = |state: &Phase<[f64; 1]>| state.q[0] > -1.0;
     for threads in [1, 2] {
@@ -101,7 +101,7 @@ fn members_leave_and_the_others_go_on_as_if_alone() {
 }
 
 #[test]
-fn members_at_a_singularity_are_lost_and_the_others_go_on_as_if_alone() {
+fn members_at_a_singularity_fail_and_the_others_continue_as_if_alone() {
     // From rest at a distance, the time of the fall is its power 3/2 times π/√8, from 0.1 to 3.1.
     let member = |i| (Fall, Phase::new([0.2 + 1.8 * spread(i)], [0.0]));
     let method = Taylor::tolerance(FINE);

@@ -78,7 +78,7 @@ fn the_precision_of_a_run_is_that_of_its_start() {
 }
 
 #[test]
-fn what_cannot_be_measured_is_told() {
+fn impossible_measurements_are_errors() {
     let start = Phase::new([2.0], [0.0]);
     let none = global_error(&Pendulum, Verlet, start, 0.1, 0);
     assert_eq!(none, Err(CheckError::TooFewSteps { steps: 0, needed: 1 }));

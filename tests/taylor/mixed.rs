@@ -82,7 +82,7 @@ impl Disturbed {
 }
 
 #[test]
-fn what_h_splits_into_does_not_matter() {
+fn the_result_does_not_depend_on_the_split() {
     let start = Phase::new([1.0, 0.25], [-0.25, 0.75]);
     let [one, other] = [end(&system!(kepler_and_interaction), &start, 0.25, 40), end(&Disturbed, &start, 0.25, 40)];
     // Two motions, each off by what a closed form would show, and stretched a few times at each of two pericentres.
@@ -143,7 +143,7 @@ fn certificates_take_it_for_the_exact_motion_and_never_for_a_symplectic_one() {
 }
 
 #[test]
-fn a_run_is_looked_at_anywhere() {
+fn a_run_can_be_sampled_at_any_time() {
     let begin = |h| system!(double_pendulum).run_with(Taylor::tolerance(FINE), HUNG, h).expect("a start");
     let mut halves = begin(0.25);
     for step in 0..20_u64 {

@@ -175,7 +175,7 @@ fn two_bodies_move_along_ellipses() {
 }
 
 #[test]
-fn states_do_not_depend_on_where_a_run_is_looked_at() {
+fn states_do_not_depend_on_where_a_run_is_sampled() {
     let start = || Kepler.run_with(Taylor::tolerance(1e-15), pericentre(0.5), 0.25).expect("a start");
     let mut whole = start();
     whole.advance(100).expect("finite states");
@@ -311,7 +311,7 @@ fn a_fall_onto_a_singularity_ends_in_an_error_that_keeps_the_last_state() {
 }
 
 #[test]
-fn what_leaves_for_infinity_in_finite_time_ends_in_an_error() {
+fn a_motion_to_infinity_in_finite_time_ends_in_an_error() {
     let hill = Hill { slope: 0.0, quartic: 1.0 };
     let mut run = hill.run_with(fine(), Phase::new([1.0], [0.0]), 1.0 / 64.0).expect("a start");
     let error = run.advance(1_000).expect_err("infinity");
@@ -351,7 +351,7 @@ fn an_equilibrium_is_kept() {
 }
 
 #[test]
-fn a_run_tells_the_steps_that_it_took_by_itself() {
+fn a_run_returns_the_steps_that_it_chose() {
     let begin = || Kepler.run_with(fine(), pericentre(0.6), 0.25).expect("a start");
     let mut run = begin();
     assert_eq!((run.evaluations(), run.own_steps().map(|steps| steps.taken)), (0, Some(0)));

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read() {
+    fn written_counts_are_read_back() {
         let kept = counts(&[("kepler", 41.5), ("pendulum", 60.0)]);
         assert_eq!(read(&write(&kept)).expect("rows"), kept);
         assert!(read("problem,instructions per step\nkepler,many\n").is_err());

@@ -249,7 +249,7 @@ mod tests {
     use crate::scalar::tolerance::within;
 
     #[test]
-    fn growth_at_a_constant_rate_and_in_proportion_to_time_is_told() {
+    fn exponential_and_linear_growth_are_measured() {
         let (mut exponential, mut linear) = (Growth::new(0.0), Growth::new(0.0));
         for sample in 1..=4096 {
             let time = f64::from(sample) / 8.0;
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn changes_are_told_in_units_of_the_length() {
+    fn changes_are_measured_in_units_of_the_length() {
         let (before, after) = (Phase::new([3e200], [4e200]), Phase::new([3e190], [4e200]));
         assert!(within(relative_change(&before, &after, 0) - 0.6, 1e-9));
         let halved = Phase::new([1.5e200], [2e200]);
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_orthogonal_to_a_direction_is_told() {
+    fn the_part_orthogonal_to_a_direction_is_measured() {
         let vector = Phase::new([3e200, 0.0], [0.0, 4e200]);
         assert!(within(orthogonal_part(&vector, &[1e-200, 0.0, 0.0, 0.0]) - 0.8, 1e-15));
         assert!(within(orthogonal_part(&vector, &[-3.0, 1e-9, 0.0, -4.0]) - 2e-10, 1e-15));

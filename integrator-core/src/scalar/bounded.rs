@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_known_is_without_bound() {
+    fn unknown_values_are_unbounded() {
         assert_eq!(Real::sqrt(about(1e-17, 1e-16)).error, f64::INFINITY);
         assert_eq!((Bounded::of(1.0) / about(0.0, 1e-16)).error, f64::INFINITY);
         assert_eq!((about(1.0, f64::INFINITY) * Bounded::of(0.0)).error, f64::INFINITY);

@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_what_it_is_in_f64() {
+    fn non_finite_values_are_those_of_f64() {
         let edges = [0.0, -0.0, 1.0, -1.0, f64::MAX, f64::MIN_POSITIVE, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
         let same = |found: DoubleDouble, expected: f64, what: &str| {
             let equal = found.value == expected || (found.value.is_nan() && expected.is_nan());

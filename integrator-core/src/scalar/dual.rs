@@ -599,7 +599,7 @@ mod tests {
     }
 
     #[test]
-    fn a_prepared_constant_has_a_tangent_where_it_is_asked_for() {
+    fn a_prepared_constant_has_a_tangent_where_it_is_requested() {
         let of_lane = |lane| [3.0, 5.0][lane];
         for constant in [<Dual>::parameter(&of_lane), <Dual>::prepared(&of_lane)] {
             assert_eq!((constant.lane(0), constant.lane(1)), (3.0, 0.0));

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_chosen_is_available() {
+    fn the_chosen_instruction_set_is_available() {
         let available = InstructionSet::available();
         assert_eq!(available.first(), Some(&Baseline));
         assert!(available.contains(&InstructionSet::chosen()), "{available:?}");

@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_know_their_elements_and_others_are_asked_for_them() {
+    fn lists_and_other_containers_know_their_elements() {
         let list = alloc::vec![1.0, 2.0];
         assert!(Elements(&list).has(1) && !Elements(&list).has(2));
         assert!(Elements(&[1.0, 2.0]).has(1) && !Elements(&[1.0, 2.0]).has(2));

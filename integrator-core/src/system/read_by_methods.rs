@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_compared_is_named() {
+    fn fields_that_cannot_be_compared_are_named() {
         let function: fn(f64) -> f64 = f64::sin;
         let of_reference: fn(&[f64]) -> usize = <[f64]>::len;
         assert_eq!(read!(Spline), Err("self.field"));

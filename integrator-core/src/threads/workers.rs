@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_that_is_panicked_with_ends_the_wait_for_others() {
+    fn no_panic_payload_ends_the_wait_for_other_jobs() {
         let ended = AtomicUsize::new(0);
         let jobs: Vec<Job<'_>> = (0..4)
             .map(|number| {
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_goes_on_when_all_have_ended() {
+    fn a_panic_resumes_when_all_jobs_have_ended() {
         for panics in 0..3 {
             let ended = AtomicUsize::new(0);
             let jobs: Vec<Job<'_>> = (0..3)

@@ -94,7 +94,7 @@ mod tests {
     use alloc::{string::ToString, vec::Vec};
 
     #[test]
-    fn what_is_left_follows_from_what_is_done() {
+    fn the_remaining_time_follows_from_the_progress() {
         let progress = |done, seconds| Progress { done, steps: 1000, elapsed: Duration::from_secs(seconds) };
         assert_eq!(progress(0, 1).to_string(), "0 %");
         assert_eq!(progress(250, 10).to_string(), "25 %, 30 s left");

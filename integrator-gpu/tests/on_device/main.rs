@@ -193,7 +193,7 @@ fn members_that_do_not_fit_are_refused() {
 }
 
 #[test]
-fn who_is_lost_is_named() {
+fn failed_members_are_named() {
     let members = || [1.0, 0.0].map(|q| (Runaway, Phase::new([q], [0.0])));
     let Some(mut device) = on_device(Ensemble::new(Verlet, members(), 0.01)) else { return };
     let mut processor = OnProcessor::new(Verlet, members(), 0.01).expect("an ensemble");
@@ -203,7 +203,7 @@ fn who_is_lost_is_named() {
 }
 
 #[test]
-fn a_checkpoint_of_the_device_goes_on_on_the_processor_and_back() {
+fn a_checkpoint_of_the_device_resumes_on_the_processor_and_back() {
     let systems = || pendulums(1_000).map(|(system, _)| system);
     let Some(mut device) = on_device(Ensemble::new(Yoshida4, pendulums(1_000), 0.01)) else { return };
     device.advance(1_000).expect("finite");

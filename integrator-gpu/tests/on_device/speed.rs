@@ -59,7 +59,7 @@ fn constants(count: usize) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn speed_is_told() {
+fn speed_is_printed() {
     let Some(card) = Card::first() else { return eprintln!("SKIPPED: there is no device whose speed could be told") };
     println!("{}", card.name());
     let names = ["exact functions", "native functions", "hand-written kernel", "two CPU threads"];
@@ -124,7 +124,7 @@ fn draw(card: &str, table: &str, names: [&str; 4], series: [Vec<(f64, f64)>; 4])
 }
 
 #[test]
-fn kernels_by_hand_compile() {
+fn hand_written_kernels_compile() {
     for (text, entry) in [
         (BY_HAND.to_owned(), ".entry pendulums"),
         (text_of(PENDULUM), ".entry mix"),
@@ -140,7 +140,7 @@ fn kernels_by_hand_compile() {
 
 /// As a program of this machine, the kernel by hand ends where an ensemble does: it is the same method.
 #[test]
-fn the_kernel_by_hand_is_of_the_same_method() {
+fn the_hand_written_kernel_uses_the_same_method() {
     const MEMBERS: usize = 5;
     const MAIN: &str = "int main() {
         double velocity[5], pull[5], q[5], p[5];

@@ -75,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_moves_without_std_moves_as_it_does_with_it() {
+    fn systems_move_without_std_as_they_do_with_it() {
         let [q, p] = swing(1_000).expect("a pendulum");
         let energy = p * p / (2.0 * 0.25) - 9.81 * 0.5 * q.cos();
         // The step is a 140th of the period; Yoshida4 errs by (2π/140)^4 times the energy then, and some.

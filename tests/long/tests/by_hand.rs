@@ -112,7 +112,7 @@ fn rows_agree() {
 }
 
 #[test]
-fn what_carries_rounding_errors_agrees() {
+fn compensated_trajectories_agree() {
     let (problems, plan) = (Problems::default(), Plan::of::<KahanLi8>(0.1));
     let galaxy = problems.henon_heiles();
     let Phase { q, .. } = end(&galaxy.system, &galaxy.start, KahanLi8, 0.1);

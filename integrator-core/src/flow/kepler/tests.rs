@@ -350,13 +350,13 @@ fn a_body_has_the_same_bits_alone_and_among_others() {
 }
 
 #[test]
-fn a_body_without_a_force_goes_straight_on() {
+fn a_body_without_a_force_moves_in_a_straight_line() {
     let [x, y, px, py] = flown([0.0, 0.5, 3.0, -1.0], [0.5, 0.0], 4.0);
     assert_eq!([x, y, px, py], [6.0, -1.5, 3.0, -1.0]);
 }
 
 #[test]
-fn a_body_in_the_centre_is_reported_in_its_lane_and_the_others_go_on() {
+fn a_body_in_the_centre_is_reported_in_its_lane_and_the_others_continue() {
     let lanes = |numbers: [f64; 2]| Pair::state(&|lane| numbers[lane]);
     let (one, zero) = (lanes([1.0, 1.0]), lanes([0.0, 0.0]));
     let (mut q, mut p) = ([[lanes([1.0, 0.0]), zero, zero]], [[lanes([0.0, 1.0]), lanes([1.0, 0.0]), zero]]);
@@ -395,7 +395,7 @@ fn follow_astray<R: Real>() {
 }
 
 #[test]
-fn a_series_that_goes_astray_is_no_solution() {
+fn a_series_that_does_not_converge_is_rejected() {
     follow_astray::<f64>();
     if InstructionSet::available().contains(&InstructionSet::Fused) {
         follow_astray::<Fused<f64>>();

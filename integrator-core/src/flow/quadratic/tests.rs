@@ -159,7 +159,7 @@ fn flows_compose_and_keep_areas() {
 }
 
 #[test]
-fn blocks_are_what_couples_and_equal_ones_share_a_matrix() {
+fn blocks_are_coupled_coordinates_and_equal_ones_share_a_matrix() {
     let mut form = Form::new(1);
     // Two equal oscillators, one that is not, a pair that rotates, one that is pushed, and nothing at 4 and 6.
     for (i, stiffness) in [(0, 2.0), (1, 3.0), (7, 2.0)] {
@@ -226,7 +226,7 @@ fn degrees_of_freedom_alone_are_moved_with_the_same_bits() {
 }
 
 #[test]
-fn durations_of_a_composition_are_found_by_one_look() {
+fn durations_of_a_composition_are_found_by_one_lookup() {
     let (mut durations, mut misses) = (Durations::default(), Vec::new());
     let mut ask = |duration: f64, misses: &mut Vec<f64>| match durations.next(duration) {
         Some(number) => number,
@@ -248,7 +248,7 @@ fn durations_of_a_composition_are_found_by_one_look() {
 }
 
 #[test]
-fn durations_without_end_are_forgotten() {
+fn the_number_of_stored_durations_is_bounded() {
     let mut solver = General::<f64>::of_forms(&[form("definite", 1, false)], 1);
     let mut z = [vec![1.0], vec![0.0]];
     for step in 1..5000 {

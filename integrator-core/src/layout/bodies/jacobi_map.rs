@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn masses_are_held_against_bodies_and_kinetic_energy() {
+    fn masses_are_checked_against_bodies_and_kinetic_energy() {
         assert_eq!(are_masses(&MASSES, 4), Ok(()));
         assert_eq!(are_masses(&MASSES, 3), Ok(()));
         assert_eq!(are_masses(&MASSES, 5), Err(Error::FewMasses { masses: 4, bodies: 5 }));

@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn what_begins_at_zero_is_judged_by_what_it_becomes() {
+    fn a_series_that_begins_at_zero_is_scaled_by_its_later_terms() {
         // A sine: its own norm is zero, and every other coefficient is.
         let factorial = |m: usize| (1..=m).map(|i| i as f64).product::<f64>();
         let found = step_size(20, 1e-16, |m| if m % 2 == 1 { 1.0 / factorial(m) } else { 0.0 });

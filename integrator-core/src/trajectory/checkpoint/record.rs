@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_and_so_is_what_an_earlier_version_wrote() {
+    fn current_and_earlier_formats_are_read() {
         for is_timed in [false, true] {
             let written = stored(Some(if is_timed { "Yoshida4" } else { "" }), is_timed);
             assert_eq!(Stored::of_bytes(&written.to_bytes()).expect("it was just written"), written);
@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn a_method_is_written_with_what_it_is_over() {
+    fn a_method_is_printed_with_its_inner_method() {
         assert_eq!([named("Verlet", ""), named("Power", "Verlet")], ["Verlet", "Power(Verlet)"]);
     }
 }

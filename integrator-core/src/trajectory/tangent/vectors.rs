@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whatever_is_far_from_one_may_be_far_by_its_squares() {
+    fn numbers_far_from_one_are_detected_by_their_squares() {
         for exponent in -300..=300 {
             for mantissa in [1.0, 1.5, 2.0_f64.next_down()] {
                 let number = mantissa * power_of_two(exponent);

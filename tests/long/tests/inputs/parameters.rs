@@ -3,7 +3,7 @@
 use integrator_core::prelude::*;
 
 #[test]
-fn parameters_that_spoil_the_motion() {
+fn parameters_that_break_the_motion() {
     struct Pendulum {
         mass: f64,
         length: f64,

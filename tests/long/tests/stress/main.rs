@@ -78,7 +78,7 @@ fn close_encounters_and_extreme_numbers_are_right() {
 }
 
 #[test]
-fn steps_too_long_for_an_encounter_are_told_of() {
+fn steps_too_long_for_an_encounter_are_reported() {
     // The certificate that tells what a step this long does takes seconds: one of each kind.
     for encounter in encounters::unresolved(4_000, &[1.0 / 1024.0], &[0.01]) {
         assert!(!encounter.is_silently_wrong(), "{encounter}");
@@ -109,11 +109,11 @@ fn chaos_has_the_same_bits_where_they_are_promised() {
 }
 
 #[test]
-fn killed_runs_go_on_and_damaged_files_are_refused() {
+fn killed_runs_resume_and_damaged_files_are_refused() {
     if interruption::answer() {
         return;
     }
-    let again = again("killed_runs_go_on_and_damaged_files_are_refused");
+    let again = again("killed_runs_resume_and_damaged_files_are_refused");
     assert_eq!(interruption::failures(10, again).expect("processes"), 0);
     assert_eq!(interruption::damaged_accepted(401).expect("finite"), 0);
 }

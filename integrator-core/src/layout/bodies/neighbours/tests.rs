@@ -268,7 +268,7 @@ fn members_have_the_bits_of_each_alone() {
 }
 
 #[test]
-fn no_bit_tells_when_lists_were_made() {
+fn no_bit_depends_on_when_lists_were_made() {
     let soft = Soft::new(2.1);
     let mut motion = motion::<f64>(&[(&soft, &soft.start(4))]);
     let cutoffs = Cutoffs::of::<Soft, f64, 3>(&motion.parameters, 0.0);
