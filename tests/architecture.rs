@@ -196,7 +196,7 @@ fn imports_are_found() {
 
 /// What the crates outside of this workspace, which it does not compile, take of the core: names that this has.
 #[test]
-fn the_core_has_what_crates_elsewhere_take_of_it() {
+fn the_core_exports_what_crates_outside_of_the_workspace_use() {
     let core = fs::read_to_string(root().join("integrator-core/src/lib.rs")).expect("text");
     let (public, private) = core.split_once("pub mod __private {").expect("the private API");
     let has = |text: &str, name: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name);
@@ -220,7 +220,7 @@ fn the_core_has_what_crates_elsewhere_take_of_it() {
 
 /// Arrows between modules point one way: a module knows what its arrow comes from, never what it leads to.
 #[test]
-fn modules_import_what_lies_before_them() {
+fn modules_import_only_earlier_modules() {
     for (source, modules) in [SYMBOLIC, EMIT, CORE] {
         let folder = source.split_once("/src/").map_or_else(String::new, |(_, folder)| format!("{folder}::"));
         for (name, may_know) in modules {

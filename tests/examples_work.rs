@@ -210,7 +210,7 @@ fn the_trap_confines_where_mathieu_predicts() {
 }
 
 #[test]
-fn the_area_of_a_swarm_stays_and_nobody_crosses_the_separatrix() {
+fn the_area_of_a_swarm_is_conserved_and_no_member_crosses_the_separatrix() {
     let (border, inside) = (4_000, 1_000);
     let starts: Vec<_> = swarm::disc(border, inside).collect();
     let mut pendulums =

@@ -100,7 +100,7 @@ fn the_star_may_be_anywhere() {
 }
 
 #[test]
-fn members_move_as_they_do_alone_whoever_leads() {
+fn members_move_as_they_do_alone_whichever_body_leads() {
     let first = planets::<3>(|_| 1e-3);
     let members: Vec<_> = (0..9).map(|member| with_the_star_at(member % 3, &first)).collect();
     let mut ensemble = Ensemble::new(Aba1064, members.iter().cloned(), 0.05).expect("members");
@@ -111,7 +111,7 @@ fn members_move_as_they_do_alone_whoever_leads() {
 }
 
 #[test]
-fn steps_are_symplectic_whoever_leads() {
+fn steps_are_symplectic_whichever_body_leads() {
     for place in 0..3 {
         let (system, start) = with_the_star_at(place, &planets::<3>(|i| 0.01 * i as f64));
         let defect = symplectic_defect(&system, Aba1064, start, 0.05).expect("a step");

@@ -174,7 +174,7 @@ fn every_scalar_type_can_be_saved() {
 }
 
 #[test]
-fn a_run_that_fails_leaves_what_came_before() {
+fn a_run_that_fails_keeps_the_samples_before() {
     let good: Vec<_> = springs(0.4).map_while(Result::ok).map(|sample| bits(&sample)).collect();
     assert!(good.len() > 2 && good.len() < 40, "{} samples before the wall", good.len());
     let mut text = Vec::new();

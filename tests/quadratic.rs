@@ -206,7 +206,7 @@ fn error(epsilon: f64, steps: u64) -> f64 {
 }
 
 #[test]
-fn errors_fall_with_the_step_and_with_what_is_not_quadratic() {
+fn errors_fall_with_the_step_and_with_the_non_quadratic_part() {
     // (8, 6, 4): terms ε h^8, ε² h^6 and ε³ h^4. At ε = 1 the last one is left in the end, and orders are even.
     let slope = (error(1.0, 40) / error(1.0, 80)).log2();
     assert!(slope > 3.5, "{slope}");

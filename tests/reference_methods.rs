@@ -331,7 +331,7 @@ fn a_tolerance_is_kept() {
 }
 
 #[test]
-fn stiff_motion_is_damped_and_not_lost() {
+fn stiff_motion_is_damped_by_bdf() {
     let start = Phase::new([1.0, 1e-6], [0.0, 0.0]);
     let mut run = Stiff.run_with(Bdf { tolerance: 1e-4 }, start, 1.0).expect("a run");
     run.advance(3).expect("an end");

@@ -263,7 +263,7 @@ fn derivatives_by_parameters_are_never_rescaled_and_end_when_they_overflow() {
 }
 
 #[test]
-fn other_precisions_have_derivatives_by_parameters() {
+fn other_precisions_support_derivatives_by_parameters() {
     let hill = Hill { slope: 1.0 };
     let by_slope = |q: f64| {
         let mut tangent = hill.sensitivities(Yoshida4, Phase::new([q], [0.0]), [], 0.01).expect("a start");

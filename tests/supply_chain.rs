@@ -130,7 +130,7 @@ fn published_crates_are_described() {
 
 /// A package has its sources, its README and its licences, and nothing that needs the rest of the repository.
 #[test]
-fn packages_hold_what_they_need() {
+fn packages_contain_the_files_they_need() {
     let written = ["Cargo.toml", "Cargo.toml.orig", "Cargo.lock", ".cargo_vcs_info.json"];
     let added = ["README.md", "LICENSE-APACHE", "LICENSE-MIT"];
     for member in PUBLISHED {

@@ -90,7 +90,7 @@ fn renewed(chapter: &str) -> String {
 }
 
 #[test]
-fn outputs_are_what_is_printed() {
+fn outputs_in_the_guide_match_the_printed_ones() {
     let mut outputs = 0;
     for name in names() {
         let path = chapters().join(name).with_extension("md");

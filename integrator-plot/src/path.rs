@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn a_curve_inside_keeps_parts_of_pixels_and_loses_what_is_not_seen() {
+    fn a_simplified_curve_keeps_parts_of_pixels_and_drops_invisible_points() {
         let curve = [(1.0, 1.0), (2.0, 1.97), (5.25, 5.25), (6.0, 4.0), (8.9, 1.0), (8.9, 1.02), (9.0, 1.0)];
         assert_eq!(cut(&curve), [[(1.0, 1.0), (5.25, 5.25), (6.0, 4.0), (8.9, 1.0), (9.0, 1.0)]]);
         let round: Vec<Place> = (0..=1000)

@@ -44,7 +44,7 @@ fn the_same_system_gives_the_same_code() {
 
 /// A macro of `macro_rules!` passes on literals and formulas as groups without delimiters.
 #[test]
-fn fragments_of_macros_read_as_what_they_hold() {
+fn fragments_of_macros_are_read_as_their_contents() {
     let mut changed = 0;
     for System { arguments, item } in corpus() {
         let item = item.to_token_stream();

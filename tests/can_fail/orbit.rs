@@ -53,7 +53,7 @@ fn a_kink_on_the_orbit_is_found_where_it_is() {
 }
 
 #[test]
-fn a_low_order_is_lost_at_a_kink_too() {
+fn a_low_order_fails_certification_at_a_kink_too() {
     for h in [1e-3, 0.02] {
         for kink in [1.0, 0.1] {
             let refused = outcome(&Rough { kink, ..ROUGH }, Verlet, Phase::new([1.0], [0.0]), h);
@@ -144,7 +144,7 @@ fn a_refusal_leads_with_its_cause() {
 
 /// A motion that does not exist at time 0 is measured where it does, by every check.
 #[test]
-fn a_start_carries_its_time() {
+fn a_start_includes_its_time() {
     let (system, start, h) = (Expanding {}, Phase::new([1.0], [0.2]), 0.01);
     let refused = certify::<_, _, f64>(&system, Yoshida4, start, h).expect_err("no motion");
     assert!(matches!(refused, CertifyError::Run(Error::Energy { time: 0.0, .. })), "{refused}");

@@ -227,7 +227,7 @@ impl Gaussian {
 }
 
 #[test]
-fn an_energy_that_has_lost_its_digits_is_no_mistake() {
+fn an_energy_without_significant_digits_is_no_mistake() {
     // From 26.6 on, it has fewer than all digits, and from 27.3 on none.
     for tenths in 0..40 {
         Gaussian.run(Phase::new([25.0 + 0.1 * f64::from(tenths)], [0.0]), 0.01).expect("the same");
@@ -258,7 +258,7 @@ impl Rough {
 }
 
 #[test]
-fn what_rounding_makes_of_a_function_is_no_mistake() {
+fn rounding_errors_of_a_function_are_no_mistake() {
     for offset in [0.0, 1.0, 1e3, 1e6] {
         // At the kink between the first two, no difference tells a slope.
         let mut run = Rough { offset }.run(Phase::new([0.3, 0.3, 0.25], [0.1, 0.1, -0.2]), 0.01).expect("the same");

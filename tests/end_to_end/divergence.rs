@@ -158,7 +158,7 @@ fn samples_end_with_the_error() {
 }
 
 #[test]
-fn the_text_says_where_and_what_to_do() {
+fn the_message_says_where_and_what_to_do() {
     let divergence = Divergence {
         step: 12,
         time: 0.6,

@@ -38,7 +38,7 @@ macro_rules! absent {
             system!(|$q, $system| : $energy);
 
             #[test]
-            fn kicks_read_what_the_function_does() {
+            fn kicks_read_only_the_elements_of_the_function() {
                 let derivative: f64 = $derivative;
                 let (gradient, energy) = kicked(&system(), vec![-0.5], 0.0);
                 close(&[energy], &[system().potential(&[-0.5])]);
@@ -53,7 +53,7 @@ macro_rules! absent {
             system!(|$q, $system| taylor: $($energy),+);
 
             #[test]
-            fn steps_read_what_the_function_does() {
+            fn steps_read_only_the_elements_of_the_function() {
                 let (system, start) = (system(), Phase::new(vec![-0.5], vec![0.0]));
                 let derivative: f64 = [$($derivative),+].iter().sum();
                 let mut run = system.run_with(Euler, start.clone(), 1.0).expect("a run");

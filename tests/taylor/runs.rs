@@ -267,7 +267,7 @@ fn single_precision_is_that_of_the_start() {
 }
 
 #[test]
-fn carried_roundings_do_no_harm() {
+fn compensation_does_no_harm() {
     // Steps are long: an update is about as large as the state, and its own roundings, which nothing carries, are too.
     for eccentricity in [0.0, 0.25, 0.5] {
         let Phase { q, p } = pericentre(eccentricity);
@@ -279,7 +279,7 @@ fn carried_roundings_do_no_harm() {
 }
 
 #[test]
-fn tolerances_that_are_no_positive_numbers_are_refused() {
+fn tolerances_that_are_not_positive_and_finite_are_refused() {
     for tolerance in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
         let refused = Pendulum.run_with(Taylor::tolerance(tolerance), Phase::new([2.0], [0.0]), 0.1);
         assert!(matches!(refused, Err(Error::Tolerance { method: "Taylor", .. })), "{tolerance}: {refused:?}");

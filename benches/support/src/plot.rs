@@ -37,7 +37,7 @@ mod tests {
 
     /// Every curve is named, also where there are more of them than colours, and no two of other crates look alike.
     #[test]
-    fn curves_of_other_crates_have_names_and_looks_of_their_own() {
+    fn curves_of_other_crates_have_distinct_names_and_styles() {
         let file = env::temp_dir().join(format!("integrator-work-{}", std::process::id()));
         let curve = |i: i32| {
             let points = [1.0, 2.0].map(|t| Point { milliseconds: t, energy: 1e-3 / t, global: 1e-3 / t });

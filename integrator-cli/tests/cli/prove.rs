@@ -3,7 +3,7 @@
 use super::{answer, json, keys, refusal};
 
 #[test]
-fn velocity_verlet_is_known_by_heart() {
+fn the_report_on_velocity_verlet_is_complete() {
     let expected = "V(1/2) T(1) V(1/2)
     order            2 for every T(p)
     symmetric        yes

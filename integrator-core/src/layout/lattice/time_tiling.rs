@@ -376,7 +376,7 @@ mod tests {
     use alloc::vec::Vec;
 
     #[test]
-    fn all_is_dealt_once_and_evenly() {
+    fn every_iteration_is_assigned_once_and_evenly() {
         let ranges = [0..3, 10..21, 30..31];
         let all: Vec<_> = ranges.iter().cloned().flatten().collect();
         for parts in 1..20 {

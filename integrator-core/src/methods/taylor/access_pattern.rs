@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_without_an_iteration_read_what_is_nearest() {
+    fn lanes_without_an_iteration_read_the_nearest_element() {
         let some = |iteration: usize| (iteration % 3 == 1).then_some(8 + iteration);
         assert_eq!(AccessPattern::of(core::array::from_fn(some), layout(16)), AccessPattern::Contiguous(8));
         let some = |iteration: usize| (iteration < 2).then_some(9 + iteration);

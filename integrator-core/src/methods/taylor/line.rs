@@ -381,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn vectors_of_sites_read_and_get_what_a_loop_does() {
+    fn vectors_of_sites_match_a_loop() {
         lines_of_all_kinds::<f64>();
         lines_of_all_kinds::<f32>();
         let available = InstructionSet::available();
