@@ -1,6 +1,6 @@
-//! Small systems whose coordinates carry the rounding errors of their updates (Kahan 1965).
+//! Compensated small systems: coordinates are stored with the rounding errors of their updates (Kahan 1965).
 //!
-//! Numbers and what they carry are vectors of their own.
+//! Values and rounding errors are separate vectors.
 
 use crate::{
     enter::{Kernel, enter, enter_scalar},
@@ -10,7 +10,7 @@ use crate::{
 };
 use integrator_core::Phase;
 
-/// Numbers, and the rounding errors that are still to be added to them.
+/// Values, and the accumulated rounding errors that the next update adds.
 #[derive(Clone, Copy)]
 struct Carrying<V> {
     number: V,
@@ -22,7 +22,7 @@ impl<V: Vector> Carrying<V> {
     fn load(numbers: &[V::Number]) -> Self {
         Self { number: V::load(numbers), carried: V::splat(0.0) }
     }
-    /// Adds `d`, to which the carried error was added.
+    /// Adds `d`, which already includes the accumulated error.
     #[inline(always)]
     fn add(&mut self, d: V) {
         let sum = self.number + d;
@@ -36,7 +36,7 @@ impl<V: Vector> Carrying<V> {
     }
 }
 
-/// A star in a galaxy.
+/// The Hénon–Heiles system.
 struct HenonHeiles<V> {
     q: [Carrying<V>; 2],
     p: [Carrying<V>; 2],
@@ -76,12 +76,12 @@ impl Kernel for GalaxyMarch<'_> {
     }
 }
 
-/// The first coordinate at the end of a trajectory of Hénon and Heiles, in scalars.
+/// Returns the first coordinate of the final state of a Hénon–Heiles orbit, in scalar code.
 pub fn henon_heiles(start: [f64; 4], plan: &Plan, steps: u64) -> f64 {
     enter_scalar(GalaxyMarch { start, plan, steps })
 }
 
-/// Six bodies in a ring of lanes, as in [`row`](super::row).
+/// Six bodies in the lanes of a register, as in [`row`](super::row).
 struct Ring<R> {
     q: [Carrying<R>; 3],
     p: [Carrying<R>; 3],
@@ -91,7 +91,7 @@ struct Ring<R> {
 }
 
 impl<R: Row> Ring<R> {
-    /// The pull on each lane from the body `BY` places on.
+    /// Returns the pull of the body in lane `i + BY` on the body in lane `i`.
     #[inline(always)]
     fn pull<const BY: usize>(&self) -> [R; 3] {
         let [x, y, z] = self.q.map(|q| q.number.rotate::<BY, 6>() - q.number);
@@ -131,7 +131,7 @@ impl Kernel for SolarMarch<'_> {
     #[inline(always)]
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> [f64; 8] {
         let row = |of: &dyn Fn(usize) -> f64| {
-            // The first two once more in the lanes without a body.
+            // The two lanes without a body repeat the first two bodies.
             let lanes: [f64; 8] = std::array::from_fn(|lane| of(lane % 6));
             Carrying::<R>::load(&lanes)
         };
@@ -150,12 +150,12 @@ impl Kernel for SolarMarch<'_> {
     }
 }
 
-/// The first coordinates of the bodies of the outer solar system at the end, and two lanes without a body.
+/// Returns the first coordinates of the six bodies of the outer solar system at the end, and two lanes without a body.
 pub fn solar(system: &Solar, start: Phase<[[f64; 3]; 6]>, plan: &Plan, steps: u64) -> [f64; 8] {
     enter(SolarMarch { system, start, plan, steps })
 }
 
-/// Thirty-two sites in four rows, each bond once, as in [`row`](super::row).
+/// Thirty-two sites in four registers. Each bond is evaluated once, as in [`row`](super::row).
 struct Blocks<R> {
     alpha: f64,
     q: [Carrying<R>; 4],
@@ -179,7 +179,7 @@ impl<R: Row> HandWritten for Blocks<R> {
     #[inline(always)]
     fn kick(&mut self, t: f64) {
         let wall = R::splat(0.0);
-        // Its last lane is the bond to the wall on the left.
+        // The last lane of `left` is the bond to the wall on the left.
         let mut left = self.bond(wall.after(self.q[0].number));
         for i in 0..4 {
             let here = self.q[i].number;
@@ -211,7 +211,7 @@ impl Kernel for ChainMarch<'_> {
     }
 }
 
-/// The first eight sites of the chain of 32 at the end.
+/// Returns the positions of the first eight sites of the 32-site chain at the end.
 pub fn chain(system: &Chain32, start: Phase<[f64; 32]>, plan: &Plan, steps: u64) -> [f64; 8] {
     enter(ChainMarch { alpha: system.alpha, start, plan, steps })
 }

@@ -1,9 +1,8 @@
-//! Long chains between walls, stepped by Verlet.
+//! Long chains between walls, integrated with Verlet.
 //!
-//! A step is one pass: a block of sites is kicked and at once drifted, because its neighbours to the left have been
-//! kicked and the bond to them is still in a register. Several steps go over a tile before the next tile is fetched,
-//! each a block further to the left than the one before, and the bond at the right end of each is kept for the next
-//! tile.
+//! A step is one pass. A block of sites is kicked and drifted immediately, because its left neighbours have been kicked
+//! and the bond to them is still in a register. Several steps are taken on a tile before the next tile is loaded. Each
+//! step works one block to the left of the previous step, and keeps the bond at its right end for the next tile.
 
 use crate::{
     by_hand::law::{Forces, Fput, Law, Phi4, SineGordon, Toda},
@@ -12,15 +11,15 @@ use crate::{
     vector::{Row, Vector},
 };
 
-/// Sites of a tile: with the steps under way, half of a first cache.
+/// Sites per tile; together with the steps in progress, a tile fills half of an L1 cache.
 const TILE: usize = 1024;
-/// Steps that go over a tile before the next one; each shifts by a block, and all of them by less than a tile.
+/// Steps per tile. Each shifts by a block, and all shifts together are smaller than a tile.
 const DEPTH: usize = 32;
 
-/// A chain under way.
+/// A chain and its state.
 #[derive(Clone)]
 pub struct Chain {
-    /// What acts.
+    /// The potentials of bonds and sites.
     pub law: Law,
     /// Positions; their number is a multiple of eight.
     pub q: Vec<f64>,
@@ -29,19 +28,19 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// Takes `steps` steps of Verlet, many of them on each tile.
+    /// Takes `steps` steps of Verlet, up to `DEPTH` of them per tile.
     ///
     /// # Panics
-    /// On a plan of another composition, and if the number of sites is no multiple of eight.
+    /// If the plan is not that of `Verlet`, or the number of sites is not a multiple of eight.
     pub fn skewed(&mut self, plan: &Plan, steps: usize) {
         assert!(self.q.len() == self.p.len() && self.q.len().is_multiple_of(8), "whole blocks");
         enter(March { chain: self, flows: plan.verlet(), steps, skewed: true });
     }
 
-    /// Takes `steps` steps of Verlet in two loops over all sites each.
+    /// Takes `steps` steps of Verlet, each in two loops over all sites.
     ///
     /// # Panics
-    /// On a plan of another composition.
+    /// If the plan is not that of `Verlet`.
     pub fn two_pass(&mut self, plan: &Plan, steps: usize) {
         enter_scalar(March { chain: self, flows: plan.verlet(), steps, skewed: false });
     }
@@ -49,7 +48,7 @@ impl Chain {
 
 struct March<'c> {
     chain: &'c mut Chain,
-    /// The drift that opens, a kick and a drift, and the drift that closes.
+    /// Durations of the opening drift, the kick and the drift of the loop, and the closing drift.
     flows: [f64; 4],
     steps: usize,
     skewed: bool,
@@ -110,7 +109,7 @@ fn all_kick(law: impl Forces, q: &[f64], p: &mut [f64], t: f64) {
     p[last] = t.mul_add(force(q[last - 1], q[last], 0.0), p[last]);
 }
 
-/// `depth` steps, tile by tile.
+/// Takes `depth` steps, tile by tile.
 #[inline(always)]
 fn tiles<V: Row>(law: impl Forces, q: &mut [f64], p: &mut [f64], flows: [f64; 2], depth: usize) {
     const { assert!(8 * DEPTH < TILE, "a tile outlasts the shifts") };
@@ -130,7 +129,8 @@ fn tiles<V: Row>(law: impl Forces, q: &mut [f64], p: &mut [f64], flows: [f64; 2]
     }
 }
 
-/// Kicks and drifts a range of sites. The last lane of `left` is the bond on its left; what comes back, on its right.
+/// Kicks and drifts a range of sites. The last lane of `left` is the bond to the left of the range; the last lane of
+/// the returned vector is the bond at its right end.
 #[inline(always)]
 fn pass<V: Row>(
     law: impl Forces,

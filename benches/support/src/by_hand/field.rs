@@ -1,9 +1,11 @@
-//! The φ⁴ field on a plane or a volume that is closed in all directions, stepped by Verlet.
+//! The φ⁴ field on a plane or a volume with periodic boundaries, integrated with Verlet.
 //!
-//! A step is one pass over layers, which are rows of a plane or planes of a volume: a layer is kicked by the sites around, and the
-//! one before it is drifted while it is in the cache. The first layer waits for the last one, which it is a neighbour of. Skewed,
-//! several steps follow each other through the layers, each two behind the one before, so that a layer is fetched once for all of
-//! them; where the ends meet, what they left out comes last.
+//! A step is one pass over layers, which are the rows of a plane or the planes of a volume. A layer is kicked by its
+//! neighbours, and the layer before it is drifted while it is in the cache. The first and the last layer are
+//! neighbours, so the first layer is drifted at the end of the pass.
+//!
+//! With time skewing, several steps pass through the layers together. Each step is two layers behind the previous step,
+//! so a layer is loaded once for all of them. The layers near the periodic boundary are completed at the end.
 
 use crate::{
     enter::{Kernel, enter},
@@ -11,30 +13,31 @@ use crate::{
     vector::{Row, Vector},
 };
 
-/// Sites of the layers, of positions and of momenta, that steps which follow each other have under way: a quarter of a second-level
-/// cache of a mebibyte.
+/// Number of sites in the layers of the skewed steps. Their positions and momenta fill a quarter of an L2 cache of 1
+/// MiB.
 const UNDER_WAY: usize = 16 * 1024;
-/// The most steps that follow each other.
+/// Largest number of skewed steps.
 const DEPTH: usize = 32;
-/// As many as follow each other, however large a layer is.
+/// Smallest number of skewed steps, used for large layers.
 const SHALLOWEST: usize = 4;
 
 /// A row of a plane, or a plane of a volume.
 pub trait Layer: Clone {
-    /// How many sites it has.
+    /// Number of sites.
     const SITES: usize;
-    /// Adds the momenta to the positions of one layer for a time.
+    /// Adds `t` times the momenta to the positions of the layer.
     fn drift(&mut self, p: &Self, t: f64);
-    /// Adds the forces on one layer, beside two others, for a time: in vectors.
+    /// Adds `t` times the forces to the momenta of the layer, with vectors. `around` contains the layer between its
+    /// neighbours.
     fn kick<V: Row>(&mut self, stiffness: f64, around: [&Self; 3], t: f64);
-    /// The same in a plain loop.
+    /// The same with a plain loop.
     fn kick_plainly(&mut self, stiffness: f64, around: [&Self; 3], t: f64);
 }
 
-/// A field under way.
+/// A field and its state.
 #[derive(Clone)]
 pub struct Field<T> {
-    /// Of the springs.
+    /// Stiffness of the springs.
     pub stiffness: f64,
     /// Positions.
     pub q: Vec<T>,
@@ -43,26 +46,26 @@ pub struct Field<T> {
 }
 
 impl<T: Layer> Field<T> {
-    /// Takes `steps` steps of Verlet, each in one pass of vectors.
+    /// Takes `steps` steps of Verlet, each in one pass with vectors.
     ///
     /// # Panics
-    /// On a plan of another composition.
+    /// If the plan is not that of `Verlet`.
     pub fn one_pass(&mut self, plan: &Plan, steps: usize) {
         enter(March { field: self, flows: plan.verlet(), steps, pass: Pass::Vectors });
     }
 
-    /// Takes `steps` steps of Verlet, several of them in each pass of vectors.
+    /// Takes `steps` steps of Verlet, several of them in each pass with vectors.
     ///
     /// # Panics
-    /// On a plan of another composition.
+    /// If the plan is not that of `Verlet`.
     pub fn skewed(&mut self, plan: &Plan, steps: usize) {
         enter(March { field: self, flows: plan.verlet(), steps, pass: Pass::Skewed });
     }
 
-    /// Takes `steps` steps of Verlet in two plain loops over all sites each.
+    /// Takes `steps` steps of Verlet, each in two plain loops over all sites.
     ///
     /// # Panics
-    /// On a plan of another composition.
+    /// If the plan is not that of `Verlet`.
     pub fn two_pass(&mut self, plan: &Plan, steps: usize) {
         enter(March { field: self, flows: plan.verlet(), steps, pass: Pass::Plain });
     }
@@ -77,7 +80,7 @@ enum Pass {
 
 struct March<'c, T> {
     field: &'c mut Field<T>,
-    /// The drift that opens, a kick and a drift, and the drift that closes.
+    /// Durations of the opening drift, the kick and the drift of the loop, and the closing drift.
     flows: [f64; 4],
     steps: usize,
     pass: Pass,
@@ -124,7 +127,7 @@ impl<T: Layer> Kernel for March<'_, T> {
     }
 }
 
-/// `depth` steps, each two layers behind the one before, first of the layers that do not see the ends of the field.
+/// Takes `depth` steps, each two layers behind the previous one. Layers that depend on the periodic boundary come last.
 #[inline(always)]
 fn skewed<V: Row, T: Layer>(stiffness: f64, q: &mut [T], p: &mut [T], [kick, drift]: [f64; 2], depth: usize) {
     let layers = q.len();
@@ -149,13 +152,13 @@ fn skewed<V: Row, T: Layer>(stiffness: f64, q: &mut [T], p: &mut [T], [kick, dri
     }
 }
 
-/// Kicks a layer by those around it. No closure, which would be compiled outside of the instruction set.
+/// Kicks a layer. This is not a closure, because closures are compiled without the instruction set of their caller.
 #[inline(always)]
 fn kick_layer<V: Row, T: Layer>(stiffness: f64, q: &[T], p: &mut [T], layer: usize, kick: f64) {
     p[layer].kick::<V>(stiffness, around(q, layer), kick);
 }
 
-/// A layer between those around it.
+/// Returns a layer between its two neighbours.
 #[inline(always)]
 fn around<T>(q: &[T], layer: usize) -> [&T; 3] {
     [&q[(layer + q.len() - 1) % q.len()], &q[layer], &q[(layer + 1) % q.len()]]
@@ -203,7 +206,7 @@ impl<const WIDTH: usize, const ROWS: usize> Layer for [[f64; WIDTH]; ROWS] {
     }
 }
 
-/// The rows beside one of a plane: two in it, and two in the planes around.
+/// Returns the rows adjacent to a row of a volume: two in the same plane, and two in the adjacent planes.
 #[inline(always)]
 fn beside<'p, T, const ROWS: usize>(
     row: usize,
@@ -214,13 +217,13 @@ fn beside<'p, T, const ROWS: usize>(
     [&here[(row + ROWS - 1) % ROWS], &here[(row + 1) % ROWS], &before[row], &behind[row]]
 }
 
-/// The force on a site from the sum of its neighbours.
+/// Returns the force on a site from the sum of its neighbours.
 #[inline(always)]
 fn force(stiffness: f64, here: f64, neighbours: f64, count: f64) -> f64 {
     stiffness.mul_add(neighbours - count * here, (1.0 - here * here) * here)
 }
 
-/// Kicks a row by itself and the rows beside it.
+/// Kicks a row by its own sites and by the adjacent rows.
 #[inline(always)]
 fn kick_row_plainly<const WIDTH: usize, const BESIDE: usize>(
     stiffness: f64,
@@ -244,7 +247,7 @@ fn kick_row_plainly<const WIDTH: usize, const BESIDE: usize>(
     p[last] = t.mul_add(at(last, last - 1, 0), p[last]);
 }
 
-/// The same in vectors.
+/// The same with vectors.
 #[inline(always)]
 fn kick_row<V: Row, const WIDTH: usize, const BESIDE: usize>(
     stiffness: f64,

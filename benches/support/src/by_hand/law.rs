@@ -1,25 +1,25 @@
-//! What acts between the sites of a chain, and on each of them.
+//! Potentials of the bonds and of the sites of a chain.
 
 use crate::{functions, vector::Vector};
 
-/// What acts along a chain. Bonds are functions of `s = q[i + 1] - q[i]`.
+/// Potential energy of a chain. Bonds are functions of `s = q[i + 1] - q[i]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Law {
     /// `s²/2 + α s³/3`
     Fput {
-        /// How unlike a spring.
+        /// Nonlinear coefficient.
         alpha: f64,
     },
     /// `exp(s) - s`
     Toda,
     /// `κ s²/2`, and `1 - cos q` on each site
     SineGordon {
-        /// How stiff.
+        /// Stiffness of the bonds.
         stiffness: f64,
     },
     /// `κ s²/2`, and `(q² - 1)²/4` on each site
     Phi4 {
-        /// How stiff.
+        /// Stiffness of the bonds.
         stiffness: f64,
     },
 }
@@ -27,9 +27,9 @@ pub enum Law {
 /// The derivatives of the energies of a bond and of a site.
 pub(crate) trait Forces: Copy {
     fn bond<V: Vector<Number = f64>>(self, stretch: V) -> V;
-    /// Nothing where sites are free.
+    /// Returns `None` if the sites have no potential.
     fn site<V: Vector<Number = f64>>(self, q: V) -> Option<V>;
-    /// The same by the standard library.
+    /// The same with functions of the standard library.
     fn plain(self, stretch: f64) -> f64;
     fn plain_site(self, q: f64) -> f64;
 }

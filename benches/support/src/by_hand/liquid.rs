@@ -1,8 +1,9 @@
-//! Many atoms with a cutoff in a box, for AVX-512: atoms sorted by cells, and for each of them a list of its neighbours, of
-//! which eight at a time act on it.
+//! Many atoms with a cutoff in a box, for AVX-512. Atoms are sorted by cells. Each atom has a list of its neighbours,
+//! and the forces of eight neighbours are computed at a time.
 //!
-//! Sums have the order of places, which changes whenever lists are made; a pair is computed from both sides, since forces
-//! that are added to both atoms at once take longer (190 ns for each atom and step in place of 135).
+//! The order of the atoms, and with it the order of the sums, changes whenever the lists are rebuilt. Each pair is
+//! computed twice, once for each atom, because adding a force to both atoms takes longer (190 ns per atom and step
+//! instead of 135).
 
 use core::arch::x86_64::{
     __m512d, __mmask8, _CMP_LT_OQ, _mm256_loadu_pd, _mm512_add_pd, _mm512_castpd256_pd512, _mm512_cmp_pd_mask,
@@ -13,7 +14,7 @@ use core::arch::x86_64::{
     _mm512_sub_ps, _mm512_unpackhi_pd, _mm512_unpacklo_pd,
 };
 
-/// Atoms of a Lennard-Jones liquid under way.
+/// A Lennard-Jones liquid and its state.
 #[derive(Clone)]
 pub struct Liquid {
     q: Vec<[f64; 4]>,
@@ -22,19 +23,20 @@ pub struct Liquid {
     side: f64,
     cutoff: f64,
     skin: f64,
-    /// Where atoms were when lists were made.
+    /// Positions at the last rebuild of the lists.
     reference: Vec<[f64; 4]>,
-    /// Where the list of each atom begins, and that behind the last one.
+    /// Start of each atom's list, followed by the end of the last list.
     begins: Vec<usize>,
     neighbours: Vec<u32>,
 }
 
 impl Liquid {
-    /// Atoms in a box; nothing on a machine without AVX-512, or where the box has fewer than three cells along an axis.
+    /// Creates the liquid. Returns `None` on a machine without AVX-512, or if the box has fewer than three cells along
+    /// an axis.
     pub fn new(q: &[[f64; 3]], p: &[[f64; 3]], side: f64, cutoff: f64) -> Option<Self> {
         let has = crate::Instructions::chosen() == crate::Instructions::Avx512;
         let four = |points: &[[f64; 3]]| points.iter().map(|[x, y, z]| [*x, *y, *z, 0.0]).collect();
-        // Of those that were tried, the fastest for argon near its triple point.
+        // The fastest of the tested values for argon near its triple point.
         let skin = 0.4;
         (has && side >= 3.0 * (cutoff + skin)).then(|| Self {
             q: four(q),
@@ -49,13 +51,13 @@ impl Liquid {
         })
     }
 
-    /// Half a drift, a kick and half a drift, again and again, the halves of neighbouring steps together.
+    /// Takes steps of half a drift, a kick and half a drift. The half drifts of consecutive steps are merged.
     pub fn advance(&mut self, steps: u64, h: f64) {
-        // SAFETY: `new` makes none where these instructions were not detected.
+        // SAFETY: `new` returns `None` if these instructions were not detected.
         unsafe { self.steps(steps, h) }
     }
 
-    /// The sum of the squares of all momenta, which does not depend on the order of atoms.
+    /// Returns the sum of the squares of all momenta, which does not depend on the order of the atoms.
     pub fn squares(&self) -> f64 {
         self.p.iter().flatten().map(|p| p * p).sum()
     }
@@ -153,7 +155,7 @@ impl Liquid {
                 self.near(atom, origin, &places, &atoms);
             }
         }
-        // Eight are read at a time.
+        // Eight entries are read at a time.
         self.neighbours.resize(self.neighbours.len() + 8, 0);
     }
 
@@ -161,14 +163,14 @@ impl Liquid {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
     #[inline]
     fn near(&mut self, atom: usize, origin: [f64; 4], places: &[Vec<f32>; 3], atoms: &[u32]) {
-        // Rounded to single precision, distances are off by less than that.
+        // The factor covers the rounding of the distances to single precision.
         let square = _mm512_set1_ps(((self.cutoff + self.skin) * 1.00001).powi(2) as f32);
         let own = [0, 1, 2].map(|d| _mm512_set1_ps((self.q[atom][d] - origin[d]) as f32));
         let first = self.neighbours.len();
         self.neighbours.resize(first + atoms.len(), 0);
         let mut end = first;
         for block in (0..atoms.len()).step_by(16) {
-            // SAFETY: places are as many as atoms, in blocks of sixteen.
+            // SAFETY: the columns have an entry per atom, padded to blocks of sixteen.
             let apart = |d: usize| _mm512_sub_ps(unsafe { _mm512_loadu_ps(places[d][block..].as_ptr()) }, own[d]);
             let (x, y, z) = (apart(0), apart(1), apart(2));
             let distance = _mm512_fmadd_ps(x, x, _mm512_fmadd_ps(y, y, _mm512_mul_ps(z, z)));
@@ -176,7 +178,7 @@ impl Liquid {
             let others = unsafe { _mm512_loadu_si512(atoms[block..].as_ptr().cast()) };
             let near = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(distance, square)
                 & _mm512_cmpneq_epu32_mask(others, _mm512_set1_epi32(atom as i32));
-            // SAFETY: there is room for all candidates, and no more than those so far were written.
+            // SAFETY: the list has capacity for all candidates, and no more candidates than that are written.
             unsafe {
                 let to = self.neighbours.as_mut_ptr().add(end).cast();
                 _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(near, others));
@@ -206,12 +208,12 @@ impl Liquid {
         }
     }
 
-    /// The coordinates of eight neighbours.
+    /// Returns the coordinates of eight neighbours.
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
     #[inline]
     fn eight(&self, first: usize) -> [__m512d; 3] {
         let atoms = &self.neighbours[first..first + 8];
-        // SAFETY: a neighbour is an atom, and its place is four numbers.
+        // SAFETY: the index is that of an atom, whose position is stored as four numbers.
         let at = |lane: usize| unsafe { _mm256_loadu_pd(self.q.as_ptr().add(atoms[lane] as usize).cast()) };
         let two = |low, high| _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(at(low)), at(high));
         let [a, b, c, d] = [two(0, 2), two(1, 3), two(4, 6), two(5, 7)];
@@ -224,7 +226,7 @@ impl Liquid {
         ]
     }
 
-    /// The forces of eight atoms on one.
+    /// Returns the forces of eight atoms on one atom.
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]
     #[inline]
     fn force(&self, own: [__m512d; 3], others: [__m512d; 3], acting: __mmask8) -> [__m512d; 3] {

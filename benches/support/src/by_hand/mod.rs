@@ -1,22 +1,22 @@
-//! What a person would write who has the time: the yardsticks of the benches.
+//! Hand-written steppers, with which the benches compare the generated code.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
 //! | [`plain`] | the five problems in safe Rust without vectors, in code compiled for fused multiply-add |
-//! | [`points`] | pendulum, Hénon-Heiles and Kepler over any vector: a single trajectory or lanes of an ensemble |
-//! | [`oscillators`] | Hénon-Heiles as oscillators that turn by prepared angles, and kicks of the rest |
-//! | [`swarm`] | ensembles of these, several vectors in flight |
-//! | [`pace`] | two bodies in steps of the logarithmic Hamiltonian |
-//! | [`carried`] | small systems that carry the rounding errors of their updates |
-//! | [`row`] | six bodies, and 32 sites of a chain, side by side in registers |
-//! | [`orbits`] | five planets on Kepler orbits side by side in registers |
+//! | [`points`] | pendulum, Hénon–Heiles and Kepler over any vector: a single trajectory or lanes of an ensemble |
+//! | [`oscillators`] | Hénon–Heiles split into oscillators (precomputed rotations) and the cubic rest |
+//! | [`swarm`] | ensembles of the systems in `points`, several vectors in flight |
+//! | [`pace`] | two bodies with the logarithmic Hamiltonian |
+//! | [`carried`] | small systems with compensated states |
+//! | [`row`] | six bodies, and 32 sites of a chain, in SIMD lanes |
+//! | [`orbits`] | five planets on Kepler orbits, in SIMD lanes |
 //! | [`chain`] | long chains in one pass per step, several steps per tile, and in two plain passes |
-//! | [`field`] | the φ⁴ field on a plane or a volume, in one pass per step, several steps one after the other, and in two plain passes |
-//! | [`tangent`] | a state and one deviation vector beside it |
+//! | [`field`] | the φ⁴ field on a plane or a volume: one pass per step, several steps per pass, and two plain passes |
+//! | [`tangent`] | a state and one deviation vector |
 //! | [`taylor`] | Taylor integrators of the five problems |
-//! | `liquid` | atoms with a cutoff in a box, over lists of neighbours; for AVX-512 alone |
-//! | [`molecule`] | bonds, angles and dihedrals in lists, a vector of them at a time |
-//! | [`tiles`] | many bodies, pairs in tiles that use the third law |
+//! | `liquid` | atoms with a cutoff in a box, with neighbour lists; AVX-512 only |
+//! | [`molecule`] | lists of bonds, angles and dihedrals, a vector of terms at a time |
+//! | [`tiles`] | many bodies: pairs in tiles, with Newton's third law |
 
 pub mod carried;
 pub mod chain;

@@ -1,5 +1,5 @@
-//! A molecule: bonds, angles and dihedrals a vector at a time, whose atoms are gathered, and their forces scattered lane by
-//! lane.
+//! A molecule with lists of bonds, angles and dihedrals. A vector of terms is evaluated at a time: atoms are gathered,
+//! and forces are scattered lane by lane.
 
 use crate::{
     enter::{Kernel, enter},
@@ -9,13 +9,13 @@ use crate::{
 };
 use std::marker::PhantomData;
 
-/// The most lanes of a vector.
+/// Largest number of lanes of a vector.
 const LANES: usize = 8;
 
-/// A term among so many atoms, with so many numbers of its own.
+/// Terms of `ATOMS` atoms and `NUMBERS` parameters each.
 type Terms<const ATOMS: usize, const NUMBERS: usize> = (Vec<[u32; ATOMS]>, [Vec<f64>; NUMBERS]);
 
-/// A molecule under way.
+/// A molecule and its state.
 #[derive(Clone)]
 pub struct Molecule {
     bonds: Terms<2, 2>,
@@ -29,7 +29,7 @@ pub struct Molecule {
 }
 
 impl Molecule {
-    /// The molecule at a state.
+    /// Creates the molecule at a state.
     pub fn new(system: &molecule::Molecule, q: &[[f64; 3]], p: &[[f64; 3]]) -> Self {
         let lengths = system.bonds.iter().map(|bond| bond.2).collect();
         Self {
@@ -53,7 +53,7 @@ impl Molecule {
         }
     }
 
-    /// Takes `steps` steps, and returns a coordinate.
+    /// Takes `steps` steps, and returns one coordinate.
     pub fn advance(&mut self, plan: &Plan, steps: u64) -> f64 {
         enter(March { molecule: self, plan, steps })
     }
@@ -105,13 +105,13 @@ impl<V: Vector<Number = f64>> HandWritten for Flows<'_, V> {
     }
 }
 
-/// The forces of a vector of terms on their atoms, from where these are and from the numbers of the terms.
+/// Computes the forces of a vector of terms from the positions of their atoms and the parameters of the terms.
 trait Force<const ATOMS: usize, const NUMBERS: usize>: Copy {
     fn of<V: Vector<Number = f64>>(self, atoms: [[V; 3]; ATOMS], numbers: [V; NUMBERS]) -> [[V; 3]; ATOMS];
 }
 
-/// Adds the forces of all terms: a vector of them at a time, and what is left over one by one. Without closures, which are
-/// compiled without vectors.
+/// Adds the forces of all terms: full vectors first, then the remaining terms one by one. There are no closures,
+/// because closures are compiled without vector instructions.
 #[inline(always)]
 fn add<V: Vector<Number = f64>, F: Force<ATOMS, NUMBERS>, const ATOMS: usize, const NUMBERS: usize>(
     q: &[[f64; 3]],
@@ -123,7 +123,7 @@ fn add<V: Vector<Number = f64>, F: Force<ATOMS, NUMBERS>, const ATOMS: usize, co
     add_from::<Many<f64, 1>, F, ATOMS, NUMBERS>(q, forces, terms, force, first);
 }
 
-/// Adds the forces of as many terms as fill vectors, from one of them on, and returns the first that is left over.
+/// Adds the forces of full vectors of terms, starting at a given term. Returns the first remaining term.
 #[inline(always)]
 fn add_from<V: Vector<Number = f64>, F: Force<ATOMS, NUMBERS>, const ATOMS: usize, const NUMBERS: usize>(
     q: &[[f64; 3]],
@@ -148,7 +148,7 @@ fn add_from<V: Vector<Number = f64>, F: Force<ATOMS, NUMBERS>, const ATOMS: usiz
     first
 }
 
-/// The places of one atom of each term.
+/// Gathers the positions of one atom of each term.
 #[inline(always)]
 fn gather<V: Vector<Number = f64>, const ATOMS: usize>(q: &[[f64; 3]], at: &[[u32; ATOMS]], atom: usize) -> [V; 3] {
     let mut columns = [[0.0; LANES]; 3];
@@ -161,7 +161,7 @@ fn gather<V: Vector<Number = f64>, const ATOMS: usize>(q: &[[f64; 3]], at: &[[u3
     [V::load(&columns[0]), V::load(&columns[1]), V::load(&columns[2])]
 }
 
-/// Adds the forces on the atoms of each term, term by term.
+/// Scatters the forces to the atoms, term by term.
 #[inline(always)]
 fn scatter<V: Vector<Number = f64>, const ATOMS: usize>(
     forces: &mut [[f64; 3]],
@@ -236,7 +236,7 @@ struct Angle {
 }
 
 impl Force<3, 1> for Angle {
-    /// The derivative of the cosine by both arms.
+    /// Derivative of the cosine with respect to both arms.
     #[inline(always)]
     fn of<V: Vector<Number = f64>>(self, [a, b, c]: [[V; 3]; 3], [wanted]: [V; 1]) -> [[V; 3]; 3] {
         let (u, v) = (minus(a, b), minus(c, b));
@@ -256,7 +256,7 @@ impl Force<3, 1> for Angle {
 struct Dihedral;
 
 impl Force<4, 1> for Dihedral {
-    /// The derivative of the cosine by the normals of both planes, and by the three bonds through these.
+    /// Derivative of the cosine with respect to the normals of both planes, and from these to the three bonds.
     #[inline(always)]
     fn of<V: Vector<Number = f64>>(self, [a, b, c, d]: [[V; 3]; 4], [barrier]: [V; 1]) -> [[V; 3]; 4] {
         let (u, v, w) = (minus(b, a), minus(c, b), minus(d, c));

@@ -1,4 +1,4 @@
-//! Five planets on Kepler orbits side by side in registers, with a weak spring to the star as the other part.
+//! Five planets on Kepler orbits in SIMD lanes; the second part is a weak spring to the star.
 
 use crate::{
     enter::{Kernel, enter},
@@ -8,7 +8,7 @@ use crate::{
 };
 use integrator_core::Phase;
 
-/// The planets, for a star of strength `k = pull · mass`.
+/// The planets; the star attracts a planet with the strength `k = pull · mass`.
 struct Orbits<R> {
     q: [R; 3],
     p: [R; 3],
@@ -17,7 +17,7 @@ struct Orbits<R> {
     spring: f64,
 }
 
-/// The universal variable of a short arc, or the correction of one: the root of `d + a d² + b d³ + c d⁴ = y`.
+/// Solves `d + a d² + b d³ + c d⁴ = y` for a short arc: the universal variable, or a correction to it.
 #[inline(always)]
 fn reverted<R: Row>(y: R, [a, b, c]: [R; 3]) -> R {
     let square = a * a;
@@ -26,7 +26,7 @@ fn reverted<R: Row>(y: R, [a, b, c]: [R; 3]) -> R {
     y * (y * y).fma(high, y.fnma(a, R::splat(1.0)))
 }
 
-/// A series of eight terms with the reciprocals of every other factorial.
+/// A series of eight terms with the reciprocals of every second factorial.
 #[inline(always)]
 pub(super) fn series<R: Row>(x: R, first: i32) -> R {
     let mut terms = [R::splat(0.0); 8];
@@ -42,16 +42,16 @@ pub(super) fn series<R: Row>(x: R, first: i32) -> R {
     (square * square).fma(square.fma(x.fma(h, g), x.fma(f, e)), low)
 }
 
-/// An arc of an orbit that was solved for.
+/// A solved arc of an orbit.
 pub(super) struct Arc<R> {
-    /// The distance at its beginning and the reciprocal of that, and the distance at its end.
+    /// Initial distance, its reciprocal, and the final distance.
     pub(super) distances: [R; 3],
-    /// Gravity times masses, `q·v`, `2μ/r - v²` and what is left of the second one's change.
+    /// Gravity times masses, `q·v`, `2μ/r - v²`, and the remaining term in the change of the second one.
     pub(super) mu: R,
     pub(super) eta: R,
     pub(super) beta: R,
     pub(super) zeta: R,
-    /// The universal variable, and its functions from the first one on.
+    /// Universal variable, and its functions from the first one on.
     pub(super) s: R,
     pub(super) functions: [R; 3],
 }
@@ -61,8 +61,8 @@ pub(super) fn dot<R: Row>(a: &[R; 3], b: &[R; 3]) -> R {
     a[2].fma(b[2], a[1].fma(b[1], a[0] * b[0]))
 }
 
-/// Kepler's equation for the arcs of all planets, with one more correction where one planet asks for it. Without
-/// optimisation a function that all of it is inlined into would need megabytes of stack.
+/// Solves Kepler's equation for the arcs of all planets. A further correction follows if one planet needs it. Without
+/// optimisation, a function with all of this inlined would need megabytes of stack.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn arc<R: Row>([q, p]: [&[R; 3]; 2], w: R, k: R, t: R) -> Arc<R> {
     let one = R::splat(1.0);
@@ -134,7 +134,7 @@ impl Kernel for March<'_> {
     type Out = Phase<[[f64; 3]; 5]>;
     #[inline(always)]
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(mut self) -> Self::Out {
-        // Lanes behind the last planet repeat the first ones.
+        // Lanes after the last planet repeat the first planets.
         let row = |of: &dyn Fn(usize) -> f64| R::load(&std::array::from_fn::<f64, 8, _>(|lane| of(lane % 5)));
         let column = |of: &[[f64; 3]; 5]| [0, 1, 2].map(|axis| row(&|body| of[body][axis]));
         let Planets { masses, pull, spring } = *self.system;
@@ -159,7 +159,7 @@ impl Kernel for March<'_> {
     }
 }
 
-/// Planets about a star.
+/// Planets orbiting a star.
 pub fn planets(system: &Planets, start: Phase<[[f64; 3]; 5]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 5]> {
     enter(March { system, state: start, plan, steps })
 }

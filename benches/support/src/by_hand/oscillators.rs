@@ -1,4 +1,4 @@
-//! Oscillators that turn by prepared angles between kicks of what is not harmonic.
+//! Oscillators with precomputed rotations, alternating with kicks of the anharmonic rest.
 
 use crate::{
     enter::{Kernel, enter_scalar},
@@ -6,7 +6,8 @@ use crate::{
     vector::{Row, Vector},
 };
 
-/// What a turn adds, with each number as an upper half and the rest, so that radii neither grow nor shrink.
+/// Increments of a rotation. Each number is split into an upper half and a remainder, so that rounding does not change
+/// the radius systematically.
 #[derive(Clone, Copy)]
 struct Turn {
     cosine: [f64; 2],
@@ -19,12 +20,12 @@ impl Turn {
             let upper = f64::from_bits(x.to_bits() & (!0 << 27));
             [upper, x - upper]
         };
-        // cos a - 1, without the digits that cancel.
+        // cos a - 1, without cancellation.
         Self { cosine: halves(-2.0 * (0.5 * angle).sin().powi(2)), sine: halves(angle.sin()) }
     }
 }
 
-/// A star, and deviation vectors behind it.
+/// A state, followed by deviation vectors.
 struct HenonHeiles<'p, const POINTS: usize> {
     points: [[f64; 4]; POINTS],
     opening: (Turn, f64),
@@ -80,7 +81,8 @@ impl<const POINTS: usize> Kernel for HenonHeiles<'_, POINTS> {
     }
 }
 
-/// A star in a galaxy, `[x, y, p_x, p_y]`, and deviation vectors behind it; compositions begin with the oscillators.
+/// Integrates the state `[x, y, p_x, p_y]` and the deviation vectors that follow it. Compositions begin with the
+/// oscillators.
 pub fn henon_heiles<const POINTS: usize>(points: [[f64; 4]; POINTS], plan: &Plan, steps: u64) -> [[f64; 4]; POINTS] {
     let ([opening, kick], cycle, closing) = plan.drifts_first();
     let cycle: Vec<_> = cycle.iter().map(|[drift, kick]| (Turn::by(*drift), *kick)).collect();

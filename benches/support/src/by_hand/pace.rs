@@ -1,10 +1,10 @@
-//! Two bodies in steps of the logarithmic Hamiltonian: what a person writes who knows that the kick needs no root.
+//! Two bodies with the logarithmic Hamiltonian. The kick is written without a square root, which is not needed here.
 
 use super::plain::march;
 use crate::plan::{HandWritten, Plan};
 use integrator_core::Phase;
 
-/// The state with its time, which carries its rounding, and twice the momentum of the time.
+/// State and compensated time, and twice the momentum conjugate to time.
 struct TwoBodies {
     q: [f64; 2],
     p: [f64; 2],
@@ -32,7 +32,7 @@ impl HandWritten for TwoBodies {
     }
 }
 
-/// The orbit after some steps in the fictitious time, and when that is.
+/// Returns the time and the state after some steps in fictitious time.
 pub fn two_bodies(start: Phase<[f64; 2]>, plan: &Plan, steps: u64) -> (f64, Phase<[f64; 2]>) {
     let Phase { q, p } = start;
     let twice_b = 2.0 / q[0].hypot(q[1]) - (p[0] * p[0] + p[1] * p[1]);

@@ -1,4 +1,4 @@
-//! Safe Rust without tricks: the formulas as a careful person types them, with `mul_add` written out.
+//! Safe Rust without vectors: the formulas as written by a careful programmer, with explicit `mul_add`.
 
 use crate::{
     enter::{Kernel, enter_scalar},
@@ -41,7 +41,7 @@ impl HandWritten for PlainPendulum {
     }
 }
 
-/// A stepper after some steps.
+/// Returns a stepper after some steps.
 pub(super) fn march<T: HandWritten>(by_hand: T, plan: &Plan, steps: u64) -> T {
     enter_scalar(March { by_hand, plan, steps })
 }
@@ -86,7 +86,7 @@ impl HandWritten for PlainSolar {
     }
 }
 
-/// The outer solar system, pair by pair.
+/// The outer solar system; forces are computed pair by pair.
 pub fn solar(system: &Solar, start: Phase<[[f64; 3]; 6]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 6]> {
     let by_hand = PlainSolar { masses: system.masses, q: start.q, p: start.p };
     let end = march(by_hand, plan, steps);
@@ -121,7 +121,7 @@ impl HandWritten for PlainChain {
     }
 }
 
-/// The chain of 32 sites, each bond once.
+/// The chain of 32 sites; each bond is evaluated once.
 pub fn chain(system: &Chain32, start: Phase<[f64; 32]>, plan: &Plan, steps: u64) -> Phase<[f64; 32]> {
     let end = enter_scalar(March { by_hand: PlainChain { alpha: system.alpha, q: start.q, p: start.p }, plan, steps });
     Phase::new(end.q, end.p)

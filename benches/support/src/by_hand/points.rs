@@ -1,4 +1,4 @@
-//! One particle in a field, for whatever numbers stand side by side.
+//! One particle in a field, generic over the vector type: scalar or SIMD lanes.
 
 use crate::{
     enter::{Kernel, enter, enter_scalar},
@@ -8,20 +8,20 @@ use crate::{
 };
 use std::marker::PhantomData;
 
-/// Trajectories side by side: columns of coordinates and parameters, a lane for each trajectory.
+/// Trajectories in SIMD lanes: columns of coordinates and parameters, one lane per trajectory.
 pub(crate) trait Lanes<V: Vector>: HandWritten + Sized {
     fn load(columns: &[Vec<V::Number>], at: usize) -> Self;
     fn store(&self, columns: &mut [Vec<V::Number>], at: usize);
 }
 
-/// Which sine the pendulum calls.
+/// Selects the sine of the pendulum.
 pub(crate) trait Sine {
     fn of<V: Vector>(x: V) -> V;
 }
 
-/// At most one unit in the last place.
+/// Error of at most one unit in the last place.
 pub(crate) struct Careful;
-/// At most four.
+/// Error of at most four units in the last place.
 pub(crate) struct Fast;
 
 impl Sine for Careful {
@@ -69,7 +69,7 @@ impl<V: Vector, S: Sine> Lanes<V> for Pendulum<V, S> {
     }
 }
 
-/// The form with the fewest operations from one kick to the next: ∂V/∂x = 2x(y + ½), ∂V/∂y = y + x² - y².
+/// Written with the fewest operations from one kick to the next: ∂V/∂x = 2x(y + ½), ∂V/∂y = y + x² - y².
 pub(crate) struct HenonHeiles<V> {
     q: [V; 2],
     p: [V; 2],
@@ -132,20 +132,20 @@ macro_rules! planar {
 planar!(HenonHeiles);
 planar!(Kepler);
 
-/// Which problem, to choose a type of lanes by.
+/// Selects a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Point {
-    /// With the careful sine.
+    /// Pendulum with the careful sine.
     Pendulum,
-    /// With the fast sine.
+    /// Pendulum with the fast sine.
     FastPendulum,
-    /// Hénon and Heiles.
+    /// Hénon–Heiles.
     HenonHeiles,
     /// Kepler.
     Kepler,
 }
 
-/// A single trajectory, in scalars or in the lanes of a register that are all the same.
+/// A single trajectory, in scalar code or repeated in all lanes of a register.
 struct Single<'p> {
     point: Point,
     plan: &'p Plan,
@@ -177,12 +177,12 @@ impl Kernel for Single<'_> {
     }
 }
 
-/// The end of a trajectory of `point` in scalars, after `steps` steps.
+/// Returns the end of a trajectory of `point` after `steps` steps, in scalar code.
 pub fn scalar(point: Point, columns: [f64; 4], plan: &Plan, steps: u64) -> [f64; 4] {
     enter_scalar(Single { point, plan, steps, columns })
 }
 
-/// The same in the lanes of a register, for what the widest instructions have and others lack.
+/// The same, repeated in all lanes of a register, to use operations that only the widest instruction sets have.
 pub fn wide(point: Point, columns: [f64; 4], plan: &Plan, steps: u64) -> [f64; 4] {
     enter(Single { point, plan, steps, columns })
 }

@@ -1,4 +1,4 @@
-//! Small systems that fit into registers: bodies or sites side by side.
+//! Small systems that fit into registers: bodies or sites in SIMD lanes.
 
 use crate::{
     enter::{Kernel, enter},
@@ -8,8 +8,8 @@ use crate::{
 };
 use integrator_core::Phase;
 
-/// Six bodies in a ring of lanes. Turned by one and by two places it meets every neighbour and every second one, each
-/// pair once; turned by three it meets the body across, each pair from both sides.
+/// Six bodies in the lanes of a register. Rotations by one and two lanes give the pairs at these distances once each; a
+/// rotation by three gives each remaining pair twice, once for each body.
 struct Ring<R> {
     q: [R; 3],
     p: [R; 3],
@@ -19,7 +19,7 @@ struct Ring<R> {
 }
 
 impl<R: Row> Ring<R> {
-    /// The pull on each lane from the body `BY` places on.
+    /// Returns the pull of the body in lane `i + BY` on the body in lane `i`.
     #[inline(always)]
     fn pull<const BY: usize>(&self, t: f64) -> [R; 3] {
         let [x, y, z] = self.q;
@@ -86,12 +86,12 @@ impl Kernel for SolarMarch<'_> {
     }
 }
 
-/// The outer solar system as a ring of lanes.
+/// The outer solar system, with one body per lane.
 pub fn solar(system: &Solar, start: Phase<[[f64; 3]; 6]>, plan: &Plan, steps: u64) -> Phase<[[f64; 3]; 6]> {
     enter(SolarMarch { system, state: start, plan, steps })
 }
 
-/// Thirty-two sites in four registers, each bond once.
+/// Thirty-two sites in four registers; each bond is evaluated once.
 struct Blocks<R> {
     alpha: f64,
     q: [R; 4],
@@ -115,7 +115,7 @@ impl<R: Row> HandWritten for Blocks<R> {
     #[inline(always)]
     fn kick(&mut self, t: f64) {
         let wall = R::splat(0.0);
-        // Its last lane is the bond to the wall on the left.
+        // The last lane of `left` is the bond to the wall on the left.
         let mut left = self.bond(wall.after(self.q[0]));
         for i in 0..4 {
             let next = if i < 3 { self.q[i + 1] } else { wall };

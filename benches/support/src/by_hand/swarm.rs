@@ -1,4 +1,4 @@
-//! Ensembles: groups of vectors in flight, whose state stays in registers and the first cache for all the steps.
+//! Ensembles: groups of vectors in flight. The state of a group stays in registers and the L1 cache for all steps.
 
 use crate::{
     by_hand::points::{Careful, Fast, HenonHeiles, Kepler, Lanes, Pendulum, Point},
@@ -7,7 +7,7 @@ use crate::{
     vector::{Number, Row, Vector},
 };
 
-/// Several of them, step by step in alternation, so that the latency of each is hidden behind the others.
+/// Several vectors, advanced in alternation to hide the latency of each.
 struct Group<L, const IN_FLIGHT: usize>([L; IN_FLIGHT]);
 
 impl<L: HandWritten, const IN_FLIGHT: usize> HandWritten for Group<L, IN_FLIGHT> {
@@ -25,7 +25,7 @@ impl<L: HandWritten, const IN_FLIGHT: usize> HandWritten for Group<L, IN_FLIGHT>
     }
 }
 
-/// Trajectories as columns of coordinates and parameters, in doubles or in singles.
+/// Trajectories as columns of coordinates and parameters, in `f64` or `f32`.
 pub struct Swarm<T> {
     point: Point,
     columns: [Vec<T>; 4],
@@ -52,7 +52,8 @@ impl<T: Number> March<'_, T> {
 
     #[inline(always)]
     fn of_point<V: Vector<Number = T>>(self) {
-        // Four stars have room in the registers and short waits; the other forces are long enough to want eight.
+        // Four vectors of Hénon–Heiles stars fit into the registers and wait little. The longer forces of the others
+        // profit from eight vectors.
         match self.swarm.point {
             Point::Pendulum => self.march::<V, Pendulum<V, Careful>, 8>(),
             Point::FastPendulum => self.march::<V, Pendulum<V, Fast>, 8>(),
@@ -73,22 +74,22 @@ macro_rules! precision {
         }
 
         impl Swarm<$number> {
-            /// One set of coordinates and parameters per trajectory.
+            /// Creates a swarm from the coordinates and parameters of each trajectory.
             ///
             /// # Panics
-            /// If their number is no multiple of 128, which fills a group of the widest vectors.
+            /// If their number is not a multiple of 128, which is a group of the widest vectors.
             pub fn new(point: Point, members: &[[f64; 4]]) -> Self {
                 assert_eq!(members.len() % 128, 0, "whole groups");
                 let column = |i: usize| members.iter().map(|member| $number::of(member[i])).collect();
                 Self { point, columns: [0, 1, 2, 3].map(column) }
             }
 
-            /// Takes `steps` steps with every trajectory.
+            /// Takes `steps` steps of every trajectory.
             pub fn advance(&mut self, plan: &Plan, steps: u64) {
                 enter(March { swarm: self, plan, steps });
             }
 
-            /// The coordinates and parameters of a trajectory.
+            /// Returns the coordinates and parameters of a trajectory.
             pub fn member(&self, member: usize) -> [f64; 4] {
                 [0, 1, 2, 3].map(|i| self.columns[i][member].widen())
             }

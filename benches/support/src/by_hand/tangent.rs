@@ -1,6 +1,6 @@
-//! A state and one deviation vector beside it: the derivative of each flow, as a person writes it.
+//! A state and one deviation vector, advanced by hand-written derivatives of the flows.
 //!
-//! Every function takes the state and the vector at the start, and returns both after some steps.
+//! Every function takes the initial state and vector, and returns both after some steps.
 
 use crate::{
     by_hand::{
@@ -41,7 +41,7 @@ impl HandWritten for Pendulum {
     }
 }
 
-/// A swing of a pendulum.
+/// A pendulum.
 pub fn pendulum(system: &problems::Pendulum, [start, vector]: Two<[f64; 1]>, plan: &Plan, steps: u64) -> Two<[f64; 1]> {
     let mobility = 1.0 / (system.mass * system.length * system.length);
     let torque = system.mass * system.gravity * system.length;
@@ -50,7 +50,7 @@ pub fn pendulum(system: &problems::Pendulum, [start, vector]: Two<[f64; 1]>, pla
     [Phase::new([q[0]], [p[0]]), Phase::new([q[1]], [p[1]])]
 }
 
-/// The form with the fewest operations from one kick to the next.
+/// Written with the fewest operations from one kick to the next.
 struct HenonHeiles {
     q: [[f64; 2]; 2],
     p: [[f64; 2]; 2],
@@ -75,30 +75,29 @@ impl HandWritten for HenonHeiles {
     }
 }
 
-/// A star in a galaxy.
+/// The Hénon–Heiles system.
 pub fn henon_heiles([start, vector]: Two<[f64; 2]>, plan: &Plan, steps: u64) -> Two<[f64; 2]> {
     let HenonHeiles { q, p } = march(HenonHeiles { q: [start.q, vector.q], p: [start.p, vector.p] }, plan, steps);
     [0, 1].map(|i| Phase::new(q[i], p[i]))
 }
 
-/// Positions and momenta in `N` registers each: of the state, and of the vector.
+/// Positions and momenta of the state and of the vector, in `N` registers each.
 struct Registers<R, const N: usize> {
     q: [[R; N]; 2],
     p: [[R; N]; 2],
 }
 
-/// A system whose bodies or sites stand side by side.
+/// A system with its bodies or sites in SIMD lanes.
 trait SideBySide<const N: usize>: Copy {
     type Coords: Coords<Leaf = f64>;
     type Flows<R: Row>: Flows<R, N>;
 
     fn flows<R: Row>(self) -> Self::Flows<R>;
-    /// Where the number of a lane of a register stands among the coordinates. Where lanes are left, they repeat the
-    /// first ones.
+    /// Returns the coordinate index of a lane of a register. Unused lanes repeat the first coordinates.
     fn place(register: usize, lane: usize) -> usize;
 }
 
-/// Flows of registers.
+/// Flows of a state in registers.
 trait Flows<R, const N: usize> {
     fn drift(&self, registers: &mut Registers<R, N>, t: f64);
     fn kick(&self, registers: &mut Registers<R, N>, t: f64);
@@ -144,7 +143,7 @@ impl<S: SideBySide<N>, const N: usize> Kernel for March<'_, S, N> {
             for (i, register) in registers.iter().enumerate() {
                 let mut lanes = [0.0; 8];
                 register.store(&mut lanes);
-                // From behind, so that no lane that repeats a first one has the last word.
+                // In reverse order, so that the first lanes overwrite the lanes that repeat them.
                 for (lane, number) in lanes.into_iter().enumerate().rev() {
                     flat[S::place(i, lane)] = number;
                 }
@@ -159,7 +158,7 @@ impl<S: SideBySide<N>, const N: usize> Kernel for March<'_, S, N> {
     }
 }
 
-/// The shears of positions along momenta.
+/// Adds multiples of momenta to positions.
 #[inline(always)]
 fn shear<R: Row, const N: usize>(registers: &mut Registers<R, N>, mobility: R) {
     for i in 0..2 {
@@ -169,14 +168,14 @@ fn shear<R: Row, const N: usize>(registers: &mut Registers<R, N>, mobility: R) {
     }
 }
 
-/// Six bodies in a ring of lanes, as in [`row`](super::row).
+/// Six bodies in the lanes of a register, as in [`row`](super::row).
 struct Ring<R> {
     inverse_masses: R,
     couplings: [R; 3],
 }
 
 impl<R: Row> Ring<R> {
-    /// The pull on each lane from the body `BY` places on, and its change along the vector.
+    /// Returns the pull of the body in lane `i + BY` on the body in lane `i`, and its derivative along the vector.
     #[inline(always)]
     fn pull<const BY: usize>(&self, [q, dq]: &[[R; 3]; 2], t: f64) -> [[R; 3]; 2] {
         let (mut apart, mut moved) = (*q, *dq);
@@ -236,13 +235,13 @@ pub fn solar(system: &Solar, points: Two<[[f64; 3]; 6]>, plan: &Plan, steps: u64
     enter(March { system: *system, points, plan, steps })
 }
 
-/// The stiffness of a chain's bonds.
+/// Nonlinear coefficient of a chain's bonds.
 struct Bonds {
     alpha: f64,
 }
 
 impl Bonds {
-    /// The tension of bonds, and its change along the vector.
+    /// Returns the tension of bonds, and its derivative along the vector.
     #[inline(always)]
     fn bond<R: Row>(&self, [stretch, change]: [R; 2]) -> [R; 2] {
         let part = R::splat(self.alpha) * stretch;
@@ -258,7 +257,7 @@ impl<R: Row> Flows<R, 4> for Bonds {
     #[inline(always)]
     fn kick(&self, Registers { q: [q, dq], p: [p, dp] }: &mut Registers<R, 4>, t: f64) {
         let (wall, t) = (R::splat(0.0), R::splat(t));
-        // Its last lane is the bond to the wall on the left.
+        // The last lane of `left` is the bond to the wall on the left.
         let mut left = self.bond([wall.after(q[0]), wall.after(dq[0])]);
         for i in 0..4 {
             let next = if i < 3 { [q[i + 1], dq[i + 1]] } else { [wall; 2] };
@@ -296,8 +295,8 @@ struct Orbits<R> {
 }
 
 impl<R: Row> Flows<R, 3> for Orbits<R> {
-    /// The derivative of the arc by where it begins: that of Kepler's equation gives the change of the universal
-    /// variable, and `∂Gₙ/∂β = (n Gₙ₊₂ - s Gₙ₊₁) / 2` those of its functions.
+    /// The derivative of the arc with respect to its initial state. The derivative of Kepler's equation gives the
+    /// change of the universal variable, and `∂Gₙ/∂β = (n Gₙ₊₂ - s Gₙ₊₁) / 2` the change of its functions.
     #[inline(always)]
     fn drift(&self, Registers { q: [q, dq], p: [p, dp] }: &mut Registers<R, 3>, t: f64) {
         let of = R::splat;
@@ -360,7 +359,7 @@ impl SideBySide<3> for problems::Planets {
     }
 }
 
-/// Planets about a star.
+/// Planets orbiting a star.
 pub fn planets(system: &problems::Planets, points: Two<[[f64; 3]; 5]>, plan: &Plan, steps: u64) -> Two<[[f64; 3]; 5]> {
     enter(March { system: *system, points, plan, steps })
 }

@@ -1,6 +1,7 @@
-//! Many bodies, all pairs: tiles of a vector of bodies against a vector of bodies, turned until each has met each.
+//! Many bodies, all pairs. A tile is a vector of bodies against another vector of bodies, which is rotated until each
+//! body of one has been combined with each body of the other.
 //!
-//! A pair is evaluated once: the forces on the second vector rotate along with it.
+//! A pair is evaluated once: the forces on the second vector rotate with it.
 
 use crate::{
     enter::{Kernel, enter},
@@ -9,19 +10,19 @@ use crate::{
     vector::{Row, Vector},
 };
 
-/// What acts between two bodies.
+/// Potential energy of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attraction {
     /// `-G mᵢ mⱼ / r`
     Gravity,
-    /// `4 (r⁻¹² - r⁻⁶)` up to a distance, between bodies of mass 1.
+    /// `4 (r⁻¹² - r⁻⁶)` up to a cutoff, between bodies of mass 1.
     LennardJones {
-        /// Nothing acts from this distance on.
+        /// Distance beyond which there is no force.
         cutoff: f64,
     },
 }
 
-/// The force over the distance, for masses of 1; nothing where all lanes are out of reach.
+/// Returns force over distance, for masses of 1, or `None` if all lanes are beyond the cutoff.
 trait Pair: Copy {
     const MASSES: bool;
     fn pull<V: Row>(self, square: V) -> Option<V>;
@@ -57,7 +58,7 @@ impl Pair for LennardJones {
     }
 }
 
-/// Bodies under way, in columns.
+/// Bodies and their state, in columns.
 #[derive(Clone)]
 pub struct Bodies {
     attraction: Attraction,
@@ -68,7 +69,7 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// So many bodies, and as many without mass and far apart as fill the last vector.
+    /// Creates the bodies. Massless bodies at large distances fill the last vector.
     pub fn new(attraction: Attraction, masses: &[f64], q: &[[f64; 3]], p: &[[f64; 3]]) -> Self {
         let count = q.len();
         let padded = count.next_multiple_of(8);
@@ -89,12 +90,12 @@ impl Bodies {
         enter(March { bodies: self, plan, steps });
     }
 
-    /// Position and momentum of a body.
+    /// Returns position and momentum of a body.
     pub fn body(&self, body: usize) -> [[f64; 3]; 2] {
         [&self.q, &self.p].map(|columns| [0, 1, 2].map(|axis| columns[axis][body]))
     }
 
-    /// How many there are.
+    /// Returns the number of bodies.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -174,7 +175,7 @@ impl<P: Pair, V: Row> Tiles<'_, P, V> {
         Tile { q: [V::load(&x[at..]), V::load(&y[at..]), V::load(&z[at..])], mass: V::load(&masses[at..]) }
     }
 
-    /// What the bodies of a vector do to each other.
+    /// Returns the accelerations of the bodies of one vector by each other.
     #[inline(always)]
     fn within(&self, at: usize) -> [V; 3] {
         let own = self.load(at);
@@ -193,7 +194,8 @@ impl<P: Pair, V: Row> Tiles<'_, P, V> {
         sum
     }
 
-    /// What two vectors of bodies do to each other; `sum` is what the first has felt so far.
+    /// Adds the accelerations between two vectors of bodies. `sum` contains the accelerations of the first vector so
+    /// far.
     #[inline(always)]
     fn between(&mut self, first: usize, second: usize, mut sum: [V; 3]) -> [V; 3] {
         let own = self.load(first);
@@ -223,7 +225,8 @@ impl<P: Pair, V: Row> Tiles<'_, P, V> {
     }
 }
 
-/// A vector of bodies. Loops and no closures below: a closure is compiled for the target's own instructions.
+/// A vector of bodies. The functions below use loops instead of closures, because a closure is compiled for the default
+/// instruction set of the target.
 #[derive(Clone, Copy)]
 struct Tile<V> {
     q: [V; 3],
