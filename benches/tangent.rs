@@ -25,17 +25,17 @@ use integrator_core::{
 };
 use std::error::Error;
 
-/// Force evaluations of a round, about.
+/// Approximate number of force evaluations per round.
 const EVALUATIONS: u64 = 20_000;
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 41;
 
-/// How many orbits a map has.
+/// Number of orbits in a map.
 const ORBITS: u32 = 1_000;
-/// Rounds of their race, which take seconds.
+/// Number of rounds for maps, which take seconds each.
 const ROUNDS_OF_MAPS: usize = 11;
 
-/// A hand-written stepper: from a state and a vector to both after some steps.
+/// A hand-written stepper: takes a state and a vector, and returns both after some steps.
 type HandWritten<'a, C> = &'a dyn Fn([Phase<C>; 2], &Plan, u64) -> [Phase<C>; 2];
 
 struct Report {
@@ -44,7 +44,7 @@ struct Report {
 }
 
 impl Report {
-    /// A composition on a problem, nanoseconds per force evaluation.
+    /// Measures a composition on a problem, in nanoseconds per force evaluation.
     fn compare<H, X, C>(&mut self, name: &str, (system, start): (&H, &Phase<C>), _: X, h: f64, by_hand: HandWritten<C>)
     where
         H: Hamiltonian<Coords = C>,
@@ -83,7 +83,8 @@ impl Report {
     }
 }
 
-/// A map of orbits that begin near a start, and the ensemble of them: a line with the ratio of their times.
+/// Measures a map of orbits near an initial state and the ensemble of the same orbits. Returns a line with the ratio of
+/// their times.
 fn map<H, X, C>((system, start): (&H, &Phase<C>), _: X, h: f64, steps: u64) -> String
 where
     H: Hamiltonian<Coords = C> + Clone,
@@ -112,7 +113,7 @@ where
     format!("ratio_tangent_map_{}_{steps}={:.3}", X::NAME.to_lowercase(), times.ratio(1, 0))
 }
 
-/// Four vectors, or as many as there can be, with parts along every coordinate.
+/// Returns four vectors, or as many as the dimension allows, with components along every coordinate.
 fn vectors<C: Coords<Leaf = f64>>(start: &Phase<C>) -> Vec<Phase<C>> {
     let vector = |number: usize| {
         let mut vector = start.clone();

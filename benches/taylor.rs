@@ -27,25 +27,25 @@ use integrator_core::{
 };
 use std::{error::Error, ops::RangeInclusive};
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 15;
-/// How often energies are looked at.
+/// Number of energy samples.
 const LOOKS: u32 = 256;
-/// The energy errors to which times are compared.
+/// Energy errors at which times are compared.
 const ERRORS: [(f64, &str); 3] = [(1e-8, "1e-8"), (1e-10, "1e-10"), (1e-12, "1e-12")];
 
-/// The decades of tolerances, and the orders that those chosen by tolerances are held against.
+/// Decades of tolerances, and the fixed orders that are compared with the automatic choice.
 const DECADES: RangeInclusive<u32> = 4..=18;
 const FIXED: RangeInclusive<usize> = 10..=28;
 
-/// The members of an ensemble, and the step of a run.
+/// Number of members of an ensemble, and step of a run.
 const MEMBERS: usize = 256;
 const STEP: f64 = 10.0;
 
-/// Follows a trajectory by hand, shows its states, and counts the polynomials.
+/// A hand-written integrator: passes its states to the callback, and returns the number of polynomials.
 type HandWritten<'t, C> = &'t dyn Fn(Course, &mut dyn FnMut(Phase<C>)) -> u64;
 
-/// A run that carries the rounding of its state.
+/// A run with compensated states.
 type CompensatedRun<C> = Run<<C as Coords>::With<Compensated<f64>>>;
 
 struct Report {
@@ -55,7 +55,7 @@ struct Report {
 }
 
 impl Report {
-    /// Tolerances from `10^-first` on, a decade apart.
+    /// Measures eight tolerances from `10^-first` on, a decade apart.
     fn add<H: Recurrences>(
         &mut self,
         problem: &Problem<H>,
@@ -89,7 +89,7 @@ impl Report {
         Ok(())
     }
 
-    /// A run of both sides, generated and by hand.
+    /// Measures the generated and the hand-written integrator.
     fn race<H: Recurrences>(
         &mut self,
         problem: &Problem<H>,
@@ -140,7 +140,7 @@ impl Report {
     }
 }
 
-/// A run whose states are so many parts of the span apart.
+/// Creates a run with a step of the span divided by `looks`.
 fn begin<H: Recurrences>(
     Problem { system, start, span, .. }: &Problem<H>,
     method: Taylor,
@@ -153,7 +153,7 @@ where
     system.run_with::<Compensated<f64>, _>(method, start, span / f64::from(looks))
 }
 
-/// The largest relative deviation of the energy, and the distance from the reference at the end.
+/// Returns the largest relative energy error, and the distance from the reference at the end.
 fn errors<H: Recurrences>(problem: &Problem<H>, method: Taylor) -> Result<[f64; 2], integrator_core::Error>
 where
     H::Coords: Coords<Leaf = f64>,
@@ -168,14 +168,14 @@ where
     Ok([worst, distance(&end, &problem.reference)])
 }
 
-/// The relative distance of positions from the reference.
+/// Returns the distance of positions from the reference, relative to its norm.
 fn distance(q: &[f64], reference: &[f64]) -> f64 {
     let square = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>();
     let apart = square(&mut q.iter().zip(reference).map(|(q, reference)| q - reference));
     (apart / square(&mut reference[..q.len()].iter().copied())).sqrt()
 }
 
-/// The time by a tolerance alone, which decides on the order, over that of the best fixed order to each energy error.
+/// Compares tolerance alone, with automatic order, to the best fixed order at each energy error.
 fn by_tolerance<H: Recurrences>(problem: &Problem<H>)
 where
     H::Coords: Coords<Leaf = f64>,
@@ -197,7 +197,7 @@ where
     }
 }
 
-/// The time of an ensemble of neighbours over that of its members one after the other.
+/// Compares the time of an ensemble of close orbits with that of its members one after the other.
 fn lanes<H: Recurrences + Copy>(Problem { name, system, start, .. }: &Problem<H>) -> Result<(), Box<dyn Error>>
 where
     H::Coords: Coords<Leaf = f64>,

@@ -14,16 +14,16 @@ use integrator_core::{
 };
 use std::{env, f64::consts::TAU};
 
-/// How many trajectories there are of each problem.
+/// Number of trajectories of each problem.
 const MEMBERS: usize = 24;
 
-/// Over how many states an energy is averaged: the rounding of its own evaluation is no part of the drift.
+/// Number of states over which an energy is averaged. The average removes the rounding of the energy evaluation.
 const AVERAGED: usize = 32;
 
-/// How often energies are looked at, the time doubling from one look to the next.
+/// Number of energy samples; the time doubles from one to the next.
 const LOOKS: u32 = 9;
 
-/// How far apart states are, in a revolution; no simple part of any period.
+/// Interval between states; a revolution takes about 2π.
 const STEP: f64 = TAU / 7.0;
 
 fn main() -> Result<(), Error> {
@@ -53,13 +53,14 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// Numbers between zero and one that are spread evenly (Weyl), for a member and one of its coordinates.
+/// Returns a number between 0 and 1 for a member and one of its coordinates, from an evenly distributed sequence
+/// (Weyl).
 fn share(member: usize, coordinate: usize) -> f64 {
     let irrational = [0.618_033_988_749_895, 0.414_213_562_373_095, 0.732_050_807_568_877, 0.236_067_977_499_79];
     (0.5 + (member as f64 + 1.0) * irrational[coordinate]).fract()
 }
 
-/// A line for plain starts and one for compensated ones.
+/// Prints a line for plain and one for compensated initial states.
 fn both<H: Recurrences>(
     system: &H,
     name: &str,
@@ -114,7 +115,7 @@ fn line<C: Coords>(
     Ok(())
 }
 
-/// The energies, each averaged over the next states.
+/// Returns the energies, each averaged over the next states.
 fn energies<C: Coords>(runs: &mut [Run<C>]) -> Result<Vec<f64>, Error> {
     runs.iter_mut()
         .map(|run| {
@@ -128,7 +129,7 @@ fn energies<C: Coords>(runs: &mut [Run<C>]) -> Result<Vec<f64>, Error> {
         .collect()
 }
 
-/// The exponent of the power law through some points, by least squares of their logarithms.
+/// Returns the exponent of the power law through the points, by least squares of their logarithms.
 fn exponent(points: &[(f64, f64)]) -> f64 {
     let points: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let count = points.len() as f64;

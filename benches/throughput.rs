@@ -24,13 +24,13 @@ use integrator_bench::{
 use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
-/// Rounds of a race; odd, so that the median is one of them.
+/// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 31;
-/// Trajectories of an ensemble: a few hundred groups of vectors.
+/// Number of trajectories in an ensemble: a few hundred groups of vectors.
 const MEMBERS: usize = 8192;
-/// Steps of a round of an ensemble.
+/// Steps per round of an ensemble.
 const STEPS: u64 = 1000;
-/// How long a step of a lattice is.
+/// Step of a lattice.
 const STEP: f64 = 0.05;
 
 struct Report {
@@ -40,7 +40,8 @@ struct Report {
 }
 
 impl Report {
-    /// Units per second of the generated code, in one thread and in two, and of the hand-written steppers.
+    /// Adds a scene: units per second of the generated code, with one and two threads, and of the hand-written
+    /// steppers.
     fn add(&mut self, scene: &str, unit: &str, rounds: usize, units: f64, racers: Vec<Racer>) {
         let times = race(rounds, units, racers);
         let place = |name| times.names().iter().position(|racer| *racer == name);
@@ -63,7 +64,7 @@ impl Report {
     fn chain(&mut self, name: &str, sites: usize) {
         let (law, start) = (Law::Fput { alpha: 0.25 }, waves(sites));
         let plan = Plan::of::<Verlet>(STEP);
-        // As many as there are from one look to the next in a long run.
+        // As many steps as a long run takes between two outputs.
         let steps = (2_000_000 / sites).max(1024);
         let generated = Fput { alpha: 0.25 }.run_with(Verlet, start.clone(), STEP).expect("a start");
         let by_hand = Chain { law, q: start.q, p: start.p };
@@ -72,7 +73,7 @@ impl Report {
         self.lattice(name, if sites > 1_000_000 { 5 } else { 15 }, [sites, steps], generated, plain, skewed);
     }
 
-    /// A field on rows or planes.
+    /// Measures a field on rows or planes.
     fn field<T: Layer>(
         &mut self,
         name: &str,
@@ -91,7 +92,7 @@ impl Report {
         self.lattice(name, 3, [sites, steps], generated, plain, skewed);
     }
 
-    /// A lattice against two plain loops and a sweep by hand in which steps follow each other.
+    /// Compares a lattice with two plain loops and with hand-written time skewing.
     fn lattice<C: Coords<Leaf = f64>>(
         &mut self,
         name: &str,
@@ -135,13 +136,13 @@ impl Report {
     }
 }
 
-/// Races an ensemble, in one thread and in two, with its hand-written stepper.
+/// Compares an ensemble, with one and with two threads, with its hand-written stepper.
 macro_rules! ensemble {
     ($report:ident, $scene:literal, $number:ident, $h:expr, $point:expr, $columns:expr, $member:expr) => {{
         let columns: Vec<[f64; 4]> = (0..MEMBERS).map(|i| $columns(i as f64 / MEMBERS as f64)).collect();
         let members = || columns.iter().map($member);
         let mut one = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
-        // Against two threads on the wall's clock, as these are measured.
+        // One thread in wall-clock time, for comparison with two threads.
         let mut wall = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
         let mut two = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(2);
         let mut by_hand = Swarm::<$number>::new($point, &columns);
@@ -156,7 +157,7 @@ macro_rules! ensemble {
     }};
 }
 
-/// Coordinates as numbers of the wanted precision.
+/// Converts coordinates to the required precision.
 macro_rules! planar {
     ($system:expr, $number:ident) => {
         |&[x, y, px, py]: &[f64; 4]| ($system, Phase::new([x as $number, y as $number], [px as $number, py as $number]))
@@ -164,7 +165,8 @@ macro_rules! planar {
 }
 
 fn ensembles(report: &mut Report) {
-    // Pendulums of many lengths, so that no parameter is shared: inertia and torque of a bob of mass 1 under gravity 1.
+    // Pendulums of many lengths, so that no parameter is shared. The columns contain angle, momentum, and inverse
+    // inertia and torque for a bob of mass 1 and gravity 1.
     let pendulum = |x: f64| {
         let length = 0.5 + x;
         [0.5 + 2.0 * x, 0.0, 1.0 / (length * length), length]

@@ -1,38 +1,38 @@
 //! Instructions per step: stored counts and measured counts.
 //!
-//! Load on the machine changes times and no counts, so counts are compared to two per cent.
+//! Load on the machine changes times but not counts. A tolerance of two per cent therefore suffices.
 
 use std::{collections::BTreeMap, fmt};
 
-/// By how much a count may exceed the one that is kept, relative to it.
+/// Largest relative excess of a count over the stored one.
 pub const SLACK: f64 = 0.02;
 
 /// Instructions per step, by problem.
 pub type Counts = BTreeMap<String, f64>;
 
-/// One problem's two counts.
+/// Stored and measured count of a problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// Its name.
+    /// Name of the problem.
     pub problem: String,
-    /// What the repository has, if it knows the problem.
+    /// Stored count, if there is one.
     pub kept: Option<f64>,
-    /// What was counted, if the problem still exists.
+    /// Measured count, if the problem still exists.
     pub counted: Option<f64>,
 }
 
 impl Difference {
-    /// How much the count has grown, relative to what is kept; nothing if one of the two is missing.
+    /// Returns the relative growth of the count, or `None` if one of the two is missing.
     pub fn growth(&self) -> Option<f64> {
         Some(self.counted? / self.kept? - 1.0)
     }
 
-    /// Whether the kept count still holds: a known problem, no slower by more than the slack.
+    /// Returns whether both counts exist and the growth is within the tolerance.
     pub fn holds(&self) -> bool {
         self.growth().is_some_and(|growth| growth <= SLACK)
     }
 
-    /// Whether it is so much faster that the kept count would let a later slowdown through.
+    /// Returns whether the count is so much smaller that the stored one would hide a later slowdown.
     pub fn is_outdone(&self) -> bool {
         self.growth().is_some_and(|growth| growth < -SLACK)
     }
@@ -52,7 +52,7 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Every problem that is kept or was counted.
+/// Compares the counts of all problems that are stored or measured.
 pub fn compare(kept: &Counts, counted: &Counts) -> Vec<Difference> {
     let mut problems: Vec<&String> = kept.keys().chain(counted.keys()).collect();
     problems.sort();
@@ -66,21 +66,21 @@ pub fn compare(kept: &Counts, counted: &Counts) -> Vec<Difference> {
     problems.into_iter().map(difference).collect()
 }
 
-/// Reads the file that the repository keeps.
+/// Parses the stored counts.
 ///
 /// # Errors
-/// If a row is not a name and a number.
+/// If a row does not consist of a name and a number.
 pub fn read(text: &str) -> Result<Counts, csv::Error> {
     csv::Reader::from_reader(text.as_bytes()).deserialize().collect()
 }
 
-/// The text of that file.
+/// Formats counts for storage.
 pub fn write(counts: &Counts) -> String {
     let rows = counts.iter().map(|(problem, count)| format!("{problem},{count:.1}\n"));
     rows.fold("problem,instructions per step\n".to_owned(), |text, row| text + &row)
 }
 
-/// The instructions of a whole program, from what callgrind writes.
+/// Parses the instruction count of a whole program from the output of callgrind.
 pub fn total(callgrind: &str) -> Option<u64> {
     callgrind.lines().find_map(|line| line.strip_prefix("totals: ")?.trim().parse().ok())
 }

@@ -5,28 +5,28 @@ use crate::vector::{Many, Row, Two, Vector};
 use crate::x86::{X2, X4, X8, X16, Y8};
 use std::sync::OnceLock;
 
-/// Code that is written once for all instruction sets.
+/// Code written once for all instruction sets.
 pub(crate) trait Kernel {
-    /// What it returns.
+    /// Return type.
     type Out;
-    /// The code, for vectors of doubles, rows of eight doubles and vectors of singles; implementations are
-    /// `inline(always)`, which closures cannot be.
+    /// Runs the code with vectors of `f64`, rows of eight `f64`, and vectors of `f32`. Implementations are
+    /// `inline(always)`, which is not possible for closures.
     fn run<V: Row, R: Row, S: Vector<Number = f32>>(self) -> Self::Out;
 }
 
-/// Code that is written for two numbers side by side.
+/// Code written for two values in two lanes.
 pub(crate) trait PairKernel {
-    /// What it returns.
+    /// Return type.
     type Out;
-    /// The code.
+    /// Runs the code.
     fn run<T: Two>(self) -> Self::Out;
 }
 
-/// What the machine has, as far as `INTEGRATOR_ISA` lets hand-written steppers use it: these get what generated code
-/// gets.
+/// Instruction set of the hand-written steppers: the best one of this machine that `INTEGRATOR_ISA` allows, as for
+/// generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
 pub enum Instructions {
-    /// Those of the target, fused multiply-add on aarch64 included.
+    /// The instructions of the compilation target, including fused multiply-add on aarch64.
     Baseline,
     /// AVX2 and FMA.
     Avx2,
@@ -35,7 +35,7 @@ pub enum Instructions {
 }
 
 impl Instructions {
-    /// The best that is there and allowed.
+    /// Returns the best available and allowed instruction set.
     pub fn chosen() -> Self {
         static CHOSEN: OnceLock<Instructions> = OnceLock::new();
         *CHOSEN.get_or_init(|| {
@@ -85,13 +85,13 @@ pub(crate) fn enter<K: Kernel>(kernel: K) -> K::Out {
     }
 }
 
-/// Runs `kernel` with the arrays that stand for vectors here.
+/// Runs `kernel` with arrays in place of vectors.
 #[cfg(not(target_arch = "x86_64"))]
 pub(crate) fn enter<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<Many<f64, 4>, Many<f64, 8>, Many<f32, 8>>()
 }
 
-/// Runs `kernel` in code for AVX2 and FMA, in which scalar code is often faster than in code for AVX-512.
+/// Runs `kernel` in code for AVX2 and FMA. For scalar code, this is often faster than code for AVX-512.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx2,fma")]
@@ -100,7 +100,7 @@ pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
     }
     match Instructions::chosen() {
         Instructions::Baseline => kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>(),
-        // SAFETY: these instructions were detected, AVX-512 having them too.
+        // SAFETY: these instructions were detected; a machine with AVX-512 has them as well.
         _ => unsafe { scalar(kernel) },
     }
 }
@@ -111,7 +111,7 @@ pub(crate) fn enter_scalar<K: Kernel>(kernel: K) -> K::Out {
     kernel.run::<Many<f64, 1>, Many<f64, 8>, Many<f32, 1>>()
 }
 
-/// Runs `kernel` in code for AVX2 and FMA, or for AVX-512, which has twice as many registers of this width too.
+/// Runs `kernel` in code for AVX2 and FMA, or for AVX-512, which also has twice as many registers of this width.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn enter_pair<K: PairKernel>(kernel: K) -> K::Out {
     #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma")]

@@ -1,20 +1,20 @@
-//! Sine and exponential of the hand-written steppers, written out so that they vanish in the loop around them.
+//! Sine and exponential of the hand-written steppers, written so that they are inlined into the surrounding loop.
 //!
-//! [`sine`] errs by less than one unit in the last place, [`sine_fast`] by less than four, both for arguments of some
-//! thousands, which the problems stay far below. Coefficients of the careful ones are those of fdlibm (`s_sin.c`,
-//! `k_sin.c`, `k_cos.c`) and Cephes (`sinf.c`); those of the fast one and of the exponential are Taylor's, which is as good
-//! as any after so many terms.
+//! The error of [`sine`] is less than one unit in the last place, that of [`sine_fast`] less than four. Both hold for
+//! arguments up to some thousands, far above those of the problems. Coefficients of the accurate functions are those of
+//! fdlibm (`s_sin.c`, `k_sin.c`, `k_cos.c`) and Cephes (`sinf.c`). The fast sine and the exponential use Taylor
+//! coefficients, which are as good as any with so many terms.
 
 use crate::vector::{Number, Vector};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, LN_2, LOG2_E, PI};
 
-/// Adding it rounds to an integer, whose lowest bits are then the lowest of the mantissa.
+/// Adding this constant rounds to an integer; the lowest bits of the mantissa are then those of the integer.
 #[inline(always)]
 fn magic<V: Vector>() -> V {
     V::splat(1.5 * (1_u64 << V::Number::MANTISSA) as f64)
 }
 
-/// A polynomial, the highest coefficient first, by Horner's rule.
+/// Evaluates a polynomial by Horner's rule, highest coefficient first.
 #[inline(always)]
 fn horner<V: Vector>(x: V, coefficients: &[f64]) -> V {
     let mut sum = V::splat(coefficients[0]);
@@ -24,7 +24,7 @@ fn horner<V: Vector>(x: V, coefficients: &[f64]) -> V {
     sum
 }
 
-/// A polynomial of six coefficients, the highest first, with a shorter way to the result.
+/// Evaluates a polynomial of six coefficients, highest first, with a shorter dependency chain.
 #[inline(always)]
 fn estrin<V: Vector>(x: V, [f, e, d, c, b, a]: [f64; 6]) -> V {
     let of = V::splat;
@@ -52,16 +52,16 @@ const COSINE: [f64; 6] = [
     4.166_666_666_666_66e-2,
 ];
 
-/// Less than one unit in the last place.
+/// The sine, with an error of less than one unit in the last place.
 #[inline(always)]
 pub(crate) fn sine<V: Vector>(x: V) -> V {
     sine_and_cosine(x)[0]
 }
 
-/// Both, less than one unit in the last place.
+/// Sine and cosine, with errors of less than one unit in the last place.
 #[inline(always)]
 pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
-    // π/2 in two parts of the type: whole multiples of the first are exact.
+    // π/2 as a sum of two numbers; integer multiples of the first one are exact.
     let (high, low) = if V::Number::BITS == 64 {
         (1.570_796_326_734_125_6, 6.077_100_506_506_192e-11)
     } else {
@@ -70,7 +70,7 @@ pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
     let multiples = x.fma(V::splat(FRAC_2_PI), magic());
     let whole = multiples - magic();
     let head = whole.fnma(V::splat(high), x);
-    // The rest of the argument is `r + tail`.
+    // The reduced argument is `r + tail`.
     let r = whole.fnma(V::splat(low), head);
     let tail = whole.fnma(V::splat(low), head - r);
     let square = r * r;
@@ -82,18 +82,18 @@ pub(crate) fn sine_and_cosine<V: Vector>(x: V) -> [V; 2] {
             horner(square, &[2.443315711809948e-5, -1.388731625493765e-3, 4.166664568298827e-2]),
         )
     };
-    // r + (r³ s + tail), and 1 - r²/2 + (r⁴ c - r tail) with what the first difference lost.
+    // r + (r³ s + tail), and 1 - r²/2 + (r⁴ c - r tail) with the rounding error of the first difference.
     let sine = r + (square * r).fma(s, tail);
     let half = V::splat(0.5) * square;
     let main = V::splat(1.0) - half;
     let lost = (V::splat(1.0) - main) - half;
     let cosine = main + (square * square).fma(c, r.fnma(tail, lost));
-    // A quarter of a revolution ahead the cosine is the sine.
+    // The cosine is the sine a quarter of a revolution ahead.
     let ahead = multiples + V::splat(1.0);
     [V::choose(multiples, cosine, sine).negate::<1>(multiples), V::choose(multiples, sine, cosine).negate::<1>(ahead)]
 }
 
-/// Less than four units in the last place.
+/// The sine, with an error of less than four units in the last place.
 #[inline(always)]
 pub(crate) fn sine_fast<V: Vector>(x: V) -> V {
     let multiples = x.fma(V::splat(FRAC_1_PI), magic());
@@ -123,12 +123,12 @@ pub(crate) fn sine_fast<V: Vector>(x: V) -> V {
     (square * series).fma(r, r).negate::<0>(multiples)
 }
 
-/// Less than one unit in the last place, where the result is a normal number.
+/// The exponential, with an error of less than one unit in the last place if the result is a normal number.
 #[inline(always)]
 pub(crate) fn exponential<V: Vector<Number = f64>>(x: V) -> V {
     let multiples = x.fma(V::splat(LOG2_E), magic());
     let whole = multiples - magic();
-    // ln 2 in two parts, whole multiples of the first being exact.
+    // ln 2 as a sum of two numbers; integer multiples of the first one are exact.
     let high = 6.931_471_803_691_238e-1;
     let low = 1.908_214_929_270_587_7e-10;
     debug_assert!((high + low - LN_2).abs() < 1e-16);
@@ -158,12 +158,13 @@ mod tests {
     use super::*;
     use crate::vector::Many;
 
-    /// Points from -30 to 30, every `1/16`-th and a bit.
+    /// Points from -30 to 30, about 1e-3 apart.
     fn points() -> impl Iterator<Item = f64> {
         (-30_000..30_000).map(|i| f64::from(i) * 1.000_000_3e-3)
     }
 
-    /// The largest error over the points, in units in the last place of the exact value, which `exact` gives as a sum.
+    /// Returns the largest error over the points, in units in the last place of the exact value. `exact` returns a sum
+    /// of two doubles.
     fn worst(of: impl Fn(f64) -> f64, exact: impl Fn(f64) -> (f64, f64)) -> f64 {
         let error = |x: f64| {
             let (high, low) = exact(x);
@@ -172,10 +173,10 @@ mod tests {
         points().map(error).fold(0.0, f64::max)
     }
 
-    /// The sine as a sum of two doubles, by Taylor's series from a nearby point in steps that double the angle thrice.
+    /// Returns the sine as a sum of two doubles, by Taylor's series about the nearest multiple of π.
     fn exact_sine(x: f64) -> (f64, f64) {
         let multiples = (x * FRAC_1_PI).round();
-        // π in three parts; the products with the first two are exact in twice the precision.
+        // π as a sum of three doubles; the products with the first two are exact in doubled precision.
         let parts = [PI, 1.2246467991473532e-16, -2.9947698097183397e-33];
         let r = parts.iter().fold((x, 0.0), |r, part| add(r, multiply((-multiples, 0.0), (*part, 0.0))));
         let square = multiply(r, r);
@@ -230,7 +231,7 @@ mod tests {
         let fast = worst(scalar(sine_fast), exact_sine);
         let exponential = worst(scalar(exponential), exact_exponential);
         assert!(careful < 1.0 && fast < 4.0 && exponential < 1.0, "{careful}, {fast}, {exponential}");
-        // The yardstick itself can tell: a sine that is wrong by some units is found out.
+        // The test detects a sine that is wrong by some units.
         assert!(worst(|x| x.sin() * (1.0 + 2e-15), exact_sine) > 4.0);
     }
 

@@ -2,7 +2,7 @@
 
 use integrator_core::{Lead, Scheme, Stage};
 
-/// What a hand-written stepper does: the two flows, for a time each.
+/// The two flows of a hand-written stepper, each for a given duration.
 pub(crate) trait HandWritten {
     fn drift(&mut self, t: f64);
     fn kick(&mut self, t: f64);
@@ -14,7 +14,7 @@ pub(crate) trait HandWritten {
     }
 }
 
-/// The stages of a composition, times the step.
+/// The stages of a composition, multiplied by the step.
 pub struct Plan {
     kick_first: bool,
     opening: [f64; 2],
@@ -23,7 +23,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Stages are merged across steps, as in a run.
+    /// Returns the plan of a composition. Stages are merged across steps, as in a run.
     pub fn of<X: Scheme>(h: f64) -> Self {
         let stages = X::STAGES;
         let kick_first = stages.lead == Lead::Kick;
@@ -38,20 +38,20 @@ impl Plan {
         }
     }
 
-    /// The half of a flow that opens a step of Verlet, a kick and a drift of the loop, and what closes the last step.
+    /// Returns the opening half drift of Verlet, the kick and the drift of the loop, and the closing drift.
     ///
     /// # Panics
-    /// On another composition.
+    /// If the composition is not `Verlet`.
     pub(crate) fn verlet(&self) -> [f64; 4] {
         let [[drift, kick]] = self.cycle[..] else { panic!("one kick per step") };
         assert!(!self.kick_first, "drift, kick, drift");
         [self.opening[0], kick, drift, self.closing]
     }
 
-    /// The first row, those of a cycle, and the drift that closes the last step.
+    /// Returns the first row, the rows of a cycle, and the closing drift.
     ///
     /// # Panics
-    /// On a composition that begins with a kick.
+    /// If the composition begins with a kick.
     pub(crate) fn drifts_first(&self) -> ([f64; 2], &[[f64; 2]], f64) {
         assert!(!self.kick_first, "a drift, then a kick");
         (self.opening, &self.cycle, self.closing)
@@ -67,7 +67,7 @@ impl Plan {
         }
     }
 
-    /// Drifts lead.
+    /// Takes the steps of a composition that begins with a drift.
     #[inline(always)]
     fn march_leading(&self, by_hand: &mut impl HandWritten, steps: u64) {
         by_hand.row(self.opening);
@@ -89,7 +89,7 @@ impl Plan {
     }
 }
 
-/// A stepper whose two flows have changed names.
+/// A stepper with drift and kick exchanged.
 struct Swapped<'t, T>(&'t mut T);
 
 impl<T: HandWritten> HandWritten for Swapped<'_, T> {

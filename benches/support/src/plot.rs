@@ -1,4 +1,4 @@
-//! Pictures of the benches, each as SVG and as PNG.
+//! Plots of the benches, each as SVG and as PNG.
 
 mod dots;
 mod growth;
@@ -35,7 +35,8 @@ mod tests {
         }
     }
 
-    /// Every curve is named, also where there are more of them than colours, and no two of other crates look alike.
+    /// Every curve has a label, even if there are more curves than colours, and curves of other crates are
+    /// distinguishable.
     #[test]
     fn curves_of_other_crates_have_distinct_names_and_styles() {
         let file = env::temp_dir().join(format!("integrator-work-{}", std::process::id()));
@@ -50,7 +51,7 @@ mod tests {
         }
         let strokes = text.split("stroke=\"").skip(1).filter_map(|rest| Some(rest.split_once('"')?.0));
         let colours: std::collections::BTreeSet<_> = strokes.collect();
-        // Eight of other crates, the last of which comes again, one of ours, the grid and the axes.
+        // Eight colours of other crates (the ninth curve reuses one), one of this library, the grid and the axes.
         assert_eq!(colours.len(), 8 + 1 + 2, "{colours:?}");
         for extension in ["svg", "png"] {
             fs::remove_file(file.with_extension(extension)).expect("a file");

@@ -1,9 +1,9 @@
-//! Work and precision: the work of a method to an error, from runs with decreasing steps.
+//! Work–precision curves: the CPU time to an error, from runs with decreasing steps.
 
 use cpu_time::ThreadTime;
 use std::time::Duration;
 
-/// The two errors that are asked for.
+/// The two measured errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The largest relative deviation of the energy over the run.
@@ -15,7 +15,7 @@ pub enum Kind {
 /// One run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// CPU time in milliseconds, the least of some repetitions.
+    /// CPU time in milliseconds, the minimum of some repetitions.
     pub milliseconds: f64,
     /// The largest relative deviation of the energy.
     pub energy: f64,
@@ -24,7 +24,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// One of the two errors.
+    /// Returns one of the two errors.
     pub fn error(&self, kind: Kind) -> f64 {
         match kind {
             Kind::Energy => self.energy,
@@ -36,22 +36,22 @@ impl Point {
 /// A method on a problem.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// The method, with the crate in front if it is not this one.
+    /// Name of the method, preceded by the crate if it is not this library.
     pub method: String,
-    /// Whether it is this library's.
+    /// Whether the method is from this library.
     pub ours: bool,
-    /// Runs, the cheapest first.
+    /// Runs, fastest first.
     pub points: Vec<Point>,
 }
 
-/// Runs longer than this end a curve.
+/// A longer run ends the curve.
 const PATIENCE: Duration = Duration::from_millis(300);
-/// Repetitions of a run take about this long together.
+/// Approximate total duration of the repetitions of a run.
 const REPETITION: Duration = Duration::from_millis(12);
 
 impl Curve {
-    /// Halves the step until rounding rules or patience ends. `errors` returns those of a run, nothing if it failed;
-    /// `run` is what is timed.
+    /// Measures runs at all levels until rounding dominates or a run takes too long. `errors` returns the errors of a
+    /// run, or `None` if it fails; `run` is timed.
     pub fn measure(
         method: String,
         ours: bool,
@@ -59,7 +59,7 @@ impl Curve {
         errors: impl Fn(u32) -> Option<[f64; 2]>,
         run: impl Fn(u32),
     ) -> Self {
-        // Errors that fall by chance are no end yet: it is where two runs in a row are worse.
+        // Errors may decrease by chance, so the curve ends only after two consecutive runs with larger errors.
         let (mut points, mut worse): (Vec<Point>, u32) = (Vec::new(), 0);
         for level in levels {
             let Some([energy, global]) = errors(level) else { continue };
@@ -76,8 +76,8 @@ impl Curve {
         Self { method, ours, points }
     }
 
-    /// Milliseconds to an error: on the line between neighbours of the double logarithmic picture, or those of the first
-    /// run if it is good enough already; nothing if no run is.
+    /// Returns the milliseconds to an error, interpolated on logarithmic scales. If the first run is accurate enough,
+    /// its time is returned; if no run is, `None`.
     pub fn time_to(&self, kind: Kind, error: f64) -> Option<f64> {
         let first = self.points.iter().position(|point| point.error(kind) <= error)?;
         let good = self.points[first];
@@ -89,7 +89,7 @@ impl Curve {
     }
 }
 
-/// The least CPU time of some repetitions.
+/// Returns the least CPU time of some repetitions.
 fn least(run: impl Fn()) -> Duration {
     let (mut best, mut spent) = (Duration::MAX, Duration::ZERO);
     while spent < REPETITION {
@@ -102,7 +102,7 @@ fn least(run: impl Fn()) -> Duration {
     best
 }
 
-/// The fastest of some methods to an error, by name.
+/// Returns the least time to an error, and the name of the fastest method.
 pub fn best<'c>(curves: impl IntoIterator<Item = &'c Curve>, kind: Kind, error: f64) -> Option<(f64, &'c str)> {
     let times = curves.into_iter().filter_map(|curve| Some((curve.time_to(kind, error)?, curve.method.as_str())));
     times.min_by(|a, b| a.0.total_cmp(&b.0))

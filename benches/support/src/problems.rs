@@ -10,11 +10,11 @@ pub const GRAVITY: f64 = 2.95912208286e-4;
 /// A pendulum.
 #[derive(Clone, Copy)]
 pub struct Pendulum {
-    /// Of the bob.
+    /// Mass of the bob.
     pub mass: f64,
-    /// Of the rod.
+    /// Length of the rod.
     pub length: f64,
-    /// The acceleration of free fall.
+    /// Gravitational acceleration.
     pub gravity: f64,
 }
 
@@ -28,7 +28,7 @@ impl Pendulum {
     }
 }
 
-/// A pendulum whose sine may be 4 ulp off.
+/// A pendulum with a sine that has an error of up to 4 ulp.
 #[derive(Clone, Copy)]
 pub struct FastPendulum(pub Pendulum);
 
@@ -42,7 +42,7 @@ impl FastPendulum {
     }
 }
 
-/// A star in a galaxy (Hénon and Heiles 1964).
+/// A star in a galactic potential (Hénon and Heiles 1964).
 #[derive(Clone, Copy)]
 pub struct HenonHeiles;
 
@@ -56,7 +56,7 @@ impl HenonHeiles {
     }
 }
 
-/// The same star, by oscillators and what couples them.
+/// The same system, split into oscillators and their coupling.
 #[derive(Clone, Copy)]
 pub struct CoupledOscillators;
 
@@ -67,7 +67,7 @@ impl CoupledOscillators {
     }
 }
 
-/// A planet.
+/// Kepler's problem.
 #[derive(Clone, Copy)]
 pub struct Kepler;
 
@@ -84,7 +84,7 @@ impl Kepler {
 /// The Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune and Pluto.
 #[derive(Clone, Copy)]
 pub struct Solar {
-    /// In solar masses.
+    /// Masses in solar masses.
     pub masses: [f64; 6],
 }
 
@@ -109,14 +109,14 @@ impl Solar {
     }
 }
 
-/// Planets that a star at rest attracts by Newton's law and by a spring.
+/// Planets attracted by a fixed star and by a spring.
 #[derive(Clone, Copy)]
 pub struct Planets {
-    /// In solar masses.
+    /// Masses in solar masses.
     pub masses: [f64; 5],
     /// Gravity times the mass of the star.
     pub pull: f64,
-    /// Of the spring.
+    /// Stiffness of the spring.
     pub spring: f64,
 }
 
@@ -139,7 +139,7 @@ impl Planets {
 /// The chain of Fermi, Pasta, Ulam and Tsingou: 32 sites between walls.
 #[derive(Clone, Copy)]
 pub struct Chain32 {
-    /// How unlike springs the bonds are.
+    /// Nonlinear coefficient of the bonds.
     pub alpha: f64,
 }
 
@@ -167,7 +167,7 @@ impl Chain32 {
 /// The same chain of any length.
 #[derive(Clone, Copy)]
 pub struct Fput {
-    /// How unlike springs the bonds are.
+    /// Nonlinear coefficient of the bonds.
     pub alpha: f64,
 }
 
@@ -192,7 +192,7 @@ impl Fput {
     }
 }
 
-/// Toda's chain (1967), with solitons of any speed.
+/// The Toda chain (1967), with solitons of any speed.
 #[derive(Clone, Copy)]
 pub struct Toda;
 
@@ -217,10 +217,10 @@ impl Toda {
     }
 }
 
-/// Pendulums on a rubber band (Frenkel and Kontorova 1938, the sine-Gordon equation on a lattice).
+/// Coupled pendulums (Frenkel and Kontorova 1938; the sine-Gordon equation on a lattice).
 #[derive(Clone, Copy)]
 pub struct SineGordon {
-    /// Of the band.
+    /// Stiffness of the coupling.
     pub stiffness: f64,
 }
 
@@ -248,7 +248,7 @@ impl SineGordon {
 /// Sites in double wells, joined by springs: the φ⁴ field on a lattice.
 #[derive(Clone, Copy)]
 pub struct Phi4 {
-    /// Of the springs.
+    /// Stiffness of the springs.
     pub stiffness: f64,
 }
 
@@ -273,13 +273,13 @@ impl Phi4 {
     }
 }
 
-/// The φ⁴ field on a square lattice with so many sites in a row, closed in both directions.
+/// The φ⁴ field on a square lattice with a given number of sites per row, periodic in both directions.
 macro_rules! phi4_plane {
     ($name:ident, $width:literal, $about:literal) => {
         #[doc = $about]
         #[derive(Clone, Copy)]
         pub struct $name {
-            /// Of the springs.
+            /// Stiffness of the springs.
             pub stiffness: f64,
         }
 
@@ -316,10 +316,10 @@ phi4_plane!(
     "The φ⁴ field on a square lattice with 4096 sites in a row, closed in both directions."
 );
 
-/// The φ⁴ field on a cubic lattice with 128 rows of 128 sites in a plane, closed in all directions.
+/// The φ⁴ field on a cubic lattice with 128 rows of 128 sites in a plane, periodic in all directions.
 #[derive(Clone, Copy)]
 pub struct Phi4Volume {
-    /// Of the springs between neighbours.
+    /// Stiffness of the springs between neighbours.
     pub stiffness: f64,
 }
 
@@ -349,7 +349,7 @@ impl Phi4Volume {
 /// A cluster of stars.
 #[derive(Clone)]
 pub struct Cluster {
-    /// One per star.
+    /// Masses of the stars.
     pub masses: Vec<f64>,
 }
 
@@ -374,10 +374,10 @@ impl Cluster {
     }
 }
 
-/// A drop of argon: atoms that feel each other up to a distance.
+/// A drop of argon: atoms with a pair potential up to a cutoff.
 #[derive(Clone, Copy)]
 pub struct Argon {
-    /// In units of the atoms' diameter.
+    /// Cutoff in units of the atoms' diameter.
     pub cutoff: f64,
 }
 
@@ -405,15 +405,15 @@ impl Argon {
     }
 }
 
-/// Argon in a box without walls, at any temperature.
+/// Argon in a periodic box, at any temperature.
 #[derive(Clone, Copy)]
 pub struct ArgonInBox {
-    /// In units of the atoms' diameter.
+    /// Side in units of the atoms' diameter.
     pub side: f64,
 }
 
 impl ArgonInBox {
-    /// Nothing acts from this distance on.
+    /// Cutoff of the potential in units of the atoms' diameter.
     pub const CUTOFF: f64 = 2.5;
 }
 

@@ -1,4 +1,5 @@
-//! Ratios of times on a noisy machine: computations are interleaved, and the median of the ratios of the rounds counts.
+//! Ratios of times on a noisy machine: computations are interleaved, and the median of the ratios over all rounds is
+//! reported.
 
 use cpu_time::ThreadTime;
 use std::{
@@ -14,18 +15,20 @@ pub struct Racer<'a> {
 }
 
 impl<'a> Racer<'a> {
-    /// What `run` returns is looked at, so that the compiler cannot leave out what it comes from.
+    /// Creates a racer. The result of `run` goes through `black_box`, so that the compiler does not remove the
+    /// computation.
     pub fn new<T>(name: &'static str, mut run: impl FnMut() -> T + 'a) -> Self {
         Self { name, run: Box::new(move || drop(black_box(run()))), threaded: false }
     }
 
-    /// One that works in threads of its own, so that the clock on the wall counts and not this thread's time.
+    /// Measures wall-clock time instead of the CPU time of this thread, for a racer with threads of its own.
     #[must_use]
     pub fn in_threads(self) -> Self {
         Self { threaded: true, ..self }
     }
 
-    /// One run: the processor's time, which others on the machine do not add to, or that on the wall.
+    /// Returns the duration of one run: CPU time of this thread, which other programs do not affect, or wall-clock
+    /// time.
     fn timed(&mut self) -> Duration {
         if self.threaded {
             let start = Instant::now();
@@ -46,8 +49,7 @@ pub struct Times {
     rounds: Vec<Vec<f64>>,
 }
 
-/// Lets all racers run `rounds` times, one after the other, after one run that is not timed. Each run does `units` units
-/// of work.
+/// Runs all racers in turn, `rounds` times each, after one untimed run. Each run does `units` units of work.
 pub fn race(rounds: usize, units: f64, mut racers: Vec<Racer>) -> Times {
     racers.iter_mut().for_each(|racer| (racer.run)());
     let mut times =
@@ -61,33 +63,33 @@ pub fn race(rounds: usize, units: f64, mut racers: Vec<Racer>) -> Times {
 }
 
 impl Times {
-    /// The racers' names, in their order.
+    /// Returns the names of the racers, in their order.
     pub fn names(&self) -> &[&'static str] {
         &self.names
     }
 
-    /// The median of a racer's rounds.
+    /// Returns the median time of a racer.
     pub fn median(&self, racer: usize) -> f64 {
         median(self.rounds[racer].clone())
     }
 
-    /// The median over the rounds of what one racer took over what another took.
+    /// Returns the median over the rounds of the ratio of two racers' times.
     pub fn ratio(&self, racer: usize, other: usize) -> f64 {
         median(self.rounds[racer].iter().zip(&self.rounds[other]).map(|(time, other)| time / other).collect())
     }
 
-    /// The first racer against the best of the others.
+    /// Returns the time of the first racer divided by that of the best other one.
     pub fn ratio_to_best(&self) -> f64 {
         (1..self.names.len()).map(|other| self.ratio(0, other)).fold(0.0, f64::max)
     }
 
-    /// The best of all racers but the first.
+    /// Returns the least median of all racers but the first.
     pub fn best_other(&self) -> f64 {
         (1..self.names.len()).map(|other| self.median(other)).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// The middle one; of two, the larger.
+/// Returns the median; for an even number of values, the larger of the middle two.
 pub fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]

@@ -7,22 +7,22 @@ use integrator_core::prelude::*;
 use serde_json::Value;
 use std::f64::consts::PI;
 
-/// A system with a known end.
+/// A system with a known final state.
 #[derive(Clone)]
 pub struct Problem<H: Hamiltonian> {
-    /// What the lines of a bench call it.
+    /// Name in the output lines of a bench.
     pub name: &'static str,
-    /// What moves.
+    /// The system.
     pub system: H,
-    /// Where it starts.
+    /// Initial state.
     pub start: Phase<H::Coords>,
-    /// How long it is followed.
+    /// Duration of the integration.
     pub span: f64,
-    /// Positions and then velocities at the end, computed in 113-bit arithmetic.
+    /// Final positions followed by velocities, computed in 113-bit arithmetic.
     pub reference: Vec<f64>,
 }
 
-/// The five problems, as `examples/data/problems.json` has them.
+/// The five problems of `examples/data/problems.json`.
 pub struct Problems(Value);
 
 impl Default for Problems {
@@ -44,19 +44,19 @@ impl Problems {
         Problem { name, system, start, span: data["T"].as_f64().expect("a number"), reference }
     }
 
-    /// Swings of large amplitude.
+    /// Oscillations of large amplitude.
     pub fn pendulum(&self) -> Problem<Pendulum> {
         let start = Phase::new(array(&self.numbers("pendulum", "q")), array(&self.numbers("pendulum", "p")));
         self.problem("pendulum", "pendulum", Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 }, start)
     }
 
-    /// An orbit that fills some of its plane.
+    /// A regular orbit.
     pub fn henon_heiles(&self) -> Problem<HenonHeiles> {
         let start = Phase::new(array(&self.numbers("henon", "q")), array(&self.numbers("henon", "p")));
         self.problem("henon", "henon", HenonHeiles, start)
     }
 
-    /// The same orbit, of oscillators that are coupled.
+    /// The same orbit, with the system split into coupled oscillators.
     pub fn coupled_oscillators(&self) -> Problem<CoupledOscillators> {
         let Problem { start, .. } = self.henon_heiles();
         self.problem("henon_parts", "henon", CoupledOscillators, start)
@@ -68,7 +68,7 @@ impl Problems {
         self.problem("kepler", "kepler", Kepler, start)
     }
 
-    /// The outer solar system for 999,999 days. The table holds velocities; momenta are these times the mass.
+    /// The outer solar system for 999,999 days. The file contains velocities; momenta are velocities times masses.
     pub fn solar(&self) -> Problem<Solar> {
         let masses: [f64; 6] = array(&self.numbers("solar", "m"));
         let q: [[f64; 3]; 6] = points(&self.numbers("solar", "q"));
@@ -79,7 +79,7 @@ impl Problems {
         self.problem("solar", "solar", Solar { masses }, Phase::new(q, p))
     }
 
-    /// The outer planets about the Sun at rest, held by a weak spring besides.
+    /// The outer planets orbiting a fixed Sun, with an additional weak spring.
     pub fn planets(&self) -> (Planets, Phase<[[f64; 3]; 5]>) {
         let Problem { system, start, .. } = self.solar();
         let masses: [f64; 5] = std::array::from_fn(|planet| system.masses[planet + 1]);
@@ -92,10 +92,10 @@ impl Problems {
         (planets, Phase::new(q, p))
     }
 
-    /// The lowest wave of a chain of 32 sites.
+    /// The lowest mode of a chain of 32 sites.
     ///
     /// # Panics
-    /// If the file of starts has no number `alpha`.
+    /// If the file has no number `alpha`.
     pub fn chain(&self) -> Problem<Chain32> {
         let start = Phase::new(array(&self.numbers("fput32", "q")), array(&self.numbers("fput32", "p")));
         let alpha = self.0["fput32"]["alpha"].as_f64().expect("a number");
@@ -113,7 +113,7 @@ fn points<const N: usize>(numbers: &[f64]) -> [[f64; 3]; N] {
     points.try_into().expect("so many points")
 }
 
-/// Waves of some lengths along a chain at rest.
+/// Waves of several lengths along a chain at rest.
 pub fn waves(sites: usize) -> Phase<Vec<f64>> {
     let wave = |i: usize| {
         let x = (i + 1) as f64 / (sites + 1) as f64;
@@ -122,7 +122,7 @@ pub fn waves(sites: usize) -> Phase<Vec<f64>> {
     Phase::new((0..sites).map(wave).collect(), vec![0.0; sites])
 }
 
-/// The same wave along all rows of a plane, one after the other.
+/// The same wave along all rows of a plane, one row after the other.
 pub fn rows_of_waves<const W: usize>(rows: usize) -> Phase<Vec<[f64; W]>> {
     let Phase { q, p } = waves(rows * W);
     let [q, p] = [q, p].map(|sites| sites.as_chunks().0.to_vec());
@@ -136,9 +136,9 @@ pub fn planes_of_waves<const W: usize, const ROWS: usize>(planes: usize) -> Phas
     Phase::new(q, p)
 }
 
-/// Points near those of a cubic grid, shaken a little, with small momenta that sum to about nothing.
+/// A cubic grid with small random displacements, and small momenta with a sum of about zero.
 fn shaken_grid(count: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
-    // Whole numbers of a linear congruence: the same on every machine.
+    // A linear congruential generator in integers, so that the result is the same on every machine.
     let mut state = 1_u64;
     let mut shake = move || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -150,7 +150,7 @@ fn shaken_grid(count: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
     Phase::new(q, (0..count).map(|_| [0, 1, 2].map(|_| 0.01 * shake())).collect())
 }
 
-/// Stars of unlike masses.
+/// Stars with different masses.
 pub fn cluster(count: usize) -> (Cluster, Phase<Vec<[f64; 3]>>) {
     let masses = (0..count).map(|i| 0.5 + (i % 7) as f64 / 7.0).collect();
     (Cluster { masses }, shaken_grid(count, 2.0))
@@ -161,11 +161,11 @@ pub fn argon(count: usize) -> (Argon, Phase<Vec<[f64; 3]>>) {
     (Argon { cutoff: 2.5 }, shaken_grid(count, 1.12))
 }
 
-/// That of liquid argon near its triple point, in atoms for each cubed diameter.
+/// Density of liquid argon near its triple point, in atoms per cubed diameter.
 pub const DENSITY: f64 = 0.8442;
 
-/// Liquid argon from a crystal of so many cells along each axis, of four atoms each, at twice the temperature that the liquid
-/// will have: half of it goes into the potential.
+/// Liquid argon that starts as a crystal with `cells` cells along each axis and four atoms per cell. The initial
+/// temperature is twice that of the liquid, because half of the kinetic energy becomes potential energy.
 pub fn liquid(cells: usize) -> (ArgonInBox, Phase<Vec<[f64; 3]>>) {
     let cell = (4.0 / DENSITY).cbrt();
     let corners = [[0.25, 0.25, 0.25], [0.75, 0.75, 0.25], [0.75, 0.25, 0.75], [0.25, 0.75, 0.75]];
@@ -179,7 +179,7 @@ pub fn liquid(cells: usize) -> (ArgonInBox, Phase<Vec<[f64; 3]>>) {
         let at = [n % cells, n / cells % cells, n / cells.pow(2)];
         q.extend(corners.map(|corner| [0, 1, 2].map(|d| cell * (at[d] as f64 + corner[d]))));
     }
-    // The variance of a number between -1/2 and 1/2 is a twelfth.
+    // A uniform number between -1/2 and 1/2 has the variance 1/12.
     let scale = (12.0 * 2.0 * 0.72_f64).sqrt();
     let p = q.iter().map(|_| [0, 1, 2].map(|_| scale * next())).collect();
     (ArgonInBox { side: cell * cells as f64 }, Phase::new(q, p))

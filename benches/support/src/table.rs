@@ -2,20 +2,20 @@
 
 use std::{fs, path::PathBuf};
 
-/// Rows under a head, printed as they come.
+/// A table with a head; rows are printed as they are added.
 pub struct Table {
     name: &'static str,
     widths: Vec<usize>,
     rows: Vec<Vec<String>>,
 }
 
-/// Where tables and pictures go.
+/// Returns the directory of tables and plots.
 pub fn folder() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../target/bench"))
 }
 
 impl Table {
-    /// Prints the head. The first two columns hold words, the others numbers.
+    /// Creates a table and prints its head. The first two columns contain text, the others numbers.
     pub fn new(name: &'static str, head: &[&str]) -> Self {
         let widths = head.iter().enumerate().map(|(i, word)| word.len().max(if i < 2 { 24 } else { 10 })).collect();
         let mut table = Self { name, widths, rows: Vec::new() };
@@ -23,7 +23,7 @@ impl Table {
         table
     }
 
-    /// Prints a row.
+    /// Prints and stores a row.
     pub fn row(&mut self, words: [&str; 2], numbers: &[f64]) {
         let words = words.into_iter().map(str::to_owned);
         self.push(words.chain(numbers.iter().map(|number| shown(*number))).collect());
@@ -53,7 +53,7 @@ impl Table {
     }
 }
 
-/// Four digits, whatever the size; nothing where nothing was measured.
+/// Formats a number with four digits; NaN gives an empty string.
 fn shown(number: f64) -> String {
     match number {
         _ if number.is_nan() => String::new(),

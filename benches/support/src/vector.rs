@@ -5,18 +5,18 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// A float that vectors are made of.
+/// A scalar type of vectors.
 pub trait Number: Copy + Send + Sync + Default + PartialOrd + 'static {
-    /// Rounded to this precision.
+    /// Rounds to this precision.
     fn of(x: f64) -> Self;
-    /// Widened.
+    /// Converts to `f64`.
     fn widen(self) -> f64;
     fn fma(self, b: Self, c: Self) -> Self;
     fn root(self) -> Self;
-    /// The bits, in the low end of 64.
+    /// Returns the bits, in the low end of 64.
     fn bits(self) -> u64;
     fn from_bits(bits: u64) -> Self;
-    /// How many bits there are, and how many of them are the mantissa's.
+    /// Number of bits, and number of bits of the mantissa.
     const BITS: u32;
     const MANTISSA: u32;
 }
@@ -57,53 +57,53 @@ macro_rules! number {
 number!(f64, u64, 64, 52);
 number!(f32, u32, 32, 23);
 
-/// Several numbers side by side.
+/// A vector of several numbers.
 pub trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     type Number: Number;
     const LANES: usize;
 
     fn splat(x: f64) -> Self;
-    /// The first `LANES` numbers.
+    /// Loads the first `LANES` numbers.
     fn load(from: &[Self::Number]) -> Self;
-    /// Over the first `LANES` numbers.
+    /// Stores into the first `LANES` numbers.
     fn store(self, to: &mut [Self::Number]);
     /// `self * b + c`
     fn fma(self, b: Self, c: Self) -> Self;
     /// `c - self * b`
     fn fnma(self, b: Self, c: Self) -> Self;
     fn sqrt(self) -> Self;
-    /// `numerator` over the third power of the root of `self`, to the last bit or two.
+    /// Returns `numerator` divided by the third power of the square root of `self`, up to the last bit or two.
     fn over_cube(self, numerator: Self) -> Self;
-    /// `odd` in the lanes in which the lowest bit of `of` is set, `even` in the others.
+    /// Returns `odd` in the lanes where the lowest bit of `of` is set, `even` in the others.
     fn choose(of: Self, odd: Self, even: Self) -> Self;
-    /// The sign turned in the lanes in which bit `BIT` of `of` is set.
+    /// Negates the lanes where bit `BIT` of `of` is set.
     fn negate<const BIT: u32>(self, of: Self) -> Self;
-    /// Multiplied by two to the power of the integer in the lowest bits of `of`; neither may be extreme.
+    /// Multiplies by two to the power of the integer in the lowest bits of `of`; neither may be extreme.
     fn scale(self, of: Self) -> Self;
-    /// `self` where `x < y`, zero elsewhere.
+    /// Returns `self` in the lanes where `x < y`, zero in the others.
     fn where_less(self, x: Self, y: Self) -> Self;
-    /// Whether `x < y` in one lane at least.
+    /// Returns whether `x < y` in at least one lane.
     fn any_less(x: Self, y: Self) -> bool;
 }
 
-/// Vectors of doubles whose lanes can change places.
+/// Vectors of `f64` with permutations of lanes.
 pub trait Row: Vector<Number = f64> {
-    /// The first `N` lanes moved to the front by `BY` places in a ring.
+    /// Rotates the first `N` lanes by `BY` lanes towards the front.
     fn rotate<const BY: usize, const N: usize>(self) -> Self;
-    /// All lanes one place on in their ring.
+    /// Rotates all lanes by one towards the front.
     #[inline(always)]
     fn rotate_by_one(self) -> Self {
         self.after(self)
     }
-    /// Lanes 1 and up, and then the first lane of `next`.
+    /// Returns the lanes from 1 on, followed by the first lane of `next`.
     fn after(self, next: Self) -> Self;
-    /// The last lane of `previous`, and then all lanes but the last.
+    /// Returns the last lane of `previous`, followed by all lanes but the last.
     fn before(self, previous: Self) -> Self;
-    /// Lanes of this one, and behind them of `more`, by their numbers.
+    /// Selects lanes by index from `self` followed by `more`.
     fn pick(self, more: Self, lanes: &[i64; 8]) -> Self;
-    /// In every lane the number that is further from zero, without its sign.
+    /// Returns the larger absolute value in every lane.
     fn larger(self, other: Self) -> Self;
-    /// The number that is the furthest from zero, without its sign.
+    /// Returns the largest absolute value of all lanes.
     fn largest(self) -> f64;
 }
 
@@ -111,17 +111,17 @@ pub trait Row: Vector<Number = f64> {
 pub(crate) trait Two: Vector<Number = f64> {
     fn of(first: f64, second: f64) -> Self;
     fn first(self) -> f64;
-    /// The two in each other's place.
+    /// Swaps the two lanes.
     fn swap(self) -> Self;
-    /// The first one twice.
+    /// Repeats the first lane.
     fn firsts(self) -> Self;
-    /// The second one twice.
+    /// Repeats the second lane.
     fn seconds(self) -> Self;
-    /// The sign of the second one turned.
+    /// Negates the second lane.
     fn conjugate(self) -> Self;
 }
 
-/// Numbers in an array, for scalars (`N = 1`) and for machines without the instructions of the other types.
+/// Numbers in an array: scalars (`N = 1`), and vectors on machines without the instructions of the other types.
 #[derive(Clone, Copy)]
 pub(crate) struct Many<T, const N: usize>(pub(crate) [T; N]);
 

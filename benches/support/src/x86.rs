@@ -6,10 +6,10 @@ use std::{
     ops::{Add, Div, Mul, Sub},
 };
 
-/// Runs instructions that were detected.
+/// Calls intrinsics for detected instructions.
 macro_rules! instruction {
     ($call:expr) => {
-        // SAFETY: `enter` names the types of this file after it has detected the instructions, and nothing else does.
+        // SAFETY: only `enter` uses the types of this file, after detecting their instructions.
         unsafe { $call }
     };
 }
@@ -94,7 +94,7 @@ vector! {
     memory _mm512_set1_pd _mm512_loadu_pd _mm512_storeu_pd;
     integers _mm512_set1_epi64 _mm512_sllv_epi64 _mm512_xor_si512 _mm512_and_si512 _mm512_add_epi64, sign 63 mantissa 52;
 
-    /// From 14 bits by the series of (1 - e)^(-3/2) in what they lack.
+    /// A 14-bit estimate, improved by the series of (1 - e)^(-3/2) in its relative error.
     #[inline(always)]
     fn over_cube(self, numerator: Self) -> Self {
         let y = Self(instruction!(_mm512_rsqrt14_pd(self.0)));
@@ -127,7 +127,7 @@ vector! {
     memory _mm512_set1_ps _mm512_loadu_ps _mm512_storeu_ps;
     integers _mm512_set1_epi32 _mm512_sllv_epi32 _mm512_xor_si512 _mm512_and_si512 _mm512_add_epi32, sign 31 mantissa 23;
 
-    /// As for doubles, with one term less.
+    /// As for `f64`, with one term less.
     #[inline(always)]
     fn over_cube(self, numerator: Self) -> Self {
         let y = Self(instruction!(_mm512_rsqrt14_ps(self.0)));

@@ -7,12 +7,12 @@ use integrator_plot::{
 };
 use std::path::Path;
 
-/// A picture of ratios.
+/// A plot of ratios.
 #[derive(Clone, Debug, Default)]
 pub struct Dots {
-    /// Title.
+    /// Title of the plot.
     pub title: String,
-    /// Line below the title: which direction is better.
+    /// Line below the title that says which direction is better.
     pub better: String,
     /// Name of the horizontal axis.
     pub axis: String,
@@ -33,7 +33,7 @@ pub struct Row {
     pub values: Vec<f64>,
 }
 
-/// Scenes and compositions as the tables of the benches call them, and their names in pictures.
+/// Scenes and compositions as named in the tables of the benches, and their labels in plots.
 const NAMES_OF: [(&str, &str); 34] = [
     ("henon", "Hénon–Heiles"),
     ("henon_carried", "Hénon–Heiles, compensated"),
@@ -71,7 +71,7 @@ const NAMES_OF: [(&str, &str); 34] = [
     ("aba864", "Aba864"),
 ];
 
-/// Returns the name in pictures of a scene or composition of the tables, or the same name if there is no other one.
+/// Returns the label of a scene or composition in plots; by default its name.
 #[must_use]
 pub fn named(key: &str) -> &str {
     NAMES_OF.iter().find(|(known, _)| *known == key).map_or(key, |(_, name)| name)
@@ -103,7 +103,7 @@ impl Dots {
         values.chain(self.band).chain([1.0]).filter(|value| value.is_finite() && *value > 0.0)
     }
 
-    /// Where a number lies along the axis.
+    /// Returns the function from numbers to positions along the axis.
     fn scale(&self) -> impl Fn(f64) -> f64 {
         let least = self.numbers().fold(f64::INFINITY, f64::min).ln() - 0.05;
         let most = self.numbers().fold(0.0, f64::max).ln() + 0.05;
@@ -134,7 +134,7 @@ impl Picture for Dots {
             (scale(self.numbers().fold(f64::INFINITY, f64::min)), scale(self.numbers().fold(0.0, f64::max)));
         let mut free = f64::NEG_INFINITY;
         let mut ticks: Vec<f64> = TICKS.into_iter().filter(|tick| (least..=most).contains(&scale(*tick))).collect();
-        // One comes first, so that it keeps its label where the axis is crowded.
+        // The tick at 1 comes first, so that it keeps its label on a crowded axis.
         ticks.retain(|&tick| tick == 1.0 || (scale(tick) - scale(1.0)).abs() > 34.0);
         for tick in ticks {
             let x = scale(tick).floor() + 0.5;

@@ -1,4 +1,4 @@
-//! Errors that grow with the number of steps, beside a random walk.
+//! Growth of errors with the number of steps, compared with a random walk.
 
 use integrator_plot::{
     Axis, Canvas, Frame, MARKERS, Margins, Outcome, Picture, Stroke, bold,

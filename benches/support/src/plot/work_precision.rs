@@ -1,4 +1,4 @@
-//! Error against CPU time, a curve for each method.
+//! Error against CPU time, with a curve for each method.
 
 use crate::precision::{Curve, Kind};
 use integrator_plot::{
@@ -101,7 +101,7 @@ impl Picture for WorkPrecision<'_> {
         let margins = Margins { top: below + 12.0, right: LEGEND, text: 16.0 };
         let mut frame = Frame::new(canvas, [0.0, 0.0, across, down], margins, scales);
         frame.grid();
-        // Ours on top of the others.
+        // Curves of this library are drawn on top of the others.
         for (curve, look) in self.curves.iter().zip(&looks).rev() {
             let points = self.points(curve);
             frame.line(points.iter().copied(), look.stroke);

@@ -3,22 +3,22 @@
 use integrator_core::prelude::*;
 use std::f64::consts::TAU;
 
-/// A molecule without charges, whose atoms have places in lists.
+/// A molecule without charges; its terms refer to atoms by index.
 #[derive(Clone)]
 pub struct Molecule {
-    /// One per atom.
+    /// Masses of the atoms.
     pub masses: Vec<f64>,
-    /// Two atoms, and the distance that they want to have.
+    /// Two atoms, and their equilibrium distance.
     pub bonds: Vec<(usize, usize, f64)>,
-    /// One per bond.
+    /// Stiffness of each bond.
     pub stiffness: Vec<f64>,
-    /// Three atoms in a row, and the cosine of the angle that they want to have (GROMOS).
+    /// Three consecutive atoms, and the cosine of their equilibrium angle (GROMOS).
     pub angles: Vec<(usize, usize, usize, f64)>,
-    /// Four atoms in a row.
+    /// Four consecutive atoms.
     pub dihedrals: Vec<(usize, usize, usize, usize)>,
-    /// The height of each dihedral's three equal barriers.
+    /// Height of the three equal barriers of each dihedral.
     pub barriers: Vec<f64>,
-    /// What all angles resist with.
+    /// Stiffness of all angles.
     pub bending: f64,
 }
 
@@ -62,8 +62,8 @@ impl Molecule {
     }
 }
 
-/// A molecule of so many bonds, angles and dihedrals each, at rest a little away from where it wants to be: every atom is
-/// bound to one of the eight before it.
+/// Creates a molecule with `count` bonds, angles and dihedrals each, at rest and slightly displaced from equilibrium.
+/// Every atom is bonded to one of the eight before it.
 pub fn molecule(count: usize) -> (Molecule, Phase<Vec<[f64; 3]>>) {
     let mut state = 1_u64;
     let mut uniform = move || {
@@ -84,7 +84,7 @@ pub fn molecule(count: usize) -> (Molecule, Phase<Vec<[f64; 3]>>) {
     while parents.len() < count + 3 {
         let atom = parents.len();
         let parent = atom - 1 - (uniform() * (atom - 3).min(8) as f64) as usize;
-        // A cone of a third of a right angle and more about the direction in which the last bond leads.
+        // The new bond points into a hollow cone about the direction of the previous bond.
         let before = q[parents[parent]];
         let axis: [f64; 3] = std::array::from_fn(|d| q[parent][d] - before[d]);
         let length = axis.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -1,10 +1,12 @@
 //! The outer solar system: the fifteen pairs of six bodies in the sixteen lanes of two registers.
 //!
-//! A register of bodies has two of them twice, so that its lanes are the first bodies of as many pairs, in both registers
-//! of pairs: only the second bodies have to be fetched, and two of the five pulls on a body are where the body is.
+//! Two bodies appear twice in a register of bodies, so its eight lanes are the first bodies of the pairs in either
+//! register of pairs. Only the second bodies have to be permuted, and two of the five pulls on a body are already in
+//! its lane.
 //!
-//! With the distance `r` of a pair `d`, `r² = d·d`, the pull is `d / r³`: half a convolution for `r` from its square, one
-//! for `r³ = r r²` and a quotient per axis take less than the power of `r²` and products with it.
+//! With the distance `r` of a pair `d`, `r² = d·d`, the pull is `d / r³`. The code computes `r` from its square by half
+//! a convolution, `r³ = r r²` by one convolution, and a quotient per axis. This takes less time than a power of `r²`
+//! and products with it.
 
 use super::{
     course::{Course, Expansion, HIGHEST, Kept, follow, with_order},
@@ -22,12 +24,13 @@ use std::{
     ops::{Add, Mul},
 };
 
-/// The body in each lane.
+/// The first body of a pair, by lane.
 const FIRST: [i64; 8] = [0, 1, 2, 3, 4, 5, 0, 1];
-/// Whom it meets, in each of the two registers. The last lane repeats the pair of bodies 4 and 1, from the other side.
+/// The second body of a pair, by lane of the two registers. The last lane repeats the pair of bodies 4 and 1 in reverse
+/// order.
 const SECOND: [[i64; 8]; 2] = [[2, 0, 3, 4, 1, 1, 3, 2], [4, 3, 4, 5, 5, 2, 5, 4]];
 
-/// Something of all pairs.
+/// One value per pair.
 #[derive(Clone, Copy)]
 struct Pairs<R>([R; 2]);
 
@@ -62,10 +65,10 @@ impl<R: Row> Mul for Pairs<R> {
     }
 }
 
-/// Something of three axes.
+/// One value per axis.
 type Axes<T> = [T; 3];
 
-/// The numbers of lanes for [`Row::pick`], and the strengths of the pulls there.
+/// Lane indices for [`Row::pick`], and the strengths of the pulls in these lanes.
 #[derive(Clone, Copy)]
 struct Pull<R> {
     lanes: [i64; 8],
@@ -76,27 +79,27 @@ struct Pull<R> {
 struct Bodies<R, const N: usize> {
     tolerance: f64,
     masses: R,
-    /// Pulls from the second bodies of each register.
+    /// Strengths of the pulls by the second bodies of both registers.
     ahead: [R; 2],
-    /// From the three others.
+    /// Lanes and strengths of the other three pulls.
     others: [Pull<R>; 3],
     q: [Kept<R>; 3],
     v: [Kept<R>; 3],
-    /// Coefficients by their order: of accelerations,
+    /// Coefficients of accelerations, by order.
     accelerations: [Axes<R>; HIGHEST],
-    /// distances by axis,
+    /// Coefficients of differences of positions.
     apart: [Axes<Pairs<R>>; HIGHEST],
-    /// their squares,
+    /// Coefficients of squared distances.
     square: [Pairs<R>; HIGHEST],
-    /// lengths,
+    /// Coefficients of distances.
     length: [Pairs<R>; HIGHEST],
-    /// cubes of lengths,
+    /// Coefficients of cubed distances.
     cube: [Pairs<R>; HIGHEST],
-    /// and quotients of distances and cubes.
+    /// Coefficients of the quotients of differences and cubes.
     pull: [Axes<Pairs<R>>; HIGHEST],
 }
 
-/// The lanes of the pairs in which a body is that are neither ahead of a lane nor in it, and the strengths of their pulls.
+/// Returns, for the body in each lane, the lanes of its three remaining pairs and the strengths of their pulls.
 fn others(masses: &[f64; 6]) -> [([i64; 8], [f64; 8]); 3] {
     let pair = |first, second| (0..15).find(|&i| FIRST[i % 8] == first && SECOND[i / 8][i % 8] == second);
     let mut found = [([0; 8], [0.0; 8]); 3];
@@ -135,7 +138,7 @@ impl<R: Row, const N: usize> Bodies<R, N> {
         }
     }
 
-    /// From the bodies' coordinates to those of the pairs.
+    /// Computes the coefficients of pair differences from those of the bodies.
     #[inline(always)]
     fn meet(&mut self, k: usize, x: Axes<R>) {
         for axis in 0..3 {
@@ -144,7 +147,8 @@ impl<R: Row, const N: usize> Bodies<R, N> {
         }
     }
 
-    /// From the pulls of an order to accelerations, and to the distances two orders above.
+    /// Computes accelerations from the pulls of order `k`, and pair differences of order `k + 2` from the
+    /// accelerations.
     #[inline(always)]
     fn fall(&mut self, k: usize) {
         for axis in 0..3 {
@@ -164,7 +168,7 @@ impl<R: Row, const N: usize> Bodies<R, N> {
     }
 }
 
-/// The largest of all bodies, each with its weight.
+/// Returns the largest weighted absolute value of all bodies.
 #[inline(always)]
 fn size<R: Row>([x, y, z]: &Axes<R>, weights: R) -> f64 {
     (x.larger(*y).larger(*z) * weights).largest()
@@ -175,7 +179,7 @@ impl<R: Row, const N: usize> Expansion for Bodies<R, N> {
 
     #[inline(always)]
     fn expand(&mut self) -> f64 {
-        // The two lanes of a body that has two are rounded in different orders.
+        // The two lanes of a repeated body are rounded differently, so both are set to the first one.
         let (mut q, mut v) = ([R::splat(0.0); 3], [R::splat(0.0); 3]);
         for axis in 0..3 {
             q[axis] = self.q[axis].value.pick(self.q[axis].value, &FIRST);
@@ -212,7 +216,7 @@ impl<R: Row, const N: usize> Expansion for Bodies<R, N> {
     fn proceed(&mut self, by: f64) {
         let weights = Weights::of::<R>(by);
         let zero = R::splat(0.0);
-        // Even and odd orders side by side, the smallest addends first.
+        // Even and odd orders are summed separately, smallest terms first.
         let (mut velocity, mut position) = ([[zero; 3]; 2], [[zero; 3]; 2]);
         for k in (0..N / 2).rev() {
             for odd in [1, 0] {
@@ -248,7 +252,7 @@ impl<R: Row, const N: usize> Expansion for Bodies<R, N> {
 }
 
 impl<R: Row, const N: usize> Bodies<R, N> {
-    /// The first two orders of what pairs have. Gives the inverses of length and cube.
+    /// Computes the first two orders of the pair series. Returns the reciprocals of length and cube.
     #[inline(always)]
     fn begin(&mut self) -> [Pairs<R>; 2] {
         let [d, slope] = [self.apart[0], self.apart[1]];
@@ -271,13 +275,13 @@ impl<R: Row, const N: usize> Bodies<R, N> {
         [by_length, by_cube]
     }
 
-    /// What pairs have of the even order `k` and of the next one, from their distances of these orders.
+    /// Computes the even order `k` and the order `k + 1` of the pair series from the differences of these orders.
     #[inline(always)]
     fn two_orders(&mut self, k: usize, [by_length, by_cube]: [Pairs<R>; 2]) {
         let (none, half) = (Pairs::splat(0.0), Pairs::splat(0.5));
         let middle = k / 2;
 
-        // Half of the squares, by axis at first.
+        // Half of the squares, first by axis.
         let d = &self.apart;
         let (mut even, mut odd) = ([none; 3], [none; 3]);
         for axis in 0..3 {
@@ -296,7 +300,7 @@ impl<R: Row, const N: usize> Bodies<R, N> {
         self.square[k] = even + even;
         self.square[k + 1] = odd + odd;
 
-        // Lengths, from what their known products lack.
+        // Lengths: the unknown coefficients follow from the square and the known products.
         let r = &mut self.length;
         let (mut even, mut odd) = (r[middle].fnma(half * r[middle], even), odd);
         for j in (1..middle).rev() {
@@ -349,7 +353,7 @@ impl<const N: usize> Kernel for Trajectory<'_, N> {
     }
 }
 
-/// Follows the planets, shows their states, and counts the steps.
+/// Integrates the planets, passes their states to `see`, and returns the number of steps.
 ///
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).

@@ -1,45 +1,45 @@
-//! The way along a trajectory, from polynomial to polynomial.
+//! Integration along a trajectory, from one Taylor polynomial to the next.
 
 use crate::vector::Vector;
 
-/// The orders that there are hand-written steppers of.
+/// Orders of the hand-written steppers.
 pub const ORDERS: [usize; 3] = [16, 20, 24];
 
-/// The highest of them.
+/// The highest of these orders.
 pub(crate) const HIGHEST: usize = 24;
 
-/// How many coefficients small systems have room for: those of accelerations belong to positions two orders above.
+/// Number of coefficients in small systems. Accelerations give the coefficients of positions two orders higher.
 pub(crate) const COEFFICIENTS: usize = HIGHEST + 2;
 
-/// A method, and how long and how often it is looked at.
+/// Parameters of an integration.
 #[derive(Clone, Copy, Debug)]
 pub struct Course {
     /// One of [`ORDERS`].
     pub order: usize,
-    /// The share of a coordinate's size that the last coefficients may add.
+    /// Relative size of the last coefficients' contributions to a coordinate.
     pub tolerance: f64,
-    /// How long a trajectory is followed.
+    /// Duration of the integration.
     pub span: f64,
-    /// In how many equal parts; a state is shown after each.
+    /// Number of equal intervals; a state is passed on after each.
     pub looks: u32,
 }
 
-/// A motion that is a polynomial for a while.
+/// A state with its Taylor polynomial.
 pub(crate) trait Expansion: Clone {
-    /// What it shows.
+    /// State passed to the caller.
     type State;
-    /// Finds the coefficients where it is, and how far they reach.
+    /// Computes the coefficients at the current state. Returns the step for which they are valid.
     fn expand(&mut self) -> f64;
-    /// Goes on along the polynomial.
+    /// Advances the state along the polynomial.
     fn proceed(&mut self, by: f64);
-    /// Where it is.
+    /// Returns the current state.
     fn state(&self) -> Self::State;
 }
 
-/// Shows the states, and counts the polynomials.
+/// Passes the states to `see`, and returns the number of polynomials.
 #[inline(always)]
 pub(crate) fn follow<E: Expansion>(course: Course, mut expansion: E, see: &mut dyn FnMut(E::State)) -> u64 {
-    // The time of the expansion in twice the precision: reaches of all lengths are added up.
+    // Time of the expansion in doubled precision, because steps of very different lengths are added.
     let (mut begin, mut lost) = (0.0, 0.0);
     let mut reach = expansion.expand();
     let mut polynomials = 1;
@@ -87,8 +87,7 @@ macro_rules! with_order {
 }
 pub(crate) use with_order;
 
-/// Calls `$do!(k)` for every order from 1 on that a hand-written stepper may compute, as a literal, so that all sums
-/// are written out.
+/// Calls `$do!(k)` for every order from 1 to the highest one, as a literal, so that all sums are unrolled.
 macro_rules! orders_from_one {
     ($do:ident) => {
         $do! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 }
@@ -96,7 +95,7 @@ macro_rules! orders_from_one {
 }
 pub(crate) use orders_from_one;
 
-/// Numbers and what their updates have lost so far (Kahan 1965).
+/// Values and their accumulated rounding errors (Kahan 1965).
 #[derive(Clone, Copy)]
 pub(crate) struct Kept<V> {
     pub(crate) value: V,

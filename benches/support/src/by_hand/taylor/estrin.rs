@@ -1,4 +1,4 @@
-//! Polynomials with a short way to the result.
+//! Polynomials with a short dependency chain.
 
 use super::course::{COEFFICIENTS, HIGHEST};
 use crate::vector::Vector;

@@ -1,8 +1,8 @@
-//! Hénon and Heiles's star: the coordinates in the two lanes of a register, all sums written out.
+//! The Hénon–Heiles system: two coordinates in the lanes of a register, with all sums unrolled.
 //!
-//! The force is `-(x + 2xy, y + x² - y²)`; half of the products of order `k` stand for the others, and the product of a
-//! pair of orders is `xⱼ (yₘ, xₘ) + yⱼ (xₘ, -yₘ)`, so that one register of each order has its lanes changed and two have
-//! a coordinate twice. The newest products come last.
+//! The force is `-(x + 2xy, y + x² - y²)`. By symmetry, half of the products of order `k` suffice. The product of a
+//! pair of orders is `xⱼ (yₘ, xₘ) + yⱼ (xₘ, -yₘ)`, so each order needs one register with swapped lanes and two
+//! registers that repeat a coordinate. The newest products come last.
 
 use super::{
     course::{COEFFICIENTS, Course, orders_from_one, with_order},
@@ -30,7 +30,8 @@ impl Force for Star {
         momenta[1] = zero - (xx[0].fma(turned[0], yy[0] * z[0]) + q);
         z[2] = momenta[1] * half;
         (turned[2], xx[2], yy[2]) = (z[2].swap(), z[2].firsts(), z[2].seconds().conjugate());
-        // The spring has the coefficients of the newest order too, and twice the products stand for it as well.
+        // The linear force also multiplies the newest coefficients, so it is added to a factor of the products. The
+        // products are doubled later, hence the half.
         let spring = yy[0] + half;
         macro_rules! orders {
             ($($k:literal)*) => {$(
@@ -59,7 +60,7 @@ impl Force for Star {
     }
 }
 
-/// Follows the star, shows its states, and counts the steps.
+/// Integrates the star, passes its states to `see`, and returns the number of steps.
 ///
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).

@@ -1,9 +1,9 @@
-//! Kepler's planet: the coordinates in the two lanes of a register, all sums written out.
+//! Kepler's problem: two coordinates in the lanes of a register, with all sums unrolled.
 //!
-//! With `u = x² + y²` and `w = u^(-3/2)`, `wₖ = - Σ vⱼ wₖ₋ⱼ - Σ j vⱼ wₖ₋ⱼ / 2k` where `v = u / u₀`: both sums are in the two
-//! lanes, and nothing is divided. What an order has from itself and from order 0 is a matrix, the tide of Newton's law,
-//! with which positions follow from those two orders below, while everything else waits beside; what has order 1 in it
-//! comes next.
+//! With `u = x² + y²` and `w = u^(-3/2)`, `wₖ = - Σ vⱼ wₖ₋ⱼ - Σ j vⱼ wₖ₋ⱼ / 2k` where `v = u / u₀`. The two lanes
+//! contain the two sums, and no division is needed. The products of the newest order with order 0 form a matrix, the
+//! tidal tensor of Newton's law. Positions of order `k + 2` follow from it and those of order `k`; everything else is
+//! computed in parallel. Products with order 1 come next.
 
 use super::{
     course::{COEFFICIENTS, Course, orders_from_one, with_order},
@@ -25,7 +25,8 @@ impl Force for Planet {
     #[inline(always)]
     fn orders<T: Two, const N: usize>([q, p]: [T; 2], z: &mut [T; COEFFICIENTS], momenta: &mut [T; COEFFICIENTS]) {
         let (zero, half) = (T::splat(0.0), T::splat(0.5));
-        // Half of u and the w of all orders twice, and half of u with its multiple by the order.
+        // `half_u` and `w` repeat half of u and w in both lanes. `multiple` contains half of u, and this times its
+        // order.
         let [half_u, w, multiple] = &mut [[zero; COEFFICIENTS]; 3];
         let square = total(q * q);
         w[0] = square.over_cube(T::splat(1.0));
@@ -42,7 +43,7 @@ impl Force for Planet {
             ($($k:literal)*) => {$(
                 let k: usize = $k;
                 if k < N {
-                    // Half of u without what order 0 has in it.
+                    // Half of u without the products with order 0.
                     let (mut sum, mut other) = (zero, zero);
                     if k.is_multiple_of(2) {
                         sum = half * z[k / 2] * z[k / 2];
@@ -59,7 +60,7 @@ impl Force for Planet {
                     half_u[k] = part + newest;
                     multiple[k] = half_u[k] * T::of(1.0, k as f64);
 
-                    // What is known of w, the two newest products by themselves.
+                    // The known part of w; the two newest products are added separately.
                     let mut known = tide * part;
                     if k > 1 {
                         let (mut sum, mut other) = (zero, zero);
@@ -102,7 +103,7 @@ impl Force for Planet {
     }
 }
 
-/// Follows the planet, shows its states, and counts the steps.
+/// Integrates the planet, passes its states to `see`, and returns the number of steps.
 ///
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).

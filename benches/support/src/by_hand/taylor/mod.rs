@@ -1,26 +1,29 @@
-//! Taylor integrators by hand, for the five problems: the yardsticks of the recurrences that `#[hamiltonian(taylor)]`
-//! writes.
+//! Hand-written Taylor integrators for the five problems. The benches compare them with the code that
+//! `#[hamiltonian(taylor)]` generates.
 //!
-//! They take the steps of the generated ones (Jorba and Zou's rule, up to a few per cent of a step), with the same
-//! orders and compensated states, so that their errors are the same and times alone differ.
+//! They take the same steps as the generated integrators (rule of Jorba and Zou, up to a few per cent), with the same
+//! orders and compensated states. Errors are therefore equal, and only times differ.
 //!
-//! | file | holds |
+//! | file | contents |
 //! |---|---|
-//! | `course` | the way along a trajectory, from polynomial to polynomial |
-//! | `horizon` | how far a polynomial reaches, in integers |
-//! | `weights` | the powers of a step by which coefficients of accelerations move a state |
-//! | `estrin` | polynomials of the small ones |
-//! | `pendulum` | sine and cosine side by side |
-//! | `planar` | what the next two have in common: two coordinates side by side |
-//! | `henon_heiles` | a star |
-//! | `kepler` | a planet, with a tide |
+//! | `course` | integration along a trajectory, from polynomial to polynomial |
+//! | `horizon` | step size, in integer arithmetic |
+//! | `weights` | powers of a step that multiply the coefficients of accelerations |
+//! | `estrin` | polynomials of the small systems |
+//! | `pendulum` | sine and cosine in two lanes |
+//! | `planar` | common code of the next two: two coordinates in two lanes |
+//! | `henon_heiles` | the Hénon–Heiles system |
+//! | `kepler` | Kepler's problem, with a tidal tensor |
 //! | `bodies` | the outer solar system: pairs in the lanes of two registers |
 //! | `springs` | the chain of 32 sites: bonds in the lanes of four registers and one |
 //!
-//! What they have in common: Newton's equations make the coefficients of positions from those of accelerations two
-//! orders below, so that momenta have none, two orders at a time are computed from what was there before, each
-//! coefficient that is read serves both, and the end of a step is a sum over accelerations with weights that are the same
-//! for all coordinates, instead of Horner's chain.
+//! Common to all:
+//!
+//! - Newton's equations give the coefficients of positions from those of accelerations two orders below, so momenta
+//!   have no coefficients of their own.
+//! - Two orders at a time are computed from the known ones, so each coefficient is loaded once for both.
+//! - The end of a step is a weighted sum of accelerations with the same weights for all coordinates, instead of
+//!   Horner's scheme.
 
 pub(crate) mod bodies;
 pub(crate) mod course;

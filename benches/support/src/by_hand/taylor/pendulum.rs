@@ -1,8 +1,8 @@
-//! The pendulum: sine and cosine in the two lanes of a register, all sums written out.
+//! The pendulum: sine and cosine in the two lanes of a register, with all sums unrolled.
 //!
-//! With `ω = q'` and `z = e^(iq)`, `k zₖ = i Σ ωⱼ zₖ₋₁₋ⱼ`. The coefficients here are those of `yₖ = zₖ / iᵏ`, for which
-//! `k yₖ = Σ ωⱼ i⁻ʲ yₖ₋₁₋ⱼ`: the newest one follows from the one before by a real factor. The factor of every second
-//! one, `-i`, makes lanes change places, and the signs are those of the `ω`.
+//! With `ω = q'` and `z = e^(iq)`, `k zₖ = i Σ ωⱼ zₖ₋₁₋ⱼ`. The code uses `yₖ = zₖ / iᵏ`, for which `k yₖ = Σ ωⱼ i⁻ʲ
+//! yₖ₋₁₋ⱼ`: the newest coefficient follows from the previous one by a real factor. For odd `j`, the factor `i⁻ʲ` swaps
+//! the lanes; the signs are stored with `ω`.
 
 use super::{
     course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},
@@ -17,26 +17,26 @@ use crate::{
 };
 use integrator_core::Phase;
 
-/// Of the real or imaginary part of `iᵏ yₖ`, and of `i⁻ᵏ` where lanes have changed places.
+/// Sign of the real or imaginary part of `iᵏ yₖ`, and of `i⁻ᵏ` with swapped lanes.
 #[inline(always)]
 fn sign(k: usize) -> f64 {
     if k % 4 < 2 { 1.0 } else { -1.0 }
 }
 
-/// The lane of `yₖ` that is the sine, twice, but for its sign.
+/// Returns the lane of `yₖ` that is the sine up to a sign, in both lanes.
 #[inline(always)]
 fn part<T: Two>(y: &[T; COEFFICIENTS], k: usize) -> T {
     if k.is_multiple_of(2) { y[k].seconds() } else { y[k].firsts() }
 }
 
-/// From that part of order `k - 1` to the `ω` of order `k` with its signs.
+/// Computes the signed `ω` of order `k` from this lane of order `k - 1`.
 #[inline(always)]
 fn rotate<T: Two>(pull: T, k: usize) -> T {
     let weight = -sign(k - 1) * sign(k) / k as f64;
     pull * T::of(weight, if k.is_multiple_of(2) { weight } else { -weight })
 }
 
-/// What `ω` of order `j` is multiplied by.
+/// Returns the factor of `ω` of order `j`.
 #[inline(always)]
 fn factor<T: Two>(y: &[T; COEFFICIENTS], turned: &[T; COEFFICIENTS], j: usize, k: usize) -> T {
     if j.is_multiple_of(2) { y[k] } else { turned[k] }
@@ -49,7 +49,7 @@ struct Pendulum<T, const N: usize> {
     torque: f64,
     /// Angle and momentum.
     state: Kept<T>,
-    /// Their coefficients.
+    /// Coefficients of angle and momentum.
     series: [T; COEFFICIENTS],
 }
 
@@ -62,7 +62,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
         let zero = T::splat(0.0);
         let [sine, cosine] = sine_and_cosine(begin.firsts());
         let [y, turned] = &mut [[zero; COEFFICIENTS]; 2];
-        // With the signs of i⁻ʲ, and of the lane that -i turns around.
+        // Includes the signs of i⁻ʲ and of the lane that -i negates.
         let omega = &mut [zero; COEFFICIENTS];
         y[0] = T::of(cosine.first(), sine.first());
         turned[0] = y[0].swap();
@@ -71,7 +71,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
         omega[0] = momentum * mobility;
         let pull = T::splat(self.torque * self.mobility);
         let (fall, drift) = (T::splat(-self.torque), T::splat(self.mobility));
-        // The sine of order 0.
+        // Sine at order 0.
         let first = y[0].seconds();
         self.series[0] = begin;
         self.series[1] = T::of((momentum * drift).first(), (first * fall).first());
@@ -80,7 +80,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
             ($($k:literal)*) => {$(
                 let k: usize = $k;
                 if k < N {
-                    // From the middle outwards, the newest last and with their weights before they are there.
+                    // From the middle outwards. The newest terms come last, and their weights are computed in advance.
                     let (mut sum, mut other) = (zero, zero);
                     for j in (3..k / 2 + 1).rev() {
                         sum = omega[j].fma(factor(y, turned, j, k - 1 - j), sum);
@@ -117,7 +117,7 @@ impl<T: Two, const N: usize> Expansion for Pendulum<T, N> {
                 }
             )*};
         }
-        // The angle of order 2 comes from the sine of order 0.
+        // The second coefficient of the angle follows from the sine at order 0.
         self.series[2] = T::of((first * fall * drift).first() * 0.5, 0.0);
         orders_from_one!(orders);
         let size = |k: usize| (self.series[k].first().abs(), self.series[k].swap().first().abs());
@@ -165,7 +165,7 @@ impl<const N: usize> PairKernel for Trajectory<'_, N> {
     }
 }
 
-/// Follows the pendulum, shows its states, and counts the steps.
+/// Integrates the pendulum, passes its states to `see`, and returns the number of steps.
 ///
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).

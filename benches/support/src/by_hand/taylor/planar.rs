@@ -1,4 +1,4 @@
-//! What the star and the planet have in common: two coordinates in the lanes of a register.
+//! Common code of Hénon–Heiles and Kepler: two coordinates in the lanes of a register.
 
 use super::{
     course::{COEFFICIENTS, Course, Expansion, Kept, follow},
@@ -9,9 +9,9 @@ use crate::{enter::PairKernel, vector::Two};
 use integrator_core::Phase;
 use std::marker::PhantomData;
 
-/// What moves them, with a mass of one.
+/// The force on a particle of mass 1.
 pub(crate) trait Force: Clone {
-    /// The coefficients of positions up to order `N + 1`, and of momenta up to `N`, from where they are.
+    /// Computes the coefficients of positions up to order `N + 1` and of momenta up to `N` from position and momentum.
     fn orders<T: Two, const N: usize>(
         begin: [T; 2],
         positions: &mut [T; COEFFICIENTS],
@@ -24,9 +24,9 @@ struct Point<F, T, const N: usize> {
     tolerance: f64,
     q: Kept<T>,
     p: Kept<T>,
-    /// Coefficients of positions
+    /// Coefficients of positions.
     positions: [T; COEFFICIENTS],
-    /// and of momenta.
+    /// Coefficients of momenta.
     momenta: [T; COEFFICIENTS],
     force: PhantomData<F>,
 }
@@ -61,7 +61,7 @@ impl<F: Force, T: Two, const N: usize> Expansion for Point<F, T, N> {
     }
 }
 
-/// The way of such a point.
+/// Integration of such a particle.
 pub(crate) struct Trajectory<'s, F, const N: usize> {
     start: &'s Phase<[f64; 2]>,
     course: Course,

@@ -1,9 +1,9 @@
 //! The chain of 32 sites: its 33 bonds in the lanes of four registers and one.
 //!
-//! Site `4 l + v` and the bond in front of it are lane `l` of register `v`, so that neighbours are in the same lanes of the
-//! next register, and lanes have to move at one seam only. Series are those of the bonds, whose accelerations are
-//! differences of the tensions beside them: no lane moves between a tension and the bond that it stretches two orders
-//! later, but for the seam.
+//! Site `4 l + v` and the bond to its left are in lane `l` of register `v`. Neighbours are then in the same lane of the
+//! next register, and lanes have to be shifted only from the last register to the first. The series are those of the
+//! bonds; their accelerations are differences of adjacent tensions. Except between these two registers, no lane is
+//! shifted from a tension to the stretch two orders higher.
 
 use super::{
     course::{Course, Expansion, HIGHEST, Kept, follow, with_order},
@@ -18,10 +18,10 @@ use crate::{
 use integrator_core::Phase;
 use std::array::from_fn;
 
-/// Something of all bonds; the last one is alone in the last register.
+/// One value per bond; the last bond is alone in the last register.
 type Bonds<R> = [R; 5];
 
-/// Something of all sites.
+/// One value per site.
 type Sites<R> = [R; 4];
 
 #[derive(Clone)]
@@ -30,9 +30,9 @@ struct Springs<R, const N: usize> {
     alpha: f64,
     q: Sites<Kept<R>>,
     v: Sites<Kept<R>>,
-    /// Coefficients by their order: of accelerations
+    /// Coefficients of accelerations, by order.
     accelerations: [Sites<R>; HIGHEST],
-    /// and of the stretches of bonds.
+    /// Coefficients of the stretches of bonds, by order.
     stretches: [Bonds<R>; HIGHEST],
 }
 
@@ -51,14 +51,14 @@ impl<R: Row, const N: usize> Springs<R, N> {
         }
     }
 
-    /// Of the bonds, from the sites.
+    /// Returns the stretches of bonds from the positions of sites.
     #[inline(always)]
     fn stretches([a, b, c, d]: Sites<R>) -> Bonds<R> {
         let wall = R::splat(0.0);
         [a - d.before(wall), b - a, c - b, d - c, wall - wall.before(d)]
     }
 
-    /// From tensions to the accelerations of their order and the stretches two orders above.
+    /// Computes accelerations from the tensions of order `k`, and stretches of order `k + 2` from the accelerations.
     #[inline(always)]
     fn pull(&mut self, k: usize, [a, b, c, d, e]: Bonds<R>) {
         let accelerations = [b - a, c - b, d - c, a.after(e) - d];
@@ -66,7 +66,7 @@ impl<R: Row, const N: usize> Springs<R, N> {
         if k + 2 < N {
             let integral = R::splat(INTEGRALS.twice[k]);
             let [first, second, third, fourth] = accelerations;
-            // The walls do not move, as if the bonds there went on with the same tension.
+            // The walls do not move, as if the tension beyond them were that of the last bond.
             let before = a - d.pick(a, &[8, 0, 1, 2, 3, 4, 5, 6]);
             let bonds = [first - before, second - first, third - second, fourth - third, R::splat(0.0).before(d) - e];
             for i in 0..5 {
@@ -75,7 +75,7 @@ impl<R: Row, const N: usize> Springs<R, N> {
         }
     }
 
-    /// Tensions of the even order `k` and of the next one.
+    /// Returns the tensions of the even order `k` and of the order `k + 1`.
     #[inline(always)]
     fn two_orders(&self, k: usize) -> [Bonds<R>; 2] {
         let d = &self.stretches;
@@ -100,7 +100,7 @@ impl<R: Row, const N: usize> Springs<R, N> {
     }
 }
 
-/// The largest of all sites.
+/// Returns the largest absolute value of all sites.
 #[inline(always)]
 fn size<R: Row>([a, b, c, d]: &Sites<R>) -> f64 {
     a.larger(*b).larger(c.larger(*d)).largest()
@@ -144,7 +144,7 @@ impl<R: Row, const N: usize> Expansion for Springs<R, N> {
         let weights = Weights::of::<R>(by);
         let zero = R::splat(0.0);
         let (mut velocity, mut position) = ([zero; 4], [zero; 4]);
-        // The smallest addends first.
+        // Smallest terms first.
         for k in (0..N).rev() {
             let (once, twice) = (R::splat(weights.once[k]), R::splat(weights.twice[k]));
             for i in 0..4 {
@@ -190,7 +190,7 @@ impl<const N: usize> Kernel for Trajectory<'_, N> {
     }
 }
 
-/// Follows the chain, shows its states, and counts the steps.
+/// Integrates the chain, passes its states to `see`, and returns the number of steps.
 ///
 /// # Panics
 /// If the order is not one of [`ORDERS`](super::ORDERS).

@@ -1,14 +1,14 @@
-//! The weights of the coefficients of accelerations at the end of a step: with `a = Σ aₖ tᵏ`, velocities gain
-//! `Σ aₖ tᵏ⁺¹/(k+1)`, positions what the velocity takes them and `Σ aₖ tᵏ⁺²/((k+1)(k+2))`.
+//! Weights of the coefficients of accelerations at the end of a step. With `a = Σ aₖ tᵏ`, velocities change by `Σ aₖ
+//! tᵏ⁺¹/(k+1)`, and positions by `v t + Σ aₖ tᵏ⁺²/((k+1)(k+2))`.
 
 use super::course::HIGHEST;
 use crate::vector::Row;
 
-/// Of accelerations, by their order.
+/// Weights of the coefficients of accelerations, by order.
 pub(crate) struct Weights {
-    /// In velocities.
+    /// Weights in velocities.
     pub(crate) once: [f64; HIGHEST],
-    /// In positions.
+    /// Weights in positions.
     pub(crate) twice: [f64; HIGHEST],
 }
 
@@ -24,7 +24,7 @@ pub(crate) const INTEGRALS: Weights = {
     integrals
 };
 
-/// Lane `l` of these is one where `l + 1` has the bit 1, 2, 4 or 8.
+/// Row `b` contains 1 in lane `l` if bit `b` of `l + 1` is set.
 const BITS: [[f64; 8]; 4] = [
     [1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0],
     [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0],
@@ -32,7 +32,7 @@ const BITS: [[f64; 8]; 4] = [
     [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
 ];
 
-/// `x` in the lanes of a bit, one in the others.
+/// Returns `x` in the lanes with this bit, and 1 in the others.
 #[inline(always)]
 fn factor<R: Row>(x: R, bit: usize) -> R {
     let lanes = R::load(&BITS[bit]);
@@ -40,7 +40,7 @@ fn factor<R: Row>(x: R, bit: usize) -> R {
 }
 
 impl Weights {
-    /// Those of a step.
+    /// Returns the weights for a step `t`.
     #[inline(always)]
     pub(crate) fn of<R: Row>(t: f64) -> Self {
         let square = t * t;
