@@ -1,8 +1,9 @@
-//! Systems, starts and steps that nobody would choose, made of bytes: for the property test, and for the fuzz target,
-//! which includes this file by its path.
+//! Systems, initial states and steps generated from bytes, for the property test and for the fuzz target, which
+//! includes this file by its path.
 //!
-//! Comes in: bytes, which are read as choices. Goes out: what went wrong, if anything did. Always true: no public
-//! function of the library panics, what it calls a state is finite, and a refused or failed call changes nothing.
+//! Input: bytes, read as choices. Output: a description of the failure, if there is one. Always true: no public
+//! function of the library panics, every state that it returns is finite, and a rejected or failed call changes
+//! nothing.
 
 use integrator_core::{
     Coords,
@@ -10,7 +11,7 @@ use integrator_core::{
     prelude::*,
 };
 
-/// Parameters that are folded into constants, in every place where they can do harm.
+/// Parameters that are folded into constants, in every place where bad values matter.
 #[derive(Clone)]
 struct Pendulum {
     mass: f64,
@@ -43,7 +44,7 @@ impl Kepler {
     }
 }
 
-/// As many sites as the start has, none included.
+/// As many sites as the initial state has, possibly none.
 #[derive(Clone)]
 struct Lattice {
     mass: f64,
@@ -65,7 +66,7 @@ impl Lattice {
     }
 }
 
-/// Points, with a list of masses and a cutoff; integrated by a processed composition.
+/// Points with a list of masses and a cutoff, integrated with a processed composition.
 #[derive(Clone)]
 struct Cluster {
     masses: Vec<f64>,
@@ -95,7 +96,7 @@ impl Cluster {
     }
 }
 
-/// Both parts read the time, and `T` is not quadratic.
+/// Both parts depend on time, and `T` is not quadratic.
 #[derive(Clone)]
 struct Driven {
     frequency: f64,
@@ -111,7 +112,7 @@ impl Driven {
     }
 }
 
-/// Functions whose domains end.
+/// Functions with bounded domains.
 #[derive(Clone)]
 struct Edges {
     power: f64,
@@ -127,18 +128,18 @@ impl Edges {
     }
 }
 
-/// Bytes as choices; behind their end every choice is the first.
+/// Bytes as choices; after the last byte, every choice is the first one.
 struct Choices<'b>(&'b [u8]);
 
 impl Choices<'_> {
-    /// A number below `count`.
+    /// Returns a number below `count`.
     fn below(&mut self, count: usize) -> usize {
         let Some((first, rest)) = self.0.split_first() else { return 0 };
         self.0 = rest;
         usize::from(*first) % count
     }
 
-    /// Mostly a number that a person would write, at times one that arithmetic is afraid of, at times any at all.
+    /// Returns mostly an ordinary number, sometimes an extreme one, sometimes one with random bits.
     fn number(&mut self) -> f64 {
         const TERRIBLE: [f64; 16] = [
             0.0,
@@ -173,7 +174,7 @@ impl Choices<'_> {
         if self.below(4) == 0 { self.number() } else { (self.below(64) as f64 - 16.0) / 256.0 }
     }
 
-    /// Few steps, some blocks of steps, or more than can be counted.
+    /// Returns few steps, slightly more than a block of steps, or more than a run can count.
     fn steps(&mut self) -> u64 {
         match self.below(16) {
             0 => 1024 + self.below(256) as u64,
@@ -183,8 +184,8 @@ impl Choices<'_> {
     }
 }
 
-/// What is done with a start in `f64`, or in the other leaf that a system is tried with. What leaves do differently they do
-/// for every system: two systems meet each of them, and one of these with other members.
+/// Tests an initial state in `f64` or in the other scalar type of the system. Differences between scalar types do not
+/// depend on the system: each scalar type is used by two systems, and by one of them in ensembles with other members.
 macro_rules! with_leaves {
     ($choices:expr, $system:expr, $q:expr, $p:expr, $other:ident $(, $swarm:ident)?) => {{
         let (system, q, p) = ($system, $q, $p);
@@ -201,7 +202,7 @@ macro_rules! with_leaves {
     }};
 }
 
-/// An ensemble whose members are the same.
+/// Tests an ensemble of equal members.
 macro_rules! together {
     ($choices:expr, $system:expr, $start:expr, $h:expr) => {{
         let members: Vec<_> = (0..$choices.below(10)).map(|_| ($system.clone(), $start.clone())).collect();
@@ -229,7 +230,7 @@ macro_rules! reversible {
     }};
 }
 
-/// What went wrong with the input that the bytes describe.
+/// Tests the input that the bytes describe, and returns the failure if there is one.
 pub(crate) fn outcome(bytes: &[u8]) -> Result<(), String> {
     let choices = &mut Choices(bytes);
     match choices.below(6) {
@@ -267,21 +268,21 @@ pub(crate) fn outcome(bytes: &[u8]) -> Result<(), String> {
     }
 }
 
-/// Positions and momenta of a size known at run time, at times of two sizes.
+/// Returns positions and momenta with a size known at run time; the two sizes sometimes differ.
 fn lists<T>(choices: &mut Choices<'_>, element: impl Fn(&mut Choices<'_>) -> T) -> (Vec<T>, Vec<T>) {
     let positions = choices.below(6);
     let momenta = if choices.below(8) == 0 { choices.below(6) } else { positions };
     ((0..positions).map(|_| element(choices)).collect(), (0..momenta).map(|_| element(choices)).collect())
 }
 
-/// Whether every number of a state is finite, read off its text, which all shapes and leaves have.
+/// Checks that all numbers of a state are finite, from its debug output, which all shapes and scalar types have.
 fn finite<C: Coords>(state: &Phase<C>) -> Result<(), String> {
     let text = format!("{state:?}");
     let wrong = ["NaN", "inf"].iter().any(|word| text.contains(word));
     if wrong { Err(format!("a state that is not finite: {text}")) } else { Ok(()) }
 }
 
-/// One run under calls in any order.
+/// Tests one run with a random sequence of calls.
 fn alone<H, C>(choices: &mut Choices<'_>, system: &H, start: Phase<C>, h: f64) -> Result<(), String>
 where
     H: Hamiltonian,
@@ -316,7 +317,7 @@ where
             }
             2 => {
                 let within = choices.below(64) as u64;
-                // Whatever the function says: noise, zeros, what is not finite.
+                // The function returns arbitrary values: noise, zeros, and values that are not finite.
                 let crossings = run.clone().crossings(within, Direction::Either, |_, _| choices.number());
                 for crossing in crossings.take(3).flatten() {
                     finite(&crossing.state)?;
@@ -339,7 +340,7 @@ where
     Ok(())
 }
 
-/// One of the checks, whose results may be anything here.
+/// Runs one of the checks; its result may be anything here.
 fn checked<H: Hamiltonian>(choices: &mut Choices<'_>, system: &H, start: Phase<H::Coords>) {
     let h = choices.step();
     match choices.below(64) {
@@ -368,7 +369,7 @@ fn checked<H: Hamiltonian>(choices: &mut Choices<'_>, system: &H, start: Phase<H
     }
 }
 
-/// An ensemble, if there is one.
+/// Tests an ensemble, if it could be created.
 fn together<C: Coords>(choices: &mut Choices<'_>, ensemble: Result<Ensemble<C>, Error>) -> Result<(), String> {
     let Ok(mut ensemble) = ensemble else { return Ok(()) };
     for _ in 0..choices.below(3) {

@@ -1,4 +1,4 @@
-//! A body about a centre, by Taylor's method, in equal steps and at a pace of its own.
+//! A body orbiting a centre, for Taylor's method, with equal steps and with a rate of its own.
 
 use integrator_core::prelude::*;
 

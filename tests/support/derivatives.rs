@@ -1,13 +1,13 @@
-//! What has to hold of deviation vectors, whatever the system, the method and the layout are.
+//! Tests of deviation vectors for any system, method and layout.
 
 use integrator_core::{Coords, Differentiable, prelude::*};
 
-/// The numbers of a point, positions first.
+/// Returns the numbers of a point, positions first.
 pub(crate) fn numbers<C: Coords<Leaf = f64>>(point: &Phase<C>) -> Vec<f64> {
     point.q.flat().iter().chain(point.p.flat()).copied().collect()
 }
 
-/// A point whose numbers are functions of their place.
+/// Returns a point with numbers computed from index and old value.
 pub(crate) fn point<C: Coords<Leaf = f64>>(like: &Phase<C>, number: impl Fn(usize, f64) -> f64) -> Phase<C> {
     let mut point = like.clone();
     let leaves = point.q.flat_mut().iter_mut().chain(point.p.flat_mut());
@@ -15,14 +15,14 @@ pub(crate) fn point<C: Coords<Leaf = f64>>(like: &Phase<C>, number: impl Fn(usiz
     point
 }
 
-/// As many directions as asked for, none of them along a coordinate.
+/// Returns `count` directions, none of them along a coordinate.
 pub(crate) fn directions<C: Coords<Leaf = f64>>(like: &Phase<C>, count: usize) -> Vec<Phase<C>> {
     let angle = |vector: usize, place: usize| (1.0 + 1.7 * vector as f64 + 0.9 * place as f64).sin();
     (0..count).map(|vector| point(like, |place, _| angle(vector, place))).collect()
 }
 
-/// What has to hold of every system and method: the state has the bits of the run alone, a vector those that it has
-/// alone, in any portions, and is the limit of differences.
+/// Tests a system with a method. The state is bitwise identical to that of the run alone. Each vector is bitwise
+/// identical to that vector alone, however the steps are divided into calls, and agrees with finite differences.
 pub(crate) fn holds<H, X, C>(name: &str, system: &H, method: X, start: Phase<C>, h: f64)
 where
     H: Hamiltonian<Coords = C>,
@@ -45,9 +45,9 @@ where
         alone.advance(12).expect("finite states");
         assert_eq!(alone.vectors()[0], arrived[number], "{name}: vector {number} alone");
 
-        // Differences of fourth order; the width of the coarser ones is twice that of the others, so that their errors
-        // are sixteen times as large, and what both differ by bounds the smaller one. A rounding of the ends, of which
-        // there are a few hundred, is divided by the width.
+        // Fourth-order differences. The coarser ones have twice the width and sixteen times the error, so the
+        // difference of both bounds the error of the finer ones. Rounding errors of the final states, of which there
+        // are a few hundred, are divided by the width.
         let along = |width: f64| {
             let at = |s: f64| {
                 let vector = numbers(vector);

@@ -1,4 +1,4 @@
-//! Figures in pages agree with the tables of the benches: those in `docs/contributing/performance-notes.md` and in
+//! Compares figures in pages with the tables of the benches, which are in `docs/contributing/performance-notes.md` and
 //! `benches/results`.
 
 use super::text;
@@ -27,18 +27,18 @@ impl Quoted {
         text.split_whitespace().filter_map(Self::of).collect()
     }
 
-    /// Whether the number rounds to this one. Numbers in tables are rounded themselves, hence the small excess.
+    /// Returns whether the number rounds to this one. The small excess accounts for the rounding of numbers in tables.
     fn is(&self, number: f64) -> bool {
         (self.value - number).abs() <= 1.02 * self.half
     }
 }
 
-/// A digit without its superscript form.
+/// Returns a digit without its superscript form.
 fn plain(letter: char) -> char {
     "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip('0'..='9').find(|(raised, _)| *raised == letter).map_or(letter, |(_, digit)| digit)
 }
 
-/// The text after the first cells of a row.
+/// Returns the text after the first cells of a row.
 fn rest_of<'p>(page: &'p str, row: &str) -> &'p str {
     page.lines().find_map(|line| line.strip_prefix(row)).unwrap_or_else(|| panic!("no row {row:?}"))
 }
@@ -55,7 +55,7 @@ fn compare(page: &str, row: &str, expected: &[f64]) {
     assert!(agree, "{row}: {quoted:?} for {expected:?}");
 }
 
-/// Compares the cells of a row; cells without a number are empty, or a dash.
+/// Compares the cells of a row; a cell without a number is empty or a dash.
 fn compare_cells(page: &str, row: &str, expected: &[Option<f64>]) {
     let rest = rest_of(page, &format!("| {row} |"));
     let cells: Vec<_> = rest.trim_end_matches('|').split('|').map(|cell| Quoted::all(cell).pop()).collect();
@@ -67,7 +67,7 @@ fn compare_cells(page: &str, row: &str, expected: &[Option<f64>]) {
     assert!(agree, "{row}: {cells:?} for {expected:?}");
 }
 
-/// The text from a heading to the next one.
+/// Returns the text from a heading to the next one.
 fn section<'p>(page: &'p str, heading: &str) -> &'p str {
     let (_, rest) = page.split_once(&format!("\n## {heading}\n")).unwrap_or_else(|| panic!("no section {heading:?}"));
     rest.split("\n## ").next().unwrap_or(rest)
@@ -84,14 +84,14 @@ impl Stored {
         Self(rows.collect())
     }
 
-    /// The cells of the column `column` in the rows that begin with `keys`.
+    /// Returns the cells of the column `column` in the rows that begin with `keys`.
     fn cells(&self, keys: &[&str], column: &str) -> Vec<Option<f64>> {
         let place = self.0[0].iter().position(|name| name == column).unwrap_or_else(|| panic!("no column {column:?}"));
         let rows = self.0[1..].iter().filter(|row| row.iter().zip(keys).all(|(cell, key)| cell == key));
         rows.map(|row| row[place].parse().ok()).collect()
     }
 
-    /// The number in the only row that begins with `keys`.
+    /// Returns the number in the only row that begins with `keys`.
     fn at(&self, keys: &[&str], column: &str) -> Option<f64> {
         let cells = self.cells(keys, column);
         assert_eq!(cells.len(), 1, "rows {keys:?}");
@@ -103,7 +103,7 @@ impl Stored {
     }
 }
 
-/// The README and the page for users quote the tables in the notes for contributors.
+/// The README and the user page quote the tables in the notes for contributors.
 #[test]
 fn figures_are_those_of_the_benches() {
     let notes = text("docs/contributing/performance-notes.md");
@@ -113,7 +113,7 @@ fn figures_are_those_of_the_benches() {
         let row = measured(scene, composition);
         vec![row[0], row[row.len() - 2], row[row.len() - 1]]
     };
-    // The rate, that over the rate of hand-written code, and the gain from a second thread.
+    // The rate, its ratio to the hand-written code, and the speedup with a second thread.
     let rate = |scene: &str, unit: &str| {
         let row = measured(scene, unit);
         vec![row[0], row[row.len() - 2], row[row.len() - 1]]
@@ -283,7 +283,7 @@ fn figures_of_other_libraries_are_stored() {
         let ends = [numbers(2).fold(f64::INFINITY, f64::min), numbers(3).fold(0.0, f64::max)];
         compare(page, name, &ends);
     }
-    // Sentences.
+    // Numbers in the running text.
     let joined = |page: &str| text(page).split_whitespace().collect::<Vec<_>>().join(" ");
     let says = |page: &str, sentence: &str| assert!(joined(page).contains(sentence), "{page}: {sentence}");
     for column in ["by hand", ours] {
@@ -320,7 +320,7 @@ fn figures_of_devices_are_stored() {
 fn figures_of_time_transformations_are_stored() {
     let (page, pace) = (text("docs/performance.md"), Stored::of("pace"));
     let page = section(&page, "Time transformations");
-    // The least time of all methods of a kind.
+    // Least time of all methods of a kind.
     let kind = |method: &str| {
         ["Logarithmic", "Paced", "Taylor"].into_iter().find(|kind| method.starts_with(kind)).unwrap_or("fixed steps")
     };

@@ -1,24 +1,23 @@
-//! What holds on the best instruction set of this machine holds on all others that it has, where `TEST_EVERY_ISA` asks for
-//! them, as `.ci/run` does.
+//! Runs the tests on the other instruction sets of this machine if `TEST_EVERY_ISA` is set, as `.ci/run` does.
 
 use integrator_core::InstructionSet;
 use std::{env, process::Command};
 
-/// What tells a process which instruction set to use.
+/// Variable that selects the instruction set of a process.
 const VARIABLE: &str = "INTEGRATOR_ISA";
 
-/// What asks for the others.
+/// Variable that requests the other instruction sets.
 const EVERY: &str = "TEST_EVERY_ISA";
 
-/// Parts of the names of tests that are not run again: certificates and orders are measured in plain `f64` but for a few
-/// runs, whatever the set, and threads share work that is not theirs to change.
+/// Parts of the names of tests that run once. Certificates and orders are measured in plain `f64` on any set, except
+/// for a few runs, and threads do not change the results of the work that they share.
 const ONCE: [&str; 4] = ["certified", "order", "symplectic", "threads"];
 
-/// Runs the other tests again, in a process for each instruction set that this one does not use.
+/// Runs the other tests again, in a process for each instruction set that this process does not use.
 #[test]
 fn all_tests_pass_on_other_instruction_sets() {
     if env::var_os(VARIABLE).is_some() || env::var_os(EVERY).is_none() {
-        // This is such a process, or somebody chose the instruction set; or one set is enough.
+        // This is such a process, or the user selected the instruction set, or no other sets are requested.
         return;
     }
     for set in InstructionSet::available().iter().filter(|set| **set != InstructionSet::chosen()) {

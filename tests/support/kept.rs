@@ -1,8 +1,8 @@
-//! Stored text that a test makes anew: included by its path.
+//! Stored text that a test generates again; included by its path.
 
 use std::{env, fs, path::Path};
 
-/// Compares a text with that of a file, or writes the file where `.ci/bless` runs the test.
+/// Compares a text with the content of a file, or writes the file if `.ci/bless` runs the test.
 pub(crate) fn assert_kept(file: &Path, text: &str) {
     if env::var_os("BLESS").is_some() {
         return fs::write(file, text).expect("a file to write");

@@ -1,6 +1,6 @@
-//! The slope of an error over the step, both in logarithms.
+//! The slope of an error against the step on logarithmic scales.
 
-/// The least-squares slope of `ln error` over `ln step`.
+/// Returns the least-squares slope of `ln error` against `ln step`.
 pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
     let points: Vec<(f64, f64)> = points.iter().map(|(step, error)| (step.ln(), error.ln())).collect();
     let count = points.len() as f64;
@@ -14,6 +14,6 @@ pub(crate) fn slope(points: &[(f64, f64)]) -> f64 {
 #[test]
 fn the_slope_of_a_power_is_its_exponent() {
     let points: Vec<_> = [0.1_f64, 0.05, 0.02, 0.01].map(|step| (step, 7.0 * step.powi(3))).to_vec();
-    // Logarithms of order one, differences of order 0.1: a hundred roundings are a generous bound.
+    // Logarithms are of order 1 and differences of order 0.1, so a hundred rounding errors are a generous bound.
     assert!((slope(&points) - 3.0).abs() < 100.0 * f64::EPSILON);
 }

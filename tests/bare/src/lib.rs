@@ -1,4 +1,4 @@
-//! What a program without an operating system does with the library: `cargo build -p integrator-bare --target
+//! Uses the library in a program without an operating system: `cargo build -p integrator-bare --target
 //! thumbv7em-none-eabihf`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -9,9 +9,9 @@ use alloc::{vec, vec::Vec};
 #[allow(unused_imports, reason = "where others in the workspace ask for `std`, methods of `f64` are its own")]
 use integrator_core::prelude::*;
 
-/// Elementary functions of parameters and of coordinates, which `core` does not know.
+/// Elementary functions of parameters and of coordinates, which `core` does not provide.
 pub struct Pendulum {
-    /// From the pivot to the bob.
+    /// Distance from the pivot to the bob.
     pub length: f64,
 }
 
@@ -25,7 +25,7 @@ impl Pendulum {
     }
 }
 
-/// A state whose size is known at run time.
+/// A state with a size known at run time.
 pub struct Chain;
 
 #[hamiltonian]
@@ -42,10 +42,10 @@ impl Chain {
     }
 }
 
-/// A pendulum after so many steps, resumed from a checkpoint half way.
+/// Returns the state of a pendulum after `steps` steps, resumed from a checkpoint half way.
 ///
 /// # Errors
-/// Where the library finds one.
+/// If the library returns one.
 pub fn swing(steps: u64) -> Result<[f64; 2], Error> {
     let pendulum = Pendulum { length: 0.5 };
     let mut run = pendulum.run(Phase::compensated([1.0], [0.0]), 0.01)?;
@@ -59,10 +59,10 @@ pub fn swing(steps: u64) -> Result<[f64; 2], Error> {
     Ok([q.value, p.value])
 }
 
-/// By how much the energy of a chain of so many sites changes over so many steps.
+/// Returns the energy change of a chain of `sites` sites over `steps` steps.
 ///
 /// # Errors
-/// Where the library finds one.
+/// If the library returns one.
 pub fn drift(sites: usize, steps: u64) -> Result<f64, Error> {
     let q: Vec<f64> = (0..sites).map(|site| (site as f64).sin()).collect();
     let samples = Chain.run(Phase::new(q, vec![0.0; sites]), 0.01)?.samples(steps);
@@ -78,9 +78,9 @@ mod tests {
     fn systems_move_without_std_as_they_do_with_it() {
         let [q, p] = swing(1_000).expect("a pendulum");
         let energy = p * p / (2.0 * 0.25) - 9.81 * 0.5 * q.cos();
-        // The step is a 140th of the period; Yoshida4 errs by (2π/140)^4 times the energy then, and some.
+        // The step is 1/140 of the period, so the relative energy error of Yoshida4 is of the order (2π/140)^4.
         assert!((energy + 9.81 * 0.5 * 1.0_f64.cos()).abs() < 1e-4, "{q} {p}: {energy}");
-        // 6e4 sites take the way through tiles; the energy is about as many, and Verlet errs by (h/2)² of it.
+        // With 6e4 sites the run uses tiles. The energy is of this size, and the relative error of Verlet is (h/2)².
         assert!(drift(60_000, 100).expect("a chain").abs() < 60_000.0 * 2.5e-5);
     }
 }

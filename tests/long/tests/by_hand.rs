@@ -1,7 +1,8 @@
-//! The hand-written steppers do what they are measured against: the same steps, up to rounding.
+//! Hand-written steppers and generated code give the same steps, up to rounding.
 //!
-//! Hand-written steppers and generated code round differently by a unit in the last place per operation, and over a few
-//! dozen steps an orbit takes such a difference up at most some hundredfold: 1e-12 of the largest coordinate is far
+//! They round differently by one unit in the last place per operation, and over a few dozen steps an orbit amplifies
+//! such a difference by a factor of some hundreds at most. A tolerance of 1e-12 of the largest coordinate is far above
+//! that, and far below the effect of a wrong term.
 //! above that, and far below a wrong term.
 
 #[cfg(target_arch = "x86_64")]
@@ -140,13 +141,13 @@ fn swarms_agree_with_single_trajectories() {
         for member in [0, 77, 255] {
             let alone = points::scalar(point, members[member], &plan, STEPS);
             agree(&format!("{point:?}"), &alone, &swarm.member(member), 1e-12);
-            // Forty steps in singles: a few dozen roundings of 6e-8.
+            // Forty steps in `f32`: a few dozen rounding errors of 6e-8.
             agree(&format!("{point:?} in f32"), &alone, &singles.member(member), 1e-5);
         }
     }
 }
 
-/// Sites enough for several tiles, and for a last one that is not full.
+/// Enough sites for several tiles, with a last tile that is not full.
 const SITES: usize = 2600;
 
 #[track_caller]
@@ -222,7 +223,7 @@ fn compare_bodies(what: &str, ours: &Phase<Vec<[f64; 3]>>, bodies: &mut Bodies, 
     agree(what, ours.p.flat(), &column(1), 1e-12);
 }
 
-/// Where the machine has AVX-512; the order of atoms is another one, so that what all of them do together is compared.
+/// On machines with AVX-512. The order of atoms differs, so the test compares a sum over all atoms.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn a_liquid_has_the_same_momenta() {
@@ -230,7 +231,7 @@ fn a_liquid_has_the_same_momenta() {
     if let Some(mut by_hand) = Liquid::new(&start.q, &start.p, system.side, ArgonInBox::CUTOFF) {
         by_hand.advance(STEPS, 0.004);
         let ours: f64 = end(&system, &start, Verlet, 0.004).p.iter().flatten().map(|p| p * p).sum();
-        // Twice what a coordinate may differ by, and the roundings of a sum of so many.
+        // Twice the tolerance of a coordinate, plus the rounding of a sum over all atoms.
         assert!((by_hand.squares() / ours - 1.0).abs() < 1e-11, "{} and {ours}", by_hand.squares());
     }
 }

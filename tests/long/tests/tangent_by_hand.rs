@@ -1,7 +1,7 @@
-//! Hand-written tangents do what they are measured against: the same steps and the same derivatives, up to rounding.
+//! Hand-written and generated tangents give the same steps and the same derivatives, up to rounding.
 //!
-//! Tolerances as in `by_hand.rs`, and for vectors a hundred times as much: they are products of derivatives that are
-//! sums of a few terms each.
+//! Tolerances are those of `by_hand.rs`, and a hundred times as much for vectors: they are products of derivatives,
+//! which are sums of a few terms each.
 
 use integrator_bench::{
     by_hand::{oscillators, tangent},
@@ -12,7 +12,7 @@ use integrator_core::{Coords, Memoryless, prelude::*};
 
 const STEPS: u64 = 40;
 
-/// A vector that has a part along every coordinate of the start.
+/// Returns a vector with a component along every coordinate of the initial state.
 fn vector<C: Coords<Leaf = f64>>(start: &Phase<C>) -> Phase<C> {
     let mut vector = start.clone();
     for half in [vector.q.flat_mut(), vector.p.flat_mut()] {

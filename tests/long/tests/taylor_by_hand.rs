@@ -1,9 +1,9 @@
-//! Taylor integrators by hand arrive where references in 113-bit arithmetic do.
+//! Hand-written Taylor integrators agree with references in 113-bit arithmetic.
 //!
-//! Each polynomial adds the share of its tolerance to the state. If all errors had one sign, they would add up over the
-//! polynomials, and a phase that is off by a share of the energy goes on to grow for the rest of the angle that is
-//! passed: the bounds are the tolerance times the number of polynomials times that angle, where motions are periodic. A
-//! wrong term would be off by far more.
+//! Each polynomial has a relative error of the tolerance. If all errors had the same sign, they would add up over the
+//! polynomials. A relative energy error also makes the phase error grow over the remaining angle. The bounds are
+//! therefore the tolerance times the number of polynomials times the angle, for periodic motion. A wrong term would
+//! give a far larger error.
 
 use integrator_bench::{
     Instructions,
@@ -14,7 +14,7 @@ use integrator_core::{Coords, Hamiltonian, Phase};
 
 const TOLERANCE: f64 = 1e-15;
 
-/// The hand-written steppers that follow `problem`, of each order, through so many radians.
+/// Tests the hand-written steppers of all orders on `problem`, a motion over `radians` radians.
 #[track_caller]
 fn arrives<H: Hamiltonian>(
     problem: &Problem<H>,
@@ -47,7 +47,7 @@ fn arrives<H: Hamiltonian>(
 fn one_point_arrives() {
     let problems = Problems::default();
     let pendulum = problems.pendulum();
-    // Small swings, which are the fastest, and the revolutions of stars and planets take 2π.
+    // Small oscillations, which are the fastest, and revolutions of the star and the planet take 2π.
     arrives(&pendulum, pendulum.span, |course, see| taylor::pendulum(&pendulum.system, &pendulum.start, course, see));
     let henon = problems.henon_heiles();
     arrives(&henon, henon.span, |course, see| taylor::henon_heiles(&henon.start, course, see));
@@ -66,7 +66,7 @@ fn planets_arrive() {
 #[test]
 fn waves_arrive() {
     let chain = Problems::default().chain();
-    // The lowest wave of the chain, of the frequency 2 sin(π/66).
+    // The lowest mode of the chain has the frequency 2 sin(π/66).
     let radians = chain.span * 2.0 * (std::f64::consts::PI / 66.0).sin();
     arrives(&chain, radians, |course, see| taylor::chain(&chain.system, &chain.start, course, see));
 }

@@ -1,4 +1,4 @@
-//! Beams, and other motion whose kinetic energy is not a square of momenta.
+//! Beams, and other systems with a kinetic energy that is not quadratic in the momenta.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// A focusing channel with sextupoles and octupoles, along which the beam's path is the time.
+/// A focusing channel with sextupoles and octupoles; the path length along the beam is the time.
 pub(crate) struct FocusingChannel {
     quadrupole: f64,
     sextupole: f64,
@@ -83,7 +83,7 @@ impl Member for Bucket {
     }
 }
 
-/// The exact drift of a beam: the momentum along the path is what the transverse ones leave.
+/// The exact drift of a beam: the longitudinal momentum follows from the transverse ones.
 pub(crate) struct ExactDrift {
     deviation: f64,
     focusing: f64,
@@ -150,7 +150,7 @@ impl Member for Relativistic {
     }
 }
 
-/// Electrons of graphene in a harmonic trap: their energy is proportional to the momentum.
+/// Electrons of graphene in a harmonic trap: the energy is proportional to the momentum.
 pub(crate) struct Massless {
     speed: f64,
     stiffness: f64,
@@ -217,7 +217,7 @@ impl Member for Bloch {
     }
 }
 
-/// Two rotors whose momenta are coupled by the mass matrix, and a quartic correction of the kinetic energy.
+/// Two rotors with momenta coupled by the mass matrix, and a quartic correction of the kinetic energy.
 pub(crate) struct CoupledRotors {
     coupling: f64,
     quartic: f64,

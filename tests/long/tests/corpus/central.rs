@@ -1,4 +1,4 @@
-//! One particle and a centre, or two.
+//! One particle with one centre or two.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Two bodies (Kepler), with a mass that is not one.
+/// Two bodies (Kepler), with a mass other than one.
 pub(crate) struct Kepler {
     mass: f64,
     mu: f64,
@@ -14,11 +14,11 @@ pub(crate) struct Kepler {
 
 #[hamiltonian(compose = V(1/2) T(1) V(1/2))]
 impl Kepler {
-    /// The energy of motion.
+    /// Kinetic energy.
     pub(crate) fn kinetic(&self, p: &[f64; 2]) -> f64 {
         (p[0] * p[0] + p[1] * p[1]) / (2.0 * self.mass)
     }
-    /// The energy of position.
+    /// Potential energy.
     pub(crate) fn potential(&self, q: &[f64; 2]) -> f64 {
         -self.mu / (q[0].powi(2) + q[1] * q[1]).sqrt()
     }
@@ -41,7 +41,7 @@ impl Member for Kepler {
     }
 }
 
-/// An electron in a semiconductor whose mass depends on the direction: chaotic (Gutzwiller 1973).
+/// An electron in a semiconductor with an anisotropic mass: chaotic (Gutzwiller 1973).
 pub(crate) struct AnisotropicKepler {
     heavy: f64,
     light: f64,
@@ -74,7 +74,7 @@ impl Member for AnisotropicKepler {
     }
 }
 
-/// Two quarks: a Coulomb force near, a constant one far (Eichten and others 1978).
+/// Two quarks: a Coulomb force at short distances, a constant one at large distances (Eichten and others 1978).
 pub(crate) struct Quarkonium {
     coulomb: f64,
     tension: f64,
@@ -112,7 +112,7 @@ impl Member for Quarkonium {
     }
 }
 
-/// A molecule that vibrates and turns (Kratzer 1920), with a centrifugal power that is a parameter.
+/// A vibrating and rotating molecule (Kratzer 1920); the centrifugal power is a parameter.
 pub(crate) struct Kratzer {
     depth: f64,
     length: f64,
@@ -186,7 +186,7 @@ impl Member for FixedCentres {
     }
 }
 
-/// A weight on a spring that swings: the direction of gravity is a choice.
+/// A swinging weight on a spring; a flag selects the direction of gravity.
 pub(crate) struct SpringPendulum {
     stiffness: f64,
     length: f64,
@@ -224,7 +224,7 @@ impl Member for SpringPendulum {
     }
 }
 
-/// A particle in a box with soft walls, a step inside, and two sharp slopes: every way to branch.
+/// A particle in a box with soft walls, a step inside, and two sharp slopes: all forms of branches.
 pub(crate) struct SoftBox {
     half: f64,
     hardness: f64,
@@ -237,8 +237,8 @@ impl SoftBox {
         0.5 * p.iter().map(|p| p * p).sum::<f64>()
     }
     fn potential(&self, [x, y]: [f64; 2]) -> f64 {
-        // The nearest image in a box of 16, in the spellings that there are: the particle stays within half of it,
-        // where they all leave it where it is.
+        // The nearest image in a box of 16, in all supported notations. The particle stays within half the box, where
+        // none of them changes its coordinates.
         let x = x - 16.0 * (x / 16.0).round();
         let x = x - 16.0 * (x / 16.0 + 0.5).floor();
         let y = y - 16.0 * (y / 16.0 - 0.5).ceil();

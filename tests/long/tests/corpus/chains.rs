@@ -132,7 +132,7 @@ impl Member for Toda<5> {
     }
 }
 
-/// Atoms on a corrugated surface, joined by springs of another natural length (Frenkel and Kontorova 1938).
+/// Atoms on a corrugated surface, joined by springs with a different natural length (Frenkel and Kontorova 1938).
 pub(crate) struct FrenkelKontorova {
     stiffness: f64,
     depth: f64,
@@ -177,7 +177,7 @@ impl Member for FrenkelKontorova {
     }
 }
 
-/// Base pairs of DNA that open: Morse potentials of different depths, stacked nonlinearly (Dauxois, Peyrard, Bishop
+/// Opening base pairs of DNA: Morse potentials of different depths with nonlinear stacking (Dauxois, Peyrard, Bishop
 /// 1993).
 pub(crate) struct PeyrardBishop {
     depth: Vec<f64>,
@@ -185,7 +185,7 @@ pub(crate) struct PeyrardBishop {
     stacking: Stacking,
 }
 
-/// How neighbouring base pairs hold each other.
+/// Stacking interaction of neighbouring base pairs.
 struct Stacking {
     stiffness: f64,
     gain: f64,
@@ -237,7 +237,7 @@ impl Member for PeyrardBishop {
     }
 }
 
-/// Light and heavy masses in turn, on springs with both anharmonic terms.
+/// Alternating light and heavy masses on springs with both anharmonic terms.
 pub(crate) struct Diatomic {
     masses: (f64, f64),
     alpha: f64,
@@ -280,7 +280,7 @@ impl Member for Diatomic {
     }
 }
 
-/// Beads that touch and let go: the contact law of Hertz acts where they overlap (Nesterenko 1983).
+/// Beads with contact and separation: the Hertz contact law acts where they overlap (Nesterenko 1983).
 pub(crate) struct HertzBeads {
     diameter: f64,
     hardness: f64,

@@ -1,4 +1,4 @@
-//! Clusters of atoms whose forces end at a distance.
+//! Clusters of atoms with forces up to a cutoff.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Argon: the potential of Lennard-Jones, cut off.
+/// Argon: the Lennard-Jones potential with a cutoff.
 pub(crate) struct LennardJones {
     mass: f64,
     sigma: f64,
@@ -58,7 +58,7 @@ impl Member for LennardJones {
     }
 }
 
-/// Sodium: the potential of Morse in the plane; pairs beyond the cutoff are skipped.
+/// Sodium: the Morse potential in the plane; pairs beyond the cutoff are skipped.
 pub(crate) struct Morse {
     depth: f64,
     width: f64,
@@ -115,7 +115,7 @@ impl Member for Morse {
     }
 }
 
-/// Colloids that repel through a screened charge; energy and force are shifted to end at the cutoff.
+/// Colloids with a screened Coulomb repulsion; energy and force are shifted to vanish at the cutoff.
 pub(crate) struct Colloids {
     strength: f64,
     screening: f64,
@@ -184,8 +184,8 @@ impl Member for Colloids {
     }
 }
 
-/// Silicon in a nutshell: bonds, and angles between them, in degrees, that want to be tetrahedral (after Stillinger and
-/// Weber 1985).
+/// A simple model of silicon: bonds, and angles in degrees with a tetrahedral equilibrium (after Stillinger and Weber
+/// 1985).
 pub(crate) struct BondAngles {
     stiffness: f64,
     bending: f64,

@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// The oblate or prolate logarithmic potential with a core, in which rotation curves are flat.
+/// The oblate or prolate logarithmic potential with a core, which gives flat rotation curves.
 pub(crate) struct Logarithmic {
     speed: f64,
     core: f64,
@@ -181,7 +181,7 @@ impl Member for NavarroFrenkWhite {
     }
 }
 
-/// The potential in which all orbits have simple periods (Hénon 1959).
+/// The potential in which the radial period depends on energy alone (Hénon 1959).
 pub(crate) struct Isochrone {
     strength: f64,
     scale: f64,
@@ -216,7 +216,7 @@ impl Member for Isochrone {
     }
 }
 
-/// A disk, a bulge and a bar that turns: helper methods that return tuples, and an angle.
+/// A disk, a bulge and a rotating bar: helper methods that return tuples, and an angle.
 pub(crate) struct RotatingBar {
     disk: f64,
     bulge: f64,

@@ -48,7 +48,7 @@ impl Member for PhiFour {
     }
 }
 
-/// Planar spins on a square lattice with periodic edges, by index arithmetic.
+/// Planar spins on a square lattice with periodic boundaries, by index arithmetic.
 pub(crate) struct PlanarSpins {
     width: u32,
     height: usize,
@@ -98,7 +98,7 @@ impl Member for PlanarSpins {
     }
 }
 
-/// Oscillators on a graph, joined by a list of bonds with a stiffness each.
+/// Oscillators on a graph, joined by a list of bonds with individual stiffnesses.
 pub(crate) struct Network {
     bonds: Vec<(usize, usize)>,
     stiffness: Vec<f64>,
@@ -151,7 +151,7 @@ impl Member for Network {
     }
 }
 
-/// A membrane: points in space, each held by the neighbours in a table.
+/// A membrane: points in space, attached to the neighbours in a table.
 pub(crate) struct Membrane<'n, const N: usize> {
     neighbours: &'n [[usize; 2]; N],
     length: f64,
@@ -207,7 +207,7 @@ impl Member for Membrane<'static, 4> {
     }
 }
 
-/// Where the stiffness of a chain comes from.
+/// Source of a chain's stiffness.
 pub(crate) trait Law: Sync + 'static {
     fn stiffness(&self) -> f64;
 }
@@ -218,7 +218,7 @@ impl Law for f64 {
     }
 }
 
-/// A chain of any length with strong and weak bonds in turn (Su, Schrieffer and Heeger 1979), and a few heavy ends.
+/// A chain of any length with alternating strong and weak bonds (Su, Schrieffer and Heeger 1979), and a few heavy ends.
 pub(crate) struct Dimers<L> {
     law: L,
     weak: f64,

@@ -1,8 +1,8 @@
-//! Hamiltonians from the literature, as their users would write them, and what the generated steppers make of them.
+//! Hamiltonians from the literature, as users would write them, and tests of the code generated for them.
 //!
-//! Every gradient is derived three times: by the macro, by dual numbers through the formula written a second time, and
-//! by `reference.py` with fifty digits. These formulas and the reference were written from the formulas, not from each
-//! other. All of it holds on every instruction set; [`instruction_sets`] starts a process for each of the others.
+//! Every gradient is computed three times: by the macro, by dual numbers applied to a second version of the formula,
+//! and by `reference.py` with fifty digits. The second version and the reference were written independently. All tests
+//! run on every instruction set: [`instruction_sets`] starts a process for each of the others.
 
 mod accelerator;
 mod central;
@@ -25,11 +25,11 @@ mod wells;
 
 use integrator_core::prelude::{Chin4A, Verlet, Yoshida4};
 
-/// One test per system; its name is that of the system in the reference.
+/// One test per system, named like the system in the reference.
 ///
-/// Behind a system stands the method that it is certified with. For a quadratic `T` this is mostly `Chin4A`, which has
-/// the order 4 only if the generated second derivatives are right. Of the systems below the line, each has the layout
-/// and the kind of function of some system above it: the feature `long` asks for them.
+/// The method after a system is the one that `certify` is tested with. For a quadratic `T` this is mostly `Chin4A`,
+/// which has order 4 only if the generated second derivatives are right. Systems below the line repeat a layout and a
+/// kind of function from above it; they need the feature `long`.
 macro_rules! corpus {
     ($($name:ident: $system:ty, $method:ident;)* --- $($more:ident: $more_system:ty, $more_method:ident;)*) => {
         $(#[test]
@@ -58,7 +58,7 @@ corpus! {
     henon_heiles: henon_heiles::HenonHeiles, Yoshida4;
     fput_alpha: chains::FputAlpha, Chin4A;
     toda: chains::Toda<5>, Yoshida4;
-    // The third derivative of the contact law is infinite where beads part.
+    // The third derivative of the contact law is infinite where beads separate.
     hertz_beads: chains::HertzBeads, Verlet;
     mean_field: rotors::MeanField, Yoshida4;
     free_top: rotors::FreeTop, Yoshida4;
@@ -72,7 +72,7 @@ corpus! {
     coulomb_crystal: many_body::CoulombCrystal, Chin4A;
     sheets: many_body::Sheets, Yoshida4;
     kepler: central::Kepler, Chin4A;
-    // Slopes of the force jump at the walls.
+    // The slope of the force jumps at the walls.
     soft_box: central::SoftBox, Verlet;
     duffing: wells::Duffing, Yoshida4;
     // The second derivative of the spline jumps between cells.
@@ -97,7 +97,7 @@ corpus! {
     phi_four: lattices::PhiFour, Chin4A;
     dimers: lattices::Dimers<f64>, Chin4A;
     morse: clusters::Morse, Chin4A;
-    // Slopes of the force jump at the cutoff.
+    // The slope of the force jumps at the cutoff.
     colloids: clusters::Colloids, Verlet;
     calogero_moser: many_body::CalogeroMoser, Chin4A;
     sutherland: many_body::Sutherland<4>, Chin4A;

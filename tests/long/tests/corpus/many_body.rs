@@ -1,4 +1,4 @@
-//! Bodies that all feel each other.
+//! Systems with interactions between all bodies.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Stars with masses of their own; close ones are softened.
+/// Stars with individual masses; close encounters are softened.
 pub(crate) struct Gravity {
     masses: [f64; 4],
     constant: f64,
@@ -58,8 +58,8 @@ impl Member for Gravity {
     }
 }
 
-/// Three equal bodies, written out by their coordinates (the start is near the figure eight of Chenciner and
-/// Montgomery).
+/// Three equal bodies, with coordinates written out. The initial state is near the figure eight of Chenciner and
+/// Montgomery.
 pub(crate) struct ThreeBodies;
 
 #[hamiltonian]
@@ -92,7 +92,7 @@ impl Member for ThreeBodies {
     }
 }
 
-/// Ions in a trap that is not round (James 1998).
+/// Ions in an anisotropic trap (James 1998).
 pub(crate) struct CoulombCrystal {
     stiffness: [f64; 3],
 }
@@ -137,7 +137,7 @@ impl Member for CoulombCrystal {
     }
 }
 
-/// Particles on a line with inverse squares between them, integrable (Calogero 1971, Moser 1975).
+/// Particles on a line with inverse-square interaction, integrable (Calogero 1971, Moser 1975).
 pub(crate) struct CalogeroMoser {
     coupling: f64,
     frequency: f64,

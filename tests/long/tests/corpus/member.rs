@@ -1,31 +1,31 @@
-//! What a system of the corpus has beside its Hamiltonian.
+//! The trait of a system in the corpus.
 
 use integrator_core::{Coords, prelude::*};
 use num_dual::DualNum;
 
 /// A system of the corpus.
 pub(crate) trait Member: Hamiltonian<Coords: Filled> {
-    /// A step at which the motion from the first point of the reference is resolved.
+    /// A step that resolves the motion from the first point of the reference.
     const STEP: f64;
-    /// Why every certificate is refused, where the potential is not smooth enough for any order.
+    /// Why every certification fails, if the potential is not smooth enough for any order.
     const ROUGH: Option<&'static str> = None;
 
-    /// The system with the parameters of the reference.
+    /// Returns the system with the parameters of the reference.
     fn example() -> Self;
-    /// `T` and `V` by the user's own functions.
+    /// Returns `T` and `V` from the user's own functions.
     fn energies(&self, at: &Phase<Self::Coords>, time: f64) -> [f64; 2];
-    /// `T` once more, for dual numbers; coordinates are flat.
+    /// Computes `T` by a second formula, for dual numbers and flat coordinates.
     fn kinetic_formula<D: Number>(&self, p: &[D], time: f64) -> D;
-    /// `V` once more, for dual numbers; coordinates are flat.
+    /// Computes `V` by a second formula, for dual numbers and flat coordinates.
     fn potential_formula<D: Number>(&self, q: &[D], time: f64) -> D;
 }
 
-/// What formulas are computed in.
+/// Number type of the formulas.
 pub(crate) trait Number: DualNum<Primitive = f64> + Copy {}
 
 impl<D: DualNum<Primitive = f64> + Copy> Number for D {}
 
-/// Coordinates that can be made of flat numbers.
+/// Coordinates that can be created from flat numbers.
 pub(crate) trait Filled: Coords<Leaf = f64> {
     fn filled(numbers: &[f64]) -> Self;
 }
@@ -54,14 +54,14 @@ impl<const D: usize> Filled for Vec<[f64; D]> {
     }
 }
 
-/// Flat coordinates as points.
+/// Groups flat coordinates into points.
 pub(crate) fn points<T: Copy, const D: usize>(numbers: &[T]) -> Vec<[T; D]> {
     let (points, rest) = numbers.as_chunks();
     assert!(rest.is_empty(), "whole points");
     points.to_vec()
 }
 
-/// The squares of the distances of all pairs of points.
+/// Returns the squared distances of all pairs of points.
 pub(crate) fn pairs<T: Number, const D: usize>(numbers: &[T]) -> Vec<T> {
     let q = points::<T, D>(numbers);
     let indices = (0..q.len()).flat_map(|i| (0..i).map(move |j| (i, j)));

@@ -1,18 +1,18 @@
-//! What `reference.py` found with fifty digits.
+//! Results of `reference.py` with fifty digits.
 
 use serde_json::{Map, Value};
 use std::sync::LazyLock;
 
-/// A number of the reference, and the scale of the error that its evaluation may have.
+/// A number of the reference, and the scale of its evaluation error.
 #[derive(Debug)]
 pub(crate) struct Exact {
     /// The number, rounded to `f64`.
     pub(crate) value: f64,
-    /// The number with every sum replaced by one of absolute terms, each times what its evaluation amplifies.
+    /// The number with every sum replaced by a sum of absolute terms, each times the amplification of rounding errors.
     pub(crate) scale: f64,
 }
 
-/// A point and what belongs to it. Its coordinates and its time have few binary digits, so they are exact.
+/// A point and its energies and gradients. Coordinates and time have few binary digits, so they are exact.
 pub(crate) struct Point {
     pub(crate) q: Vec<f64>,
     pub(crate) p: Vec<f64>,
@@ -23,13 +23,13 @@ pub(crate) struct Point {
     pub(crate) potential_gradient: Vec<Exact>,
 }
 
-/// The points of a system.
+/// Returns the points of a system.
 pub(crate) fn points(system: &str) -> Vec<Point> {
     let points = SYSTEMS[system].as_array().expect("a list of points");
     points.iter().map(Point::of).collect()
 }
 
-/// The systems, in alphabetical order.
+/// Returns the names of the systems, in alphabetical order.
 pub(crate) fn names() -> Vec<&'static str> {
     SYSTEMS.keys().map(String::as_str).collect()
 }
@@ -62,7 +62,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// A number whose digits are more than an `f64` holds, and so stand in a string. Parsing rounds to the nearest `f64`.
+/// Parses a number with more digits than an `f64`, which is stored as a string, and rounds it to the nearest `f64`.
 fn digits(value: &Value) -> f64 {
     value.as_str().and_then(|digits| digits.parse().ok()).expect("decimal digits")
 }

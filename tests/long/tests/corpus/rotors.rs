@@ -1,4 +1,4 @@
-//! Angles that turn each other.
+//! Coupled angles.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Every rotor feels the mean of all: two accumulators at once, and a square of sums (Antoni and Ruffo 1995).
+/// Rotors coupled to their mean field: two accumulators, and a square of sums (Antoni and Ruffo 1995).
 pub(crate) struct MeanField {
     coupling: f64,
 }
@@ -51,7 +51,7 @@ impl Member for MeanField {
     }
 }
 
-/// Rotors whose coupling falls off with a power of their distance along the chain (Anteneodo and Tsallis 1998).
+/// Rotors with a coupling that falls off with a power of their distance along the chain (Anteneodo and Tsallis 1998).
 pub(crate) struct LongRange {
     decay: f64,
 }
@@ -132,7 +132,7 @@ impl Member for SineGordon {
     }
 }
 
-/// A chain of pendula that swing through large angles: `T` couples the momenta, as the chain is driven through gears.
+/// A chain of pendulums with large amplitudes; `T` couples the momenta, as gears do.
 pub(crate) struct GearedPendula {
     inertia: f64,
     gearing: f64,
@@ -173,7 +173,7 @@ impl Member for GearedPendula {
     }
 }
 
-/// A top without weight, whose axes are coupled: nothing ever kicks it.
+/// A free top with coupled axes: there is no potential.
 pub(crate) struct FreeTop {
     inertia: f64,
 }

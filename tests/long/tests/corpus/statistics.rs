@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// How many weights a regression has.
+/// Number of weights of a regression.
 const WEIGHTS: usize = 3;
 
 /// Logistic regression with a normal prior.
@@ -57,7 +57,7 @@ impl Member for Logistic {
     }
 }
 
-/// Counts whose rate is the exponential of a line (Poisson regression).
+/// Counts with a rate that is the exponential of a line (Poisson regression).
 pub(crate) struct Poisson {
     x: Vec<f64>,
     counts: Vec<usize>,
@@ -133,7 +133,7 @@ impl Member for Funnel {
     }
 }
 
-/// A banana: the valley of Rosenbrock (1960) as a density, over pairs of coordinates.
+/// A banana: the Rosenbrock (1960) valley as a density, over pairs of coordinates.
 pub(crate) struct Rosenbrock {
     steepness: f64,
 }
@@ -173,7 +173,7 @@ impl Member for Rosenbrock {
     }
 }
 
-/// A mixture of two normal densities, its logarithm taken without overflow.
+/// A mixture of two normal densities, with a logarithm that cannot overflow.
 pub(crate) struct Mixture {
     means: [[f64; 2]; 2],
     weight: f64,
@@ -214,8 +214,8 @@ impl Member for Mixture {
     }
 }
 
-/// Schools that coach differently, and what they have in common (Rubin 1981): a hierarchical normal model with the
-/// logarithm of its width as a coordinate.
+/// Eight schools with different coaching effects (Rubin 1981): a hierarchical normal model with the logarithm of its
+/// width as a coordinate.
 pub(crate) struct Schools {
     effects: [f64; 3],
     errors: [f64; 3],
@@ -223,7 +223,7 @@ pub(crate) struct Schools {
 
 #[hamiltonian]
 impl Schools {
-    /// What the common width is measured in.
+    /// Scale of the common width.
     const UNIT: f64 = 5.0;
 
     fn kinetic(&self, p: &[f64; 5]) -> f64 {
@@ -261,7 +261,7 @@ impl Member for Schools {
     }
 }
 
-/// Outliers allowed: a location with errors that follow Student's distribution.
+/// A robust location: errors follow Student's distribution.
 pub(crate) struct Student {
     data: Vec<f64>,
     freedom: f64,
@@ -302,7 +302,7 @@ impl Member for Student {
     }
 }
 
-/// Heavy tails whose product is taken before its logarithm, and an exponent that is a coordinate.
+/// Heavy tails multiplied before the logarithm, and an exponent that is a coordinate.
 pub(crate) struct HeavyTails {
     scale: f64,
 }

@@ -1,4 +1,4 @@
-//! A potential that is known at a few distances: the derivative of the spline between them is stated, not derived.
+//! A potential tabulated at a few distances, with a user-provided derivative of the spline between them.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// A bond whose energies and forces were computed elsewhere, with cubic Hermite polynomials in between.
+/// A bond with tabulated energies and forces, and cubic Hermite polynomials in between.
 #[derive(Clone)]
 pub(crate) struct Tabulated {
     cell: f64,
@@ -36,7 +36,7 @@ impl Tabulated {
         let (s, [a, u, b, v]) = self.around(x);
         ((b - a) * (6.0 - 12.0 * s) + u * (6.0 * s - 4.0) + v * (6.0 * s - 2.0)) / self.cell.powi(2)
     }
-    /// How far into its cell a position is, and the values and slopes (per cell) at both ends of the cell.
+    /// Returns the relative position within a cell, and the values and slopes (per cell) at both ends of the cell.
     fn around(&self, x: f64) -> (f64, [f64; 4]) {
         let cells = x / self.cell;
         let left = (cells as usize).min(2);

@@ -1,4 +1,4 @@
-//! Systems that somebody shakes: the time is an argument of `V`, of `T`, or of both.
+//! Driven systems: the time is an argument of `V`, of `T`, or of both.
 
 use crate::{
     chains::half_squares,
@@ -43,7 +43,7 @@ impl Member for PaulTrap {
     }
 }
 
-/// A pendulum that is pushed periodically.
+/// A periodically driven pendulum.
 pub(crate) struct DrivenPendulum {
     amplitude: f64,
     frequency: f64,
@@ -76,7 +76,7 @@ impl Member for DrivenPendulum {
     }
 }
 
-/// A pendulum whose pivot vibrates, so that it may stand upside down (Kapitza 1951).
+/// A pendulum with a vibrating pivot, which stabilises the upright position (Kapitza 1951).
 pub(crate) struct Kapitza {
     gravity: f64,
     shake: f64,
@@ -112,7 +112,7 @@ impl Member for Kapitza {
     }
 }
 
-/// A particle between two waves of different speed (Escande and Doveil 1981).
+/// A particle in two waves of different speed (Escande and Doveil 1981).
 pub(crate) struct TwoWaves {
     standing: f64,
     running: f64,
@@ -145,7 +145,7 @@ impl Member for TwoWaves {
     }
 }
 
-/// Friction as a mass that grows: both parts read the time (Caldirola 1941, Kanai 1948).
+/// Friction as a growing mass: both parts depend on time (Caldirola 1941, Kanai 1948).
 pub(crate) struct GrowingMass {
     rate: f64,
     stiffness: f64,
@@ -180,13 +180,13 @@ impl Member for GrowingMass {
     }
 }
 
-/// Which ion a trap holds.
+/// The ion in a trap.
 enum Species {
     Light,
     Heavy,
 }
 
-/// An ion in a lattice of light that is ramped up, then stands still.
+/// An ion in an optical lattice that is ramped up and then constant.
 pub(crate) struct RampedLattice {
     species: Species,
     charge: i32,
@@ -214,7 +214,7 @@ impl RampedLattice {
         }
         strength * self.depth * (PI * *x).sin().powi(2) + f64::from(self.charge) * slope * x
     }
-    /// Any Rust at all, since no coordinate comes in.
+    /// Any Rust code is allowed, because no coordinate enters.
     fn field(&self) -> f64 {
         let candidates = [0.1, 0.2];
         candidates.into_iter().fold(0.0, f64::max)

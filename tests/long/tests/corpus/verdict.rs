@@ -1,4 +1,4 @@
-//! How a system of the corpus is judged.
+//! Tests of a system in the corpus.
 
 use crate::{
     member::{Filled, Member},
@@ -12,11 +12,11 @@ use integrator_core::{
 };
 use num_dual::Dual64;
 
-/// By how many units in the last place of its scale a number may be off: half a unit for each of sixteen operations on
-/// the longest path from the coordinates to it, the elementary functions' own roundings and the reference's included.
+/// Tolerance in units in the last place of the scale: half a unit for each of sixteen operations on the longest path
+/// from the coordinates, including the rounding of elementary functions and of the reference.
 const ULPS: f64 = 8.0;
 
-/// Holds everything that is generated for a system against the reference, the formula and the user's own functions.
+/// Compares all generated code of a system with the reference, the formula and the user's own functions.
 pub(crate) fn judge<S: Member>(name: &str) {
     let system = S::example();
     let points = reference::points(name);
@@ -25,12 +25,12 @@ pub(crate) fn judge<S: Member>(name: &str) {
         gradients_agree(name, &system, point);
         energies_agree(name, &system, point);
         let deviation = gradient_error::<S, f64>(&system, phase::<S>(point), point.time);
-        // Units of the rounding of the coordinates; the same operations as above, once as code and once in duals.
+        // In units of the rounding of the coordinates: the operations above, once as code and once in dual numbers.
         assert!(deviation.as_ref().is_ok_and(|error| *error <= 32.0 * f64::EPSILON), "{name}: {deviation:?}");
     }
 }
 
-/// A smooth system is certified, a rough one is not.
+/// Certification succeeds for a smooth system and fails for a rough one.
 pub(crate) fn certified<S: Member, X: Composition<S>>(name: &str, method: X) {
     let start = phase::<S>(&reference::points(name)[0]);
     match (certify::<S, X, f64>(&S::example(), method, start, S::STEP), S::ROUGH) {
@@ -44,7 +44,7 @@ fn phase<S: Member>(point: &Point) -> Phase<S::Coords> {
     Phase::new(S::Coords::filled(&point.q), S::Coords::filled(&point.p))
 }
 
-/// The generated gradients and those of the formula are those of the reference.
+/// Compares the generated gradients and those of the formula with the reference.
 fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     let (kinetic, potential) = generated(system, point);
     let by_momenta = formula(&point.p, |p| system.kinetic_formula(p, point.time));
@@ -61,8 +61,8 @@ fn gradients_agree<S: Member>(name: &str, system: &S, point: &Point) {
     all_close("dual dV/dq", &by_positions, &point.potential_gradient);
 }
 
-/// The gradients of `T` and `V` as a step has them: a drift of unit duration adds `dT/dp` to positions, and from zero
-/// without rounding; a kick takes `dV/dq` from momenta. (There may be no energy at the origin.)
+/// Returns the gradients of `T` and `V` as used in a step. A drift of unit duration from zero adds `dT/dp` to positions
+/// without rounding; a kick subtracts `dV/dq` from momenta. (The energy may be undefined at the origin.)
 fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
     let zeros = vec![0.0; point.q.len()];
     let flown = |q: &[f64], p: &[f64], flow: fn(&mut S::Motion<f64, f64>, f64, f64)| {
@@ -78,13 +78,13 @@ fn generated<S: Member>(system: &S, point: &Point) -> (Vec<f64>, Vec<f64>) {
     (drifted.q.flat().to_vec(), kicked.p.flat().iter().map(|p| -p).collect())
 }
 
-/// A system at a point, as runs hold it.
+/// Returns a system at a point, in the representation of runs.
 fn motion<S: Member>(system: &S, at: &Phase<S::Coords>) -> S::Motion<f64, f64> {
     let parameters = system.parameters(at.q.flat().len());
     S::Motion::<f64, f64>::load(&[&parameters], &[at])
 }
 
-/// A gradient by dual numbers, one seed after the other.
+/// Returns a gradient by dual numbers, one component at a time.
 fn formula(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
     let seeded = |seed: usize| {
         let numbers: Vec<Dual64> =
@@ -94,7 +94,7 @@ fn formula(at: &[f64], energy: impl Fn(&[Dual64]) -> Dual64) -> Vec<f64> {
     (0..at.len()).map(seeded).collect()
 }
 
-/// The user's functions, the generated energy and the formula give the energy of the reference.
+/// Compares the energies of the user's functions, the generated code and the formula with the reference.
 fn energies_agree<S: Member>(name: &str, system: &S, point: &Point) {
     let at = phase::<S>(point);
     let [kinetic, potential] = system.energies(&at, point.time);

@@ -1,4 +1,4 @@
-//! Single degrees of freedom in wells of every shape.
+//! Systems with one degree of freedom, in wells of different shapes.
 
 use crate::{
     chains::half_squares,
@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::prelude::*;
 
-/// Declares the parts of a member that all wells share: a momentum with the mass in `T`, and a formula of `V` alone.
+/// Defines the common parts of the wells: a momentum with the mass in `T`, and a formula of `V` alone.
 macro_rules! well {
     ($well:ident { $($parameter:ident: $value:expr),* }, step $step:expr, |$own:ident, $x:ident| $formula:expr) => {
         impl Member for $well {
@@ -29,7 +29,7 @@ macro_rules! well {
     };
 }
 
-/// The mass of everything in this file.
+/// The mass of all particles in this file.
 const MASS: f64 = 1.25;
 
 /// A double well (Duffing 1918).
@@ -53,7 +53,7 @@ well!(Duffing { linear: 0.9, cubic: 1.3 }, step 0.05, |own, x| {
     x.powi(4) * (own.cubic / 4.0) - x.powi(2) * (own.linear / 2.0)
 });
 
-/// A molecular bond that breaks (Morse 1929).
+/// A molecular bond that can break (Morse 1929).
 pub(crate) struct MorseBond {
     depth: f64,
     width: f64,
@@ -74,7 +74,7 @@ well!(MorseBond { depth: 1.1, width: 0.9 }, step 0.05, |own, x| {
     decayed * decayed * own.depth
 });
 
-/// A well with a shoulder of hyperbolic functions (Rosen and Morse 1932), whose well is Pöschl and Teller's.
+/// A well with a shoulder, of hyperbolic functions (Rosen and Morse 1932); the well is that of Pöschl and Teller.
 pub(crate) struct RosenMorse {
     depth: f64,
     tilt: f64,
@@ -199,7 +199,7 @@ well!(AndreevContact { gap: 1.6, transparency: 0.85, current: 0.1 }, step 0.05, 
     -(sine * sine * -own.transparency + 1.0).sqrt() * own.gap - x * own.current
 });
 
-/// The slow ones: potentials that grow like logarithms, roots and inverse functions, in one sum.
+/// Slowly growing potentials: a sum of logarithms, roots and inverse functions.
 pub(crate) struct Slow {
     scales: [f64; 6],
     degrees: f64,
@@ -227,7 +227,7 @@ well!(Slow { scales: [0.2, 0.7, 0.5, 0.3, 0.4, 0.1], degrees: 20.0 }, step 0.05,
     grown + bent + square.cbrt() * root + x.asinh() * x * area + x.exp2() / 16.0
 });
 
-/// The fast ones: `asin` and `acosh` where they are smooth.
+/// Rapidly growing functions: `asin` and `acosh` where they are smooth.
 pub(crate) struct Elliptic {
     strength: f64,
     tilt: f64,

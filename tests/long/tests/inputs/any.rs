@@ -1,4 +1,4 @@
-//! Whatever it is given, no public function panics.
+//! No public function panics, whatever its input.
 
 #[path = "../../../support/any_input.rs"]
 mod any_input;
@@ -7,8 +7,8 @@ use any_input::outcome;
 use proptest::{prelude::*, test_runner::RngSeed};
 use std::env;
 
-/// So many cases, or as many as the variable `PROPTEST_CASES` says. They are the same every time: a build does not fail for
-/// what it did not change. New cases are for the fuzz target.
+/// Sets the number of cases to `count`, or to the variable `PROPTEST_CASES`. The cases are always the same, so a build
+/// fails only because of its own changes. The fuzz target tries new cases.
 fn cases(count: u32) -> ProptestConfig {
     let default = ProptestConfig::default();
     let cases = if env::var_os("PROPTEST_CASES").is_some() { default.cases } else { count };

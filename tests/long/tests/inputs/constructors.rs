@@ -1,4 +1,4 @@
-//! Every public constructor refuses all bad input, and each names the same reason.
+//! Every public constructor rejects all bad input, with the same reason.
 
 use integrator_core::{
     CheckpointError, NotFinite,
@@ -10,8 +10,8 @@ use integrator_core::{
     taylor::Taylor,
 };
 
-/// A chain as long as its start, with a mass for every site, and an end whose energy has no value beyond 30 though no force
-/// tells.
+/// A chain with the length of its initial state, with individual masses. The energy of its end is undefined beyond 30,
+/// but all forces are finite.
 #[derive(Clone)]
 struct Chain {
     mass: Vec<f64>,
@@ -40,7 +40,7 @@ impl Chain {
     }
 }
 
-/// All that a run is made of.
+/// All inputs of a run.
 #[derive(Clone)]
 struct Input {
     chain: Chain,
@@ -55,7 +55,7 @@ fn good() -> Input {
     Input { chain, q: vec![0.0, 1.5, 2.0], p: vec![0.0, 0.3, 0.1], h: 0.01, grid: 1.0 / (1_u64 << 40) as f64 }
 }
 
-/// Why something was refused, as text, because a NaN in a reason is unequal to itself.
+/// Returns the reason of an error as text, because NaN in an error is not equal to itself.
 trait Reason {
     fn reason(&self) -> String;
 }
@@ -63,7 +63,7 @@ trait Reason {
 impl Reason for Error {
     fn reason(&self) -> String {
         match self {
-            // The step is every member's own, and the first one is refused for it.
+            // Every member has its own step, so the first member is reported.
             Error::Member { member: 0, error } if matches!(**error, Error::Step { .. }) => error.reason(),
             Error::Member { member: 1, error } => error.reason(),
             other => format!("{other:?}"),
@@ -98,7 +98,7 @@ impl Reason for CheckpointError {
     }
 }
 
-/// What an entry point lets in: the step, the start, the parameters, or the last alone.
+/// The inputs that an entry point takes: step, initial state and parameters, the latter two, or parameters alone.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Asks {
     Parameters,
@@ -106,7 +106,7 @@ enum Asks {
     Step,
 }
 
-/// What comes of an input at one of the public constructors.
+/// Result of an input at one of the public constructors.
 struct EntryPoint {
     name: &'static str,
     asks: Asks,
@@ -117,18 +117,18 @@ fn outcome<T, E: Reason>(result: Result<T, E>) -> Result<(), String> {
     result.map(drop).map_err(|error| error.reason())
 }
 
-/// An input at every public constructor, from a start with some kind of leaves.
+/// Tests an input at every public constructor, with one scalar type.
 macro_rules! entry_points {
     ($input:expr, $start:expr, $composition:ident) => {{
         let input: &Input = $input;
         let start = $start;
         let (chain, h) = (&input.chain, input.h);
         let from = || start(input);
-        // A second member, so that the refusal has to name it.
+        // The bad member is the second one, so the error has to name it.
         let members = || [(good().chain, start(&good())), (chain.clone(), from())];
         let saved = good().chain.run(start(&good()), 0.01).expect("good").checkpoint();
         let saved_with = good().chain.run_with($composition, start(&good()), 0.01).expect("good").checkpoint();
-        // The interval is refused before anything runs; the run is refused where it is made.
+        // A bad interval is reported before the first step, a bad run when it is created.
         let sampled = chain.run(from(), h).and_then(|run| run.samples(1).next().unwrap_or(Err(Error::SampleInterval)));
         let resumed = same(&from(), Run::resume(chain, &saved));
         let resumed_with = same(&from(), Run::resume_with(chain, $composition, &saved_with));
@@ -145,7 +145,7 @@ macro_rules! entry_points {
     }};
 }
 
-/// An input at every check.
+/// Tests an input at every check.
 fn checks(input: &Input) -> Vec<EntryPoint> {
     let (chain, h) = (&input.chain, input.h);
     [
@@ -164,7 +164,7 @@ fn checks(input: &Input) -> Vec<EntryPoint> {
     .into()
 }
 
-/// An input at the constructors by Taylor's method.
+/// Tests an input at the constructors with Taylor's method.
 fn taylor(input: &Input) -> Vec<EntryPoint> {
     let (chain, h, method) = (&input.chain, input.h, Taylor::tolerance(1e-12));
     let members = [(good().chain, plain(&good())), (chain.clone(), plain(input))];
@@ -176,7 +176,7 @@ fn taylor(input: &Input) -> Vec<EntryPoint> {
     .into()
 }
 
-/// The run, of the coordinates that `start` has.
+/// Returns the run, with the coordinate type of the first argument.
 fn same<C: integrator_core::Coords>(
     _: &Phase<C>,
     run: Result<Run<C>, CheckpointError>,
@@ -201,9 +201,8 @@ fn reversible(input: &Input) -> Phase<Vec<Fixed<f64>>> {
     Phase::reversible(input.q.clone(), input.p.clone(), input.grid)
 }
 
-/// All constructors, by the leaf of the start; with a composition of its own where that is `f64`, so that little is compiled
-/// for the others. `choose`, which begins as the checks do, is compiled for every
-/// composition and has tests of its own.
+/// Tests all constructors, by scalar type. Only `f64` uses another composition than `Verlet`, so that little is compiled
+/// for the other types. `choose` has its own tests: it begins like the checks, but is compiled for every composition.
 fn all(input: &Input) -> [(&'static str, Vec<EntryPoint>); 6] {
     [
         ("f64", entry_points!(input, plain, Chin4A)),
@@ -215,12 +214,12 @@ fn all(input: &Input) -> [(&'static str, Vec<EntryPoint>); 6] {
     ]
 }
 
-/// A way to spoil a good input.
+/// Makes a good input bad.
 type Spoil = fn(&mut Input);
 
 #[test]
 fn every_constructor_names_the_same_reason() {
-    // What a reason has to contain: of parameters, there may be several.
+    // Required text in the error; of several bad parameters, any may be reported.
     let parameter = |formula, indices: &[(&'static str, usize)], value| {
         (Asks::Parameters, format!("{:?}", NotFinite { formula, indices: indices.to_vec(), value }))
     };
@@ -242,7 +241,7 @@ fn every_constructor_names_the_same_reason() {
         (length(2, 3), |input| input.q.truncate(2)),
         (length(3, 0), |input| input.p.clear()),
         (parameter("1 / mass[i]", &[("i", 2)], f64::INFINITY), |input| input.chain.mass[2] = 0.0),
-        // At rest, too: its velocity would be 0/0.
+        // This holds at rest as well: the velocity would be 0/0.
         (parameter("1 / mass[i]", &[("i", 0)], f64::NEG_INFINITY), |input| input.chain.mass[0] = -0.0),
         (parameter("1 / mass[i]", &[("i", 1)], f64::NAN), |input| input.chain.mass[1] = f64::NAN),
         (parameter("stiffness", &[], f64::INFINITY), |input| input.chain.stiffness = f64::INFINITY),

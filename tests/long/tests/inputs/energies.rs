@@ -1,8 +1,8 @@
-//! A motion starts from a state that has an energy, at the time at which its clock starts.
+//! A run starts only if the energy of the initial state is defined at the initial time.
 
 use integrator_core::prelude::*;
 
-/// Has a force at negative positions, and no energy.
+/// A system with a force but no energy at negative positions.
 #[derive(Clone)]
 struct Logarithmic;
 
@@ -16,7 +16,7 @@ impl Logarithmic {
     }
 }
 
-/// Kepler's problem, whose force is no more than a NaN at the centre unless it is softened.
+/// Kepler's problem: without softening, the force at the centre is NaN.
 #[derive(Clone)]
 struct Softened {
     softening: f64,
@@ -32,7 +32,7 @@ impl Softened {
     }
 }
 
-/// A mass that grows from nothing at time 0, in a well.
+/// A particle in a well, with a mass that grows from zero at time 0.
 #[derive(Clone)]
 struct Growing;
 

@@ -1,5 +1,4 @@
-//! Bad input at run time is refused, by a typed error that says what is wrong: on every instruction set that the machine
-//! has.
+//! Bad input at run time gives a typed error that names the problem, on every instruction set of the machine.
 
 mod any;
 mod constructors;

@@ -1,4 +1,4 @@
-//! Parameters of a system that are not finite: refused where they spoil the motion, and there alone.
+//! Parameters that are not finite are rejected if they affect the motion, and accepted otherwise.
 
 use integrator_core::prelude::*;
 
@@ -25,7 +25,7 @@ fn parameters_that_break_the_motion() {
     );
 }
 
-/// What is infinite and does no harm is nobody's mistake.
+/// Infinite parameters that do not affect the motion are accepted.
 #[test]
 fn parameters_that_are_infinite_on_purpose() {
     struct Walled {

@@ -21,7 +21,7 @@ mod reversal;
 
 use limits::Outcome;
 
-/// Starts this program again, for one of the tests.
+/// Returns a function that starts this program again for one of the tests.
 fn again(test: &'static str) -> impl Fn() -> io::Result<Command> {
     move || {
         let mut command = Command::new(env::current_exe()?);
@@ -35,24 +35,24 @@ fn steps_through_the_limit_are_stable_below_and_reported_above() {
     let trials = limits::trials(&[0.1, 0.7, 1.3, 1.9, 2.5], 2_000);
     let wrong: Vec<_> = trials.iter().filter(|trial| trial.is_wrong()).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
-    // Beyond 2, Verlet's tangent map grows by 4 in each step and leaves the finite numbers after 512.
+    // Beyond 2, Verlet's tangent map grows by 4 per step and overflows after 512 steps.
     let verlet = trials.iter().find(|trial| trial.composition == "Verlet" && trial.angle == 2.5);
     assert_eq!(verlet.map(|trial| trial.outcome), Some(Outcome::Reported));
 }
 
-/// In singles, whose rounding shows after a few thousand steps.
+/// In `f32`, where rounding is visible after a few thousand steps.
 #[test]
 fn rounding_walks() {
     let stars = (0..16).map(|member| (HenonHeiles, Phase::new([0.0_f32, 0.1 + 0.005 * member as f32], [0.3, 0.05])));
     let swarm = Ensemble::new(BlanesMoan6, stars, 0.1).expect("members");
     let growth = brouwer::growth(swarm, 1 << 14).expect("finite");
-    // Sixteen walks tell the root of their mean square to a sixth at each look. Over a factor of 2^9 in the number of
-    // steps, that is 0.04 of an exponent; a bias has the exponent 1, what does not grow has 0.
+    // With sixteen walks, the relative error of the root mean square is 1/6 at each sample. Over a factor of 2^9 in the
+    // number of steps, this changes the exponent by 0.04. A bias has the exponent 1; constant errors have 0.
     assert!((growth.exponent - 0.5).abs() < 0.2, "{} {:?}", growth.exponent, growth.looks);
     assert!(growth.bias.abs() < 4.0, "{}", growth.bias);
 }
 
-/// A force too weak by a millionth, so that the energy of the ensemble drains away.
+/// A decreasing force, so that the energy of the ensemble decreases.
 #[test]
 fn a_bias_is_seen() {
     struct Draining;
@@ -79,7 +79,7 @@ fn close_encounters_and_extreme_numbers_are_right() {
 
 #[test]
 fn steps_too_long_for_an_encounter_are_reported() {
-    // The certificate that tells what a step this long does takes seconds: one of each kind.
+    // Certification at such a large step takes seconds, so there is one case of each kind.
     for encounter in encounters::unresolved(4_000, &[1.0 / 1024.0], &[0.01]) {
         assert!(!encounter.is_silently_wrong(), "{encounter}");
     }
@@ -90,7 +90,7 @@ fn symmetric_compositions_return() {
     let returns = reversal::returns(500).expect("finite");
     for found in &returns {
         assert_eq!(found.bits_lost, 0, "{}", found.composition);
-        // The orbit stretches by its time, 50; each of a thousand steps rounds a few dozen times.
+        // The orbit stretches in proportion to its time, 50; each of a thousand steps has a few dozen rounding errors.
         let bound = 50.0 * 1000.0 * 40.0 * f64::EPSILON;
         assert!(found.distance < bound, "{}: {:e}", found.composition, found.distance);
         assert!(found.distance > 0.0, "{}: or the grid would be for nothing", found.composition);
