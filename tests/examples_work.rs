@@ -23,8 +23,8 @@ mod grid;
 mod halley;
 #[path = "../examples/lennard_jones/liquid.rs"]
 mod liquid;
-#[path = "../examples/lennard_jones/looks.rs"]
-mod liquid_looks;
+#[path = "../examples/lennard_jones/observables.rs"]
+mod liquid_observables;
 #[path = "../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
 #[path = "../examples/penning_trap/trap.rs"]
@@ -104,13 +104,13 @@ fn maps_show_where_orbits_are_chaotic() {
 /// What is found is off by as much as its standard error says, and the noise is found as well.
 #[test]
 fn the_length_of_a_pendulum_follows_from_a_noisy_series() {
-    let (hidden, looks, series) = (fit::Unknown::new(1.0, 1.2, 0.5), 100, 40_u64);
+    let (hidden, count, series) = (fit::Unknown::new(1.0, 1.2, 0.5), 100, 40_u64);
     let mut squares = 0.0;
     for seed in 0..series {
         let mut random = fastrand::Rng::with_seed(seed);
         // The sum of twelve numbers between 0 and 1 is nearly normal, with a variance of one.
         let normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
-        let seen = fit::series(hidden, looks, normal).expect("finite states");
+        let seen = fit::series(hidden, count, normal).expect("finite states");
         let found = fit::fit(&seen, fit::Unknown::new(1.02, 1.1, 0.3)).expect("finite states");
         let (length, error) = found.length();
         squares += ((length - 1.0) / error).powi(2);
@@ -144,23 +144,23 @@ fn sections_have_a_border() {
 fn the_energy_of_the_chain_comes_back() {
     let chain = chain::Chain { alpha: chain::ALPHA };
     let found = |run: Run<chain::Sites>, interval: u64| {
-        let (looks, energy_error) = chain::looks::<3>(run, interval, 170.0, |_| true).expect("finite states");
-        let (periods, share) = chain::recurrence(&looks).expect("looks");
-        assert!(looks.iter().all(|(_, shares)| shares.iter().sum::<f64>() < 1.02), "more than all of the energy");
-        (looks, (periods, share), energy_error)
+        let (samples, energy_error) = chain::mode_shares::<3>(run, interval, 170.0, |_| true).expect("finite states");
+        let (periods, share) = chain::recurrence(&samples).expect("samples");
+        assert!(samples.iter().all(|(_, shares)| shares.iter().sum::<f64>() < 1.02), "more than all of the energy");
+        (samples, (periods, share), energy_error)
     };
     let theirs = chain.run_with(VelocityVerlet, chain::start(), chain::THEIR_STEP).expect("a start");
     let (theirs, (periods, share), _) = found(theirs, 32);
     assert!((periods - 157.0).abs() < 1.0 && share > 0.97, "{share} after {periods} periods");
-    let (looks, (periods, share), energy_error) = found(chain.run(chain::start(), 0.5).expect("a start"), 32);
+    let (samples, (periods, share), energy_error) = found(chain.run(chain::start(), 0.5).expect("a start"), 32);
     assert!((periods - 146.4).abs() < 0.5 && share > 0.98, "{share} after {periods} periods");
     assert!(energy_error < 1e-8, "the energy changes by {energy_error:e}");
     let theirs: Vec<_> = theirs.into_iter().map(|(time, [first, ..])| (time, [first])).collect();
-    let picture = chain_picture::picture(&looks, &theirs, (periods, share));
+    let picture = chain_picture::picture(&samples, &theirs, (periods, share));
     let text = drawn("chain", &picture, &["mode 3", "original step", "after 146", "share of the energy"]);
     // Each curve and its place in the legend; dashes are lines of their own.
     assert!(text.matches("<polyline").count() >= 6, "three modes");
-    assert_eq!(chain::recurrence(&looks[..looks.len() / 2]), None, "no energy has come back by then");
+    assert_eq!(chain::recurrence(&samples[..samples.len() / 2]), None, "no energy has come back by then");
 }
 
 #[test]
@@ -179,8 +179,9 @@ fn the_soliton_passes_around_the_ring() {
     // In the middle of the second period, where the ring closes, positions agree as well.
     let [momenta, positions] = distance(768, 1.5 * soliton.period());
     assert!(momenta < 1e-9 && positions < 1e-9, "{momenta:e}, {positions:e}");
-    let looks = [0.0, 0.5, 1.0].map(|periods| (periods * soliton.period(), soliton.state(periods * soliton.period())));
-    let picture = ring_picture::picture(&soliton, &looks, &[(1.0, [coarse, coarse]), (1.5, [momenta, positions])]);
+    let samples =
+        [0.0, 0.5, 1.0].map(|periods| (periods * soliton.period(), soliton.state(periods * soliton.period())));
+    let picture = ring_picture::picture(&soliton, &samples, &[(1.0, [coarse, coarse]), (1.5, [momenta, positions])]);
     let text = drawn("ring", &picture, &["Toda", "site", "after 2 periods", "distance"]);
     assert_eq!(
         text.matches("<circle").count(),
@@ -246,31 +247,31 @@ fn argon_keeps_its_energy_and_its_neighbours() {
         argon.heat_to(94.4).expect("finite states");
         argon.advance(20).expect("finite states");
     }
-    let (energy, mut looks, mut squares) = (argon.energy(), Vec::new(), Vec::new());
-    let mut distances = liquid_looks::Distances::new(&argon.argon, 18.0, 80);
-    for look in 1..=10 {
+    let (energy, mut samples, mut squares) = (argon.energy(), Vec::new(), Vec::new());
+    let mut distances = liquid_observables::Distances::new(&argon.argon, 18.0, 80);
+    for sample in 1..=10 {
         argon.advance(20).expect("finite states");
         let state = argon.state();
-        distances.look(&state);
+        distances.add(&state);
         // Verlet's error is a few 1e-4 of the depth of the well, 120 K, for the smooth energy that this is.
-        let (change, square) = (argon.energy() - energy, liquid_looks::mean_square(&start, &state));
+        let (change, square) = (argon.energy() - energy, liquid_observables::mean_square(&start, &state));
         assert!(change.abs() < 0.12, "the energy per atom changes by {change:e} K");
-        let time = 20.0 * liquid::STEP * f64::from(look);
+        let time = 20.0 * liquid::STEP * f64::from(sample);
         squares.push((time, square));
-        looks.push(liquid_picture::Look { time, square, change, temperature: argon.temperature() });
+        samples.push(liquid_picture::Measurement { time, square, change, temperature: argon.temperature() });
     }
-    let temperature = looks.iter().map(|look| look.temperature).sum::<f64>() / 10.0;
+    let temperature = samples.iter().map(|sample| sample.temperature).sum::<f64>() / 10.0;
     // Fluctuations of 108 atoms: √(2/3N) of it, less what the potential takes, and some more while it settles.
     assert!((72.0..118.0).contains(&temperature), "{temperature}");
     let distribution = distances.distribution();
-    let (place, height) = liquid_looks::peak(&distribution).expect("distances");
+    let (place, height) = liquid_observables::peak(&distribution).expect("distances");
     assert!((3.5..3.9).contains(&place) && (2.3..3.6).contains(&height), "{height} at {place}");
-    let diffusion = liquid_looks::diffusion(&squares);
+    let diffusion = liquid_observables::diffusion(&squares);
     // A third of Rahman's 0.243 Å²/ps to three times it: there are few atoms and little time.
     assert!((0.08..0.73).contains(&diffusion), "{diffusion}");
     let momentum: f64 = argon.state().p.iter().flatten().sum();
     assert!(momentum.abs() < 1e-9, "{momentum:e}");
-    let picture = liquid_picture::picture(&distribution, (place, height), diffusion, &looks);
+    let picture = liquid_picture::picture(&distribution, (place, height), diffusion, &samples);
     drawn(
         "liquid",
         &picture,
@@ -282,7 +283,7 @@ fn argon_keeps_its_energy_and_its_neighbours() {
 #[test]
 fn diffusion_is_a_sixth_of_a_slope() {
     let squares: Vec<_> = (0..9).map(|i| (f64::from(i), 0.7 + 6.0 * 0.25 * f64::from(i))).collect();
-    assert!((liquid_looks::diffusion(&squares) - 0.25).abs() < 1e-14);
+    assert!((liquid_observables::diffusion(&squares) - 0.25).abs() < 1e-14);
 }
 
 /// A pair across the border of the box feels its nearest image; force and energy end at the cutoff without a jump.
@@ -381,12 +382,12 @@ fn a_trojan_goes_to_and_fro_in_147_years() {
     let years = asteroid::YEAR / asteroid::slow_frequency();
     assert!((years - 147.4).abs() < 0.1, "{years}");
     let run = asteroid::Asteroid.run(asteroid::start(0.1), 0.1).expect("a start");
-    let looks = run.samples(10).take(1600).map(|sample| asteroid::ahead(sample.expect("finite states").state.q));
-    let looks: Vec<f64> = looks.collect();
-    let mean = looks.iter().sum::<f64>() / looks.len() as f64;
-    assert!(looks.iter().all(|look| look.abs() < 0.11), "it stays near the corner");
-    let looks: Vec<f64> = looks.into_iter().map(|look| look - mean).collect();
-    let found = asteroid::strongest(&looks, 1.0, asteroid::slow_frequency());
+    let angles = run.samples(10).take(1600).map(|sample| asteroid::ahead(sample.expect("finite states").state.q));
+    let angles: Vec<f64> = angles.collect();
+    let mean = angles.iter().sum::<f64>() / angles.len() as f64;
+    assert!(angles.iter().all(|angle| angle.abs() < 0.11), "it stays near the corner");
+    let angles: Vec<f64> = angles.into_iter().map(|angle| angle - mean).collect();
+    let found = asteroid::strongest(&angles, 1.0, asteroid::slow_frequency());
     // A window over twenty periods tells frequencies apart to a small part of one in twenty.
     assert!((found / asteroid::slow_frequency() - 1.0).abs() < 1e-3, "{found}");
 }

@@ -22,7 +22,7 @@ const BORDER: usize = 200_000;
 const INSIDE: usize = 800_000;
 const STEP: f64 = 0.125;
 /// Output times, and the index of the last output whose border is resolved well enough to measure the area.
-const LOOKS: [f64; 6] = [0.0, 2.0, 4.0, 8.0, 16.0, 64.0];
+const OUTPUT_TIMES: [f64; 6] = [0.0, 2.0, 4.0, 8.0, 16.0, 64.0];
 const AREA_AT: usize = 3;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -31,9 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut charts = Vec::new();
     let (mut states, mut area_error) = (starts.clone(), None);
     let members = starts.len() as u64;
-    let watch = Watch::new((LOOKS[LOOKS.len() - 1] / STEP) as u64 * members, "steps");
+    let watch = Watch::new((OUTPUT_TIMES[OUTPUT_TIMES.len() - 1] / STEP) as u64 * members, "steps");
     let clock = Instant::now();
-    for (look, time) in LOOKS.into_iter().enumerate() {
+    for (output, time) in OUTPUT_TIMES.into_iter().enumerate() {
         let mut wanted = true;
         while wanted && swarm.time() < time {
             swarm.advance(8)?;
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         states = swarm.states().collect();
         charts.push(chart(swarm.time(), &starts, &states));
-        if look == AREA_AT && wanted {
+        if output == AREA_AT && wanted {
             area_error = Some(area(&states[..BORDER]) / area(&starts[..BORDER]) - 1.0);
         }
         if !wanted {
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let energy_error = starts.iter().zip(&states).map(change).fold(0.0, f64::max);
     let file = folder().join("ensemble_separatrix");
     let measured =
-        area_error.map(|error| format!("relative change of the area at t = {}: {error:.0e}", LOOKS[AREA_AT]));
+        area_error.map(|error| format!("relative change of the area at t = {}: {error:.0e}", OUTPUT_TIMES[AREA_AT]));
     write(&file, &picture(charts, &measured.unwrap_or_default()))?;
     println!("the picture is {}", file.with_extension("png").display());
     if let Some(error) = area_error {

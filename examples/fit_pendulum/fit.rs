@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 const GRAVITY: f64 = 9.81;
 /// Steps between observations, which are a tenth of a second apart.
-const LOOK: u64 = 2;
+const INTERVAL: u64 = 2;
 const STEP: f64 = 0.05;
 /// Maximum number of iterations.
 const MOST: usize = 50;
@@ -32,9 +32,9 @@ impl Pendulum {
 pub(crate) type Unknown = Vector3<f64>;
 
 /// Returns observed angles with normally distributed errors of standard deviation [`NOISE`].
-pub(crate) fn series(truth: Unknown, looks: usize, mut normal: impl FnMut() -> f64) -> Result<Vec<f64>, Error> {
+pub(crate) fn series(truth: Unknown, count: usize, mut normal: impl FnMut() -> f64) -> Result<Vec<f64>, Error> {
     let run = Pendulum { length: truth[0] }.run_with(BlanesMoanSrkn11, start(truth), STEP)?;
-    run.samples(LOOK).take(looks).map(|sample| Ok(sample?.state.q[0] + NOISE * normal())).collect()
+    run.samples(INTERVAL).take(count).map(|sample| Ok(sample?.state.q[0] + NOISE * normal())).collect()
 }
 
 fn start(unknown: Unknown) -> Phase<[f64; 1]> {
@@ -104,7 +104,7 @@ fn equations(series: &[f64], unknown: Unknown) -> Result<Equations, Error> {
         normal += slopes * slopes.transpose();
         right += slopes * off;
         squares += off * off;
-        tangent.advance(LOOK)?;
+        tangent.advance(INTERVAL)?;
     }
     Ok(Equations { normal, right, residual: (squares / series.len() as f64).sqrt() })
 }

@@ -68,33 +68,33 @@ pub(crate) fn mode_energies<const MODES: usize>(state: &Phase<Sites>) -> [f64; M
 }
 
 /// A sample: the time in periods of the lowest mode, and the share of each mode in the energy.
-pub(crate) type Look<const MODES: usize> = (f64, [f64; MODES]);
+pub(crate) type ModeShares<const MODES: usize> = (f64, [f64; MODES]);
 
 /// Samples a run until `go_on` returns false. Returns the samples and the largest energy change.
-pub(crate) fn looks<const MODES: usize>(
+pub(crate) fn mode_shares<const MODES: usize>(
     run: Run<Sites>,
     interval: u64,
     periods: f64,
     mut go_on: impl FnMut(f64) -> bool,
-) -> Result<(Vec<Look<MODES>>, f64), Error> {
-    let (whole, mut looks, mut energy_error) = (run.energy(), Vec::new(), 0.0_f64);
+) -> Result<(Vec<ModeShares<MODES>>, f64), Error> {
+    let (whole, mut samples, mut energy_error) = (run.energy(), Vec::new(), 0.0_f64);
     for sample in run.samples(interval) {
         let sample = sample?;
         let time = sample.time / period();
-        looks.push((time, mode_energies(&sample.state).map(|energy| energy / whole)));
+        samples.push((time, mode_energies(&sample.state).map(|energy| energy / whole)));
         energy_error = energy_error.max((sample.energy() / whole - 1.0).abs());
         if time >= periods || !go_on(time) {
             break;
         }
     }
-    Ok((looks, energy_error))
+    Ok((samples, energy_error))
 }
 
 /// Returns the time and the share of the recurrence: the largest share of the lowest mode after its minimum. `None` if the
 /// share still grows at the last sample.
-pub(crate) fn recurrence<const MODES: usize>(looks: &[Look<MODES>]) -> Option<(f64, f64)> {
-    let first = || looks.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
+pub(crate) fn recurrence<const MODES: usize>(samples: &[ModeShares<MODES>]) -> Option<(f64, f64)> {
+    let first = || samples.iter().map(|(time, shares)| (*time, shares[0])).enumerate();
     let (least, _) = first().min_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
-    let (most, look) = first().skip(least).max_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
-    (most + 1 < looks.len()).then_some(look)
+    let (most, highest) = first().skip(least).max_by(|a, b| a.1.1.total_cmp(&b.1.1))?;
+    (most + 1 < samples.len()).then_some(highest)
 }

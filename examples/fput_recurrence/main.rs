@@ -12,7 +12,7 @@ mod picture;
 #[path = "../support/mod.rs"]
 mod support;
 
-use chain::{ALPHA, Chain, THEIR_STEP, looks, recurrence, start};
+use chain::{ALPHA, Chain, THEIR_STEP, mode_shares, recurrence, start};
 use integrator_core::prelude::*;
 use integrator_plot::write;
 use picture::picture;
@@ -26,9 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let chain = Chain { alpha: ALPHA };
     let watch = Watch::new(2 * PERIODS as u64, "periods");
     let exact = chain.run(start(), 0.5)?;
-    let (exact, energy_error) = looks::<MODES>(exact, 16, PERIODS, |time| watch.done(time as u64))?;
+    let (exact, energy_error) = mode_shares::<MODES>(exact, 16, PERIODS, |time| watch.done(time as u64))?;
     let theirs = chain.run_with(VelocityVerlet, start(), THEIR_STEP)?;
-    let (theirs, _) = looks::<1>(theirs, 16, PERIODS, |time| watch.done((PERIODS + time) as u64))?;
+    let (theirs, _) = mode_shares::<1>(theirs, 16, PERIODS, |time| watch.done((PERIODS + time) as u64))?;
     drop(watch);
 
     let (periods, share) = recurrence(&exact).ok_or("stopped before the energy came back")?;

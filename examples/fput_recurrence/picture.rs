@@ -1,12 +1,12 @@
 //! Picture of the energies of the lowest modes over time.
 
-use crate::chain::Look;
+use crate::chain::ModeShares;
 use integrator_plot::{Axis, Chart, colour};
 
 /// Draws the modes of an accurate run, the lowest mode with the original step, and the recurrence `(periods, share)`.
 pub(crate) fn picture<const MODES: usize>(
-    exact: &[Look<MODES>],
-    theirs: &[Look<1>],
+    exact: &[ModeShares<MODES>],
+    theirs: &[ModeShares<1>],
     (periods, share): (f64, f64),
 ) -> Chart {
     let chart = Chart::new("Recurrence in the chain of Fermi, Pasta, Ulam and Tsingou")

@@ -16,15 +16,15 @@
 //! time per step.
 
 mod liquid;
-mod looks;
+mod observables;
 mod picture;
 #[path = "../support/mod.rs"]
 mod support;
 
 use integrator_plot::write;
 use liquid::{Liquid, STEP};
-use looks::{Distances, diffusion, mean_square, peak};
-use picture::{Look, picture};
+use observables::{Distances, diffusion, mean_square, peak};
+use picture::{Measurement, picture};
 use std::{error::Error, time::Instant};
 use support::{Watch, folder};
 
@@ -37,7 +37,7 @@ const HOT: f64 = 300.0;
 const INTERVAL: u64 = 20;
 const HEATED: u64 = 6;
 const COOLED: u64 = 24;
-const LOOKS: u64 = 30;
+const SAMPLES: u64 = 30;
 /// Largest distance and number of classes of the radial distribution.
 const RADIUS: f64 = 18.0;
 const CLASSES: usize = 180;
@@ -45,7 +45,7 @@ const CLASSES: usize = 180;
 fn main() -> Result<(), Box<dyn Error>> {
     let mut liquid = Liquid::crystal(CELLS, 2.0 * HOT, &mut fastrand::Rng::with_seed(1964))?;
     let atoms = liquid.state().q.len();
-    let total = HEATED + COOLED + LOOKS;
+    let total = HEATED + COOLED + SAMPLES;
     let (watch, clock) = (Watch::new(total * INTERVAL, "steps"), Instant::now());
     for setting in 0..HEATED + COOLED {
         liquid.advance(INTERVAL)?;
@@ -56,18 +56,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let (start, energy) = (liquid.state(), liquid.energy());
     let mut distances = Distances::new(&liquid.argon, RADIUS, CLASSES);
-    let mut looks = vec![Look { time: 0.0, square: 0.0, change: 0.0, temperature: liquid.temperature() }];
-    for look in 1..=LOOKS {
+    let mut measurements = vec![Measurement { time: 0.0, square: 0.0, change: 0.0, temperature: liquid.temperature() }];
+    for sample in 1..=SAMPLES {
         liquid.advance(INTERVAL)?;
         let state = liquid.state();
-        distances.look(&state);
-        looks.push(Look {
-            time: (look * INTERVAL) as f64 * STEP,
+        distances.add(&state);
+        measurements.push(Measurement {
+            time: (sample * INTERVAL) as f64 * STEP,
             square: mean_square(&start, &state),
             change: liquid.energy() - energy,
             temperature: liquid.temperature(),
         });
-        if !watch.done((HEATED + COOLED + look) * INTERVAL) {
+        if !watch.done((HEATED + COOLED + sample) * INTERVAL) {
             break;
         }
     }
@@ -77,12 +77,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let distribution = distances.distribution();
     let (place, height) = peak(&distribution).ok_or("no distances")?;
     // In the first picosecond the motion is still ballistic.
-    let squares: Vec<_> = looks.iter().map(|look| (look.time, look.square)).filter(|(time, _)| *time > 1.0).collect();
+    let squares: Vec<_> = measurements
+        .iter()
+        .map(|measurement| (measurement.time, measurement.square))
+        .filter(|(time, _)| *time > 1.0)
+        .collect();
     let diffusion = diffusion(&squares);
-    let mean = looks.iter().map(|look| look.temperature).sum::<f64>() / looks.len() as f64;
-    let change = looks.iter().map(|look| look.change.abs()).fold(0.0, f64::max);
+    let mean = measurements.iter().map(|measurement| measurement.temperature).sum::<f64>() / measurements.len() as f64;
+    let change = measurements.iter().map(|measurement| measurement.change.abs()).fold(0.0, f64::max);
     let file = folder().join("lennard_jones");
-    write(&file, &picture(&distribution, (place, height), diffusion, &looks))?;
+    write(&file, &picture(&distribution, (place, height), diffusion, &measurements))?;
     println!("the picture is {}", file.with_extension("png").display());
     let state = liquid.state();
     let momentum = [0, 1, 2].map(|axis| state.p.iter().map(|p| p[axis]).sum::<f64>().abs());

@@ -3,7 +3,7 @@
 use integrator_plot::{Axis, Chart, Panels, colour};
 
 /// One sample of the liquid after equilibration.
-pub(crate) struct Look {
+pub(crate) struct Measurement {
     pub(crate) time: f64,
     /// Mean square displacement in Å².
     pub(crate) square: f64,
@@ -17,16 +17,18 @@ pub(crate) fn picture(
     distribution: &[(f64, f64)],
     (place, height): (f64, f64),
     diffusion: f64,
-    looks: &[Look],
+    measurements: &[Measurement],
 ) -> Panels {
     let chart = |title: &str, up: &str| Chart::new(title).along(Axis::linear("time in ps")).up(Axis::linear(up));
-    let points = |value: fn(&Look) -> f64| looks.iter().map(move |look| (look.time, value(look)));
-    let course = |title: &str, up: &str, value: fn(&Look) -> f64| chart(title, up).line("", points(value));
+    let points = |value: fn(&Measurement) -> f64| {
+        measurements.iter().map(move |measurement| (measurement.time, value(measurement)))
+    };
+    let course = |title: &str, up: &str, value: fn(&Measurement) -> f64| chart(title, up).line("", points(value));
     let pairs = Chart::new("Radial distribution function")
         .along(Axis::linear("distance r in Å"))
         .up(Axis::linear("g(r)"))
         .line("", distribution.iter().copied());
-    let last = looks.last().map_or((0.0, 0.0), |look| (look.time, look.square));
+    let last = measurements.last().map_or((0.0, 0.0), |measurement| (measurement.time, measurement.square));
     let line = [0.0, last.0].map(|time| (time, last.1 + 6.0 * diffusion * (time - last.0)));
     let far = chart("Mean square displacement and 6 D t (dashed)", "displacement² in Å²")
         .line("6 D t", line)
@@ -40,7 +42,7 @@ pub(crate) fn picture(
     .columns(2)
     .panel(520, 400)
     .chart(pairs)
-    .chart(far.dots("atoms", points(|look| look.square)).coloured(colour::INK))
-    .chart(course("Energy", "energy change per atom in K", |look| look.change))
-    .chart(course("Temperature", "temperature in K", |look| look.temperature))
+    .chart(far.dots("atoms", points(|measurement| measurement.square)).coloured(colour::INK))
+    .chart(course("Energy", "energy change per atom in K", |measurement| measurement.change))
+    .chart(course("Temperature", "temperature in K", |measurement| measurement.temperature))
 }

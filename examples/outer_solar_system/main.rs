@@ -26,7 +26,7 @@ const STEPS: u64 = 1 << 18;
 /// Step in days.
 const YEAR: f64 = 365.25;
 /// Steps between samples of the conserved quantities, and samples per row of the table.
-const LOOK: u64 = 64;
+const INTERVAL: u64 = 64;
 const ROW: u64 = 256;
 
 /// Returns the distances of the five planets from the Sun.
@@ -45,12 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("distances from the Sun in AU, relative errors of energy and angular momentum");
     println!("    year  Jupiter   Saturn   Uranus  Neptune    Pluto   energy  momentum");
     let watch = Watch::new(STEPS, "steps");
-    for sample in run.samples(LOOK).take((STEPS / LOOK + 1) as usize) {
+    for sample in run.samples(INTERVAL).take((STEPS / INTERVAL + 1) as usize) {
         let sample = sample?;
         let of_energy = ((sample.energy() - energy) / energy).abs();
         let of_momentum = relative(&angular_momentum(&sample.state), &momentum);
         (energy_error, momentum_error) = (energy_error.max(of_energy), momentum_error.max(of_momentum));
-        if sample.step % (LOOK * ROW) == 0 {
+        if sample.step % (INTERVAL * ROW) == 0 {
             let year = 1994.68 + sample.time / YEAR;
             watch.line(&format!("{year:8.1}{} {of_energy:8.1e}  {of_momentum:8.1e}", distances(&sample.state.q)));
         }

@@ -26,9 +26,9 @@ pub(crate) fn orbits(system: &OuterSolarSystem, start: Phase<Bodies>, folder: &P
         .sized(1000, 900);
     let chart = PLANETS.iter().zip(1..).fold(chart, |chart, ((name, days), planet)| {
         // About a hundred points per orbit, or all of them if there are fewer.
-        let looks = (days / step) as usize + 1;
-        let stride = (looks / 100).max(1);
-        let points = path.iter().take(looks + stride).step_by(stride);
+        let samples = (days / step) as usize + 1;
+        let stride = (samples / 100).max(1);
+        let points = path.iter().take(samples + stride).step_by(stride);
         chart.line(*name, points.map(|q| (q[planet][0] - q[0][0], q[planet][1] - q[0][1])))
     });
     write(&folder.join("outer_solar_system_orbits"), &chart.dots("Sun", [(0.0, 0.0)]))

@@ -25,16 +25,16 @@ const SOLITON: Soliton = Soliton { sites: 64, kappa: 1.0 };
 const STEPS: u64 = 1020;
 const PERIODS: u64 = 100;
 /// Samples in the first period.
-const LOOKS: u64 = 6;
+const SAMPLES: u64 = 6;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let h = SOLITON.period() / STEPS as f64;
     let start = SOLITON.state(0.0);
     let run = SOLITON.ring().run(Phase::compensated(start.q, start.p), h)?;
-    let looks: Vec<_> = run
+    let samples: Vec<_> = run
         .clone()
-        .samples(STEPS / LOOKS)
-        .take(LOOKS as usize + 1)
+        .samples(STEPS / SAMPLES)
+        .take(SAMPLES as usize + 1)
         .map(|sample| sample.map(|sample| (sample.time, values(&sample.state))))
         .collect::<Result<_, _>>()?;
 
@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let [(_, first), .., (periods, last)] = distances[..] else { return Err("stopped in the first period".into()) };
     let file = folder().join("toda_soliton");
-    write(&file, &picture(&SOLITON, &looks, &distances))?;
+    write(&file, &picture(&SOLITON, &samples, &distances))?;
     println!("the picture is {}", file.with_extension("png").display());
     println!("speed={}", SOLITON.speed());
     println!("distance_after_one_turn={:e}", first[0]);

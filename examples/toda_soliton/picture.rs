@@ -6,7 +6,7 @@ use integrator_plot::{Axis, Chart, Mark, Marker, Panels, colour};
 
 /// Draws samples `(time, state)` of the first period, and distances `(periods, [of momenta, of positions])` after each
 /// period.
-pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], distances: &[(f64, [f64; 2])]) -> Panels {
+pub(crate) fn picture(soliton: &Soliton, samples: &[(f64, Phase<Vec<f64>>)], distances: &[(f64, [f64; 2])]) -> Panels {
     let wave = |higher: usize, state: &Phase<Vec<f64>>| {
         let sites: Vec<_> = state.p.iter().enumerate().map(|(site, p)| (site as f64, p + higher as f64)).collect();
         sites
@@ -15,10 +15,10 @@ pub(crate) fn picture(soliton: &Soliton, looks: &[(f64, Phase<Vec<f64>>)], dista
         .claim("Lines: computed, later times above. Dots: closed form")
         .along(Axis::linear("site"))
         .up(Axis::linear("momentum, each time shifted by 1"));
-    for (number, (_, state)) in looks.iter().enumerate() {
+    for (number, (_, state)) in samples.iter().enumerate() {
         waves = waves.line("", wave(number, state)).coloured(colour::COLOURS[6]);
     }
-    let closed_form = looks.iter().enumerate().flat_map(|(number, (time, _))| wave(number, &soliton.state(*time)));
+    let closed_form = samples.iter().enumerate().flat_map(|(number, (time, _))| wave(number, &soliton.state(*time)));
     let of = |which: usize| distances.iter().map(move |(periods, distance)| (*periods, distance[which]));
     let growth = Chart::new("Distance from the closed form")
         .claim("Black discs: momenta, relative to the height of the wave. Blue squares: positions")

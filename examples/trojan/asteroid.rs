@@ -39,14 +39,14 @@ pub(crate) fn slow_frequency() -> f64 {
 
 /// Returns the dominant frequency of equidistant samples near a given one: the largest Fourier amplitude under a Hann
 /// window.
-pub(crate) fn strongest(looks: &[f64], apart: f64, near: f64) -> f64 {
+pub(crate) fn strongest(samples: &[f64], apart: f64, near: f64) -> f64 {
     let amplitude = |frequency: f64| {
         let [mut re, mut im] = [0.0, 0.0];
-        for (k, look) in looks.iter().enumerate() {
-            let window = (std::f64::consts::PI * k as f64 / looks.len() as f64).sin().powi(2);
+        for (k, sample) in samples.iter().enumerate() {
+            let window = (std::f64::consts::PI * k as f64 / samples.len() as f64).sin().powi(2);
             let (sine, cosine) = (frequency * apart * k as f64).sin_cos();
-            re += window * look * cosine;
-            im += window * look * sine;
+            re += window * sample * cosine;
+            im += window * sample * sine;
         }
         re.hypot(im)
     };

@@ -13,8 +13,8 @@ use integrator_core::prelude::*;
 
 const STEP: f64 = 0.1;
 /// Steps between samples, and number of samples.
-const LOOK: u64 = 10;
-const LOOKS: usize = 1600;
+const INTERVAL: u64 = 10;
+const SAMPLES: usize = 1600;
 
 fn main() -> Result<(), Error> {
     println!("period of infinitesimal librations: {:.1} years", YEAR / slow_frequency());
@@ -22,16 +22,16 @@ fn main() -> Result<(), Error> {
     for degrees in [0.1, 5.0, 15.0] {
         let run = Asteroid.run(start(degrees), STEP)?;
         let (energy, mut change) = (run.energy(), 0.0_f64);
-        let mut looks = Vec::new();
-        for sample in run.samples(LOOK).take(LOOKS) {
+        let mut angles = Vec::new();
+        for sample in run.samples(INTERVAL).take(SAMPLES) {
             let sample = sample?;
             change = change.max(((sample.energy() - energy) / energy).abs());
-            looks.push(ahead(sample.state.q));
+            angles.push(ahead(sample.state.q));
         }
-        let (least, most) = looks.iter().fold((0.0_f64, 0.0_f64), |(a, b), look| (a.min(*look), b.max(*look)));
-        let mean = looks.iter().sum::<f64>() / looks.len() as f64;
-        looks.iter_mut().for_each(|look| *look -= mean);
-        let frequency = strongest(&looks, STEP * LOOK as f64, slow_frequency());
+        let (least, most) = angles.iter().fold((0.0_f64, 0.0_f64), |(a, b), angle| (a.min(*angle), b.max(*angle)));
+        let mean = angles.iter().sum::<f64>() / angles.len() as f64;
+        angles.iter_mut().for_each(|angle| *angle -= mean);
+        let frequency = strongest(&angles, STEP * INTERVAL as f64, slow_frequency());
         let years = YEAR / frequency;
         println!("{degrees:>8} {least:>8.2} {most:>8.2} {change:>14.1e} {years:>8.1}");
     }

@@ -13,29 +13,30 @@ pub(crate) struct Distances {
     width: f64,
     counts: Vec<u64>,
     /// Number of samples, and of central atoms in them.
-    looks: usize,
+    samples: usize,
     atoms: usize,
 }
 
 /// Approximate number of central atoms per sample, different ones each time.
-const LOOKED_AT: usize = 500;
+const CENTRES: usize = 500;
 
 impl Distances {
     /// Creates an empty histogram of distances up to `radius`, at most half the side of the box.
     pub(crate) fn new(argon: &Argon, radius: f64, classes: usize) -> Self {
         let width = radius.min(argon.side / 2.0) / classes as f64;
-        Self { side: argon.side, width, counts: vec![0; classes], looks: 0, atoms: 0 }
+        Self { side: argon.side, width, counts: vec![0; classes], samples: 0, atoms: 0 }
     }
 
-    pub(crate) fn look(&mut self, state: &State) {
+    /// Adds a sample of the distances.
+    pub(crate) fn add(&mut self, state: &State) {
         // Wrapped into the box, so that the nearest image is at most one box away.
         let (side, all) = (self.side, state.q.len());
         let in_box = |axis: usize| state.q.iter().map(move |q| q[axis].rem_euclid(side)).collect();
-        let (places, stride): ([Vec<f64>; 3], usize) = ([0, 1, 2].map(in_box), (all / LOOKED_AT).max(1));
+        let (places, stride): ([Vec<f64>; 3], usize) = ([0, 1, 2].map(in_box), (all / CENTRES).max(1));
         let last = self.counts.len() - 1;
         let limit = (self.width * (last + 1) as f64).powi(2);
         let mut squares = vec![0.0; all];
-        for atom in (self.looks % stride..all).step_by(stride) {
+        for atom in (self.samples % stride..all).step_by(stride) {
             squares.fill(0.0);
             for along in &places {
                 for (square, place) in squares.iter_mut().zip(along) {
@@ -52,7 +53,7 @@ impl Distances {
             }
             self.atoms += 1;
         }
-        self.looks += 1;
+        self.samples += 1;
     }
 
     /// Returns `g(r)` at the centre of each class: the density of atoms relative to the mean density.
