@@ -1,8 +1,8 @@
 //! The pendulum: sine and cosine in the two lanes of a register, with all sums unrolled.
 //!
-//! With `ω = q'` and `z = e^(iq)`, `k zₖ = i Σ ωⱼ zₖ₋₁₋ⱼ`. The code uses `yₖ = zₖ / iᵏ`, for which `k yₖ = Σ ωⱼ i⁻ʲ
-//! yₖ₋₁₋ⱼ`: the newest coefficient follows from the previous one by a real factor. For odd `j`, the factor `i⁻ʲ` swaps
-//! the lanes; the signs are stored with `ω`.
+//! With `ω = q'` and `z = e^(iq)`, `k zₖ = i Σ ωⱼ zₖ₋₁₋ⱼ`. The code uses `yₖ = zₖ / iᵏ`, for which
+//! `k yₖ = Σ ωⱼ i⁻ʲ yₖ₋₁₋ⱼ`: the newest coefficient follows from the previous one by a real factor. For odd `j`, the
+//! factor `i⁻ʲ` swaps the lanes; the signs are stored with `ω`.
 
 use super::{
     course::{COEFFICIENTS, Course, Expansion, Kept, follow, orders_from_one, with_order},

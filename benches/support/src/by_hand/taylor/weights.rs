@@ -1,5 +1,5 @@
-//! Weights of the coefficients of accelerations at the end of a step. With `a = Σ aₖ tᵏ`, velocities change by `Σ aₖ
-//! tᵏ⁺¹/(k+1)`, and positions by `v t + Σ aₖ tᵏ⁺²/((k+1)(k+2))`.
+//! Weights of the coefficients of accelerations at the end of a step. With `a = Σ aₖ tᵏ`, velocities change by
+//! `Σ aₖ tᵏ⁺¹/(k+1)`, and positions by `v t + Σ aₖ tᵏ⁺²/((k+1)(k+2))`.
 
 use super::course::HIGHEST;
 use crate::vector::Row;
