@@ -25,10 +25,8 @@ pub(crate) fn admissible<C: Coords>(start: &Phase<C>, h: f64) -> Result<(), Erro
 }
 
 fn on_their_grids<K: Precision>(coordinate: &'static str, leaves: &[K]) -> Result<(), Error> {
-    let mut index = 0;
-    for leaf in leaves {
+    for (index, leaf) in leaves.iter().enumerate() {
         on_its_grid((coordinate, index, leaf.to_f64()), leaf.spacing(), leaf.limit())?;
-        index += 1;
     }
     Ok(())
 }

@@ -58,13 +58,16 @@ pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
     }
 }
 
+/// An empty list of motions for the constants of a run, and for the derivatives of constants that it carries.
+type MotionsOf<P> = dyn Fn(Arc<P>, Vec<P>) -> Box<dyn Motions>;
+
 /// A method for a system, and for what its runs carry: what a run needs of both, whatever the type of the method. All else of
 /// a run is compiled once per system.
 pub(crate) struct Bound<P> {
     pub(crate) facts: Facts,
     pub(crate) forces: Option<usize>,
     carries_constants: bool,
-    motions: Box<dyn Fn(Arc<P>, Vec<P>) -> Box<dyn Motions>>,
+    motions: Box<MotionsOf<P>>,
 }
 
 /// Binds a method to a system and to what a trajectory carries.
