@@ -1,4 +1,4 @@
-//! A fingerprint of generated code, independent of the spaces between its tokens.
+//! A fingerprint of generated code, independent of its documentation and of the spaces between its tokens.
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
 
@@ -10,8 +10,12 @@ pub(super) fn fingerprint(tokens: TokenStream) -> Literal {
 }
 
 fn add(tokens: TokenStream, hash: &mut u64) {
-    for token in tokens {
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(token) = tokens.next() {
         match token {
+            TokenTree::Punct(mark) if mark.as_char() == '#' && tokens.peek().is_some_and(is_documentation) => {
+                tokens.next();
+            }
             TokenTree::Group(group) => {
                 text(&format!("{:?}", group.delimiter()), hash);
                 add(group.stream(), hash);
@@ -22,6 +26,12 @@ fn add(tokens: TokenStream, hash: &mut u64) {
             TokenTree::Literal(literal) => text(&literal.to_string(), hash),
         }
     }
+}
+
+/// Whether this is the group of a doc comment, `[doc = ..]`.
+fn is_documentation(token: &TokenTree) -> bool {
+    let TokenTree::Group(group) = token else { return false };
+    matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
 }
 
 fn text(text: &str, hash: &mut u64) {
@@ -42,6 +52,16 @@ mod tests {
         assert_eq!(of("a + b (c)"), of("a+b(c)"));
         for other in ["a + bc", "ab + c", "a + b", "a + b [c]", "a + (b c)", "a - b (c)", "b + a (c)", "a + b (c) c"] {
             assert_ne!(of(other), of("a + b (c)"), "{other}");
+        }
+    }
+
+    #[test]
+    fn comments_have_no_fingerprint() {
+        let of = |text: &str| fingerprint(text.parse::<TokenStream>().expect("tokens")).to_string();
+        let function = "#[inline] fn f() {}";
+        assert_eq!(of("/// First.\n#[inline]\n/// Second.\nfn f() {}"), of(function));
+        for other in ["fn f() {}", "# fn f() {}", "#[inline] fn doc() {}"] {
+            assert_ne!(of(other), of(function), "{other}");
         }
     }
 }

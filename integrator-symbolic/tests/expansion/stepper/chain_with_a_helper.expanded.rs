@@ -73,7 +73,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17579405825594204020;
+        const FINGERPRINT: u64 = 7893250951078598740;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),

@@ -56,7 +56,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 1987850243007218781;
+        const FINGERPRINT: u64 = 1422785743663427339;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),

@@ -66,7 +66,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4291465848252600021;
+        const FINGERPRINT: u64 = 17965981231432619001;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
