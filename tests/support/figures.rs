@@ -317,6 +317,24 @@ fn figures_of_devices_are_stored() {
 }
 
 #[test]
+fn compile_times_are_stored() {
+    let page = text("docs/performance.md");
+    let (page, stored) = (section(&page, "Compile time"), Stored::of("compile_time"));
+    let rows = [
+        ("`run` by `Verlet`", "run"),
+        ("five compositions", "five"),
+        ("`Taylor`", "taylor"),
+        ("`Ensemble`", "ensemble"),
+        ("one deviation vector", "tangent"),
+        ("`certify`", "certify"),
+        ("`choose`", "choose"),
+    ];
+    for (row, capability) in rows {
+        compare(page, row, &["pendulum", "halo", "planets"].map(|system| stored.number(&[capability], system)));
+    }
+}
+
+#[test]
 fn figures_of_time_transformations_are_stored() {
     let (page, pace) = (text("docs/performance.md"), Stored::of("pace"));
     let page = section(&page, "Time transformations");
