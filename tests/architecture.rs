@@ -1,5 +1,9 @@
 //! The invariants of ARCHITECTURE.md that can be read off the sources.
 
+#[path = "support/sources.rs"]
+mod sources;
+
+use sources::sources;
 use std::{
     fs,
     path::{Path, PathBuf},
@@ -114,20 +118,6 @@ const WITHOUT_TOKENS: [&str; 8] =
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-}
-
-/// The Rust files under a folder, with their text.
-fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
-        if entry.is_dir() {
-            found.extend(sources(&entry));
-        } else if entry.extension().is_some_and(|extension| extension == "rs") {
-            let text = fs::read_to_string(&entry).expect("text");
-            found.push((entry, text));
-        }
-    }
-    found
 }
 
 /// The files of a module of a crate, without their unit tests.

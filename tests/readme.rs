@@ -2,11 +2,17 @@
 
 #[path = "support/figures.rs"]
 mod figures;
+#[path = "support/sources.rs"]
+mod sources;
 
+use sources::sources;
 use std::{
     fs,
     path::{Path, PathBuf},
 };
+
+/// The crates, by the ends of their names.
+const CRATES: [&str; 8] = ["cli", "core", "gpu", "laboratory", "macros", "mpi", "plot", "symbolic"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -26,9 +32,8 @@ fn pages_in(folder: &str) -> Vec<PathBuf> {
 
 /// Every document that is written for readers.
 fn pages() -> Vec<PathBuf> {
-    let crates = ["cli", "core", "gpu", "laboratory", "macros", "mpi", "plot", "symbolic"];
     let folders = ["", "docs", "docs/contributing", "docs/guide/src"].map(str::to_owned).to_vec();
-    let folders = folders.into_iter().chain(crates.map(|name| format!("integrator-{name}")));
+    let folders = folders.into_iter().chain(CRATES.map(|name| format!("integrator-{name}")));
     let pages: Vec<PathBuf> = folders.flat_map(|folder| pages_in(&folder)).collect();
     assert!(pages.len() > 20, "the pages are found: {pages:?}");
     pages
@@ -316,20 +321,6 @@ fn pages_use_the_words_of_the_field() {
     }
 }
 
-/// The Rust files of a folder and of those in it, without tests.
-fn sources_in(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).expect("a folder of sources") {
-        let path = entry.expect("an entry").path();
-        let is_test = path.file_stem().is_some_and(|stem| stem == "tests");
-        match path.is_dir() {
-            _ if is_test => {}
-            true => sources_in(&path, found),
-            false if path.extension().is_some_and(|extension| extension == "rs") => found.push(path),
-            false => {}
-        }
-    }
-}
-
 /// The doc comments and the texts in quotation marks of a source, in small letters and with single spaces.
 fn shown(source: &str) -> String {
     let (mut shown, mut quoted) = (String::new(), false);
@@ -355,12 +346,14 @@ fn shown(source: &str) -> String {
 
 #[test]
 fn messages_and_doc_comments_use_the_words_of_the_field() {
-    let mut sources = Vec::new();
-    for name in ["cli", "core", "gpu", "laboratory", "macros", "mpi", "plot", "symbolic"] {
-        sources_in(&root().join(format!("integrator-{name}/src")), &mut sources);
+    let is_test = |path: &Path| path.iter().any(|part| Path::new(part).file_stem().is_some_and(|stem| stem == "tests"));
+    let mut texts: Vec<(PathBuf, String)> = Vec::new();
+    for name in CRATES {
+        let folder = root().join(format!("integrator-{name}/src"));
+        let own = sources(&folder).into_iter().filter(|(path, _)| !path.strip_prefix(&folder).is_ok_and(is_test));
+        texts.extend(own.map(|(path, text)| (path, shown(&text))));
     }
-    assert!(sources.len() > 300, "the sources are found: {}", sources.len());
-    let texts: Vec<(PathBuf, String)> = sources.into_iter().map(|path| (path.clone(), shown(&text(path)))).collect();
+    assert!(texts.len() > 300, "the sources are found: {}", texts.len());
     for (path, text) in &texts {
         if let Some((word, instead)) = NOT_OF_THE_FIELD.iter().find(|(word, _)| has(text, word)) {
             panic!("{}: write {instead} in place of `{word}`", path.display());
@@ -408,24 +401,12 @@ fn every_link_leads_somewhere() {
     assert!(local > 50, "the links are found: {local}");
 }
 
-/// The texts of all files below a folder with this extension.
-fn texts_below(folder: &Path, extension: &str, found: &mut String) {
-    for entry in fs::read_dir(folder).expect("a folder") {
-        let path = entry.expect("an entry").path();
-        if path.is_dir() {
-            texts_below(&path, extension, found);
-        } else if path.extension().is_some_and(|known| known == extension) {
-            found.push_str(&text(&path));
-        }
-    }
-}
-
 /// Each picture is on a page, and has the title that the code gives it.
 #[test]
 fn pictures_are_shown_and_have_the_titles_of_the_code() {
-    let mut sources = text("docs/guide/src/first_hamiltonian.md");
+    let mut code = text("docs/guide/src/first_hamiltonian.md");
     for folder in ["benches", "examples", "integrator-gpu/tests", "integrator-laboratory/src"] {
-        texts_below(&root().join(folder), "rs", &mut sources);
+        code.extend(sources(&root().join(folder)).into_iter().map(|(_, text)| text));
     }
     let pages: String = pages().iter().map(text).collect();
     for entry in fs::read_dir(root().join("docs/pictures")).expect("pictures") {
@@ -438,7 +419,7 @@ fn pictures_are_shown_and_have_the_titles_of_the_code() {
             let title = title.split_once("\">").and_then(|(_, rest)| rest.strip_suffix("</text>")).expect("a title");
             // The laboratory adds the name of the system.
             let general = title.rsplit_once(": ").map_or(String::new(), |(general, _)| format!("{general}: {{}}\""));
-            let is_known = sources.contains(title) || !general.is_empty() && sources.contains(&general);
+            let is_known = code.contains(title) || !general.is_empty() && code.contains(&general);
             assert!(is_known, "{name} is drawn again with another title than {title:?}");
         }
     }

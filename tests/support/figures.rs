@@ -98,6 +98,11 @@ impl Stored {
         cells[0]
     }
 
+    /// Returns the numbers of a row after its first `keys` cells.
+    fn numbers(row: &[String], keys: usize) -> Vec<f64> {
+        row[keys..].iter().map(|cell| cell.parse().expect("a number")).collect()
+    }
+
     fn number(&self, keys: &[&str], column: &str) -> f64 {
         self.at(keys, column).unwrap_or_else(|| panic!("no number for {keys:?} in {column:?}"))
     }
@@ -194,6 +199,8 @@ fn figures_are_those_of_the_benches() {
     }
 }
 
+const SMALL_ERRORS: [&str; 5] = ["1e-4", "1e-6", "1e-8", "1e-10", "1e-12"];
+
 const ERRORS: [&str; 5] = ["1e-2", "1e-4", "1e-6", "1e-8", "1e-10"];
 
 #[test]
@@ -221,15 +228,15 @@ fn figures_of_other_scenes_are_stored() {
         ("oscillators, coupling 10⁻², quadratic + rest", "oscillators_1e-2"),
         ("oscillators, coupling 10⁻⁴, quadratic + rest", "oscillators_1e-4"),
     ] {
-        let expected = ["1e-4", "1e-6", "1e-8", "1e-10", "1e-12"].map(|error| splittings.number(&[key], error));
+        let expected = SMALL_ERRORS.map(|error| splittings.number(&[key], error));
         compare(section(&page, "Splittings"), name, &expected);
     }
     // The notes show the same tables as text.
     let notes = text("docs/contributing/performance-notes.md");
     for table in [&liquid, &molecule] {
         for row in &table.0[1..] {
-            let stored: Vec<f64> = row[2..].iter().map(|cell| cell.parse().expect("a number")).collect();
-            assert_eq!(row_of(&notes, &format!("{:<25}{:<25}", row[0], row[1])), stored, "{}", row[0]);
+            let quoted = row_of(&notes, &format!("{:<25}{:<25}", row[0], row[1]));
+            assert_eq!(quoted, Stored::numbers(row, 2), "{}", row[0]);
         }
     }
 }
@@ -290,7 +297,7 @@ fn figures_of_other_libraries_are_stored() {
         says("docs/performance.md", &format!(" {} µs", time("pendulums_1e-4", column)));
     }
     let energies = ["pendulum", "henon", "kepler", "solar", "fput"]
-        .map(|key| ["1e-4", "1e-6", "1e-8", "1e-10", "1e-12"].map(|error| peers.number(&[key, "energy"], error)));
+        .map(|key| SMALL_ERRORS.map(|error| peers.number(&[key, "energy"], error)));
     let energies = energies.as_flattened();
     let ends = [energies.iter().copied().fold(f64::INFINITY, f64::min), energies.iter().copied().fold(0.0, f64::max)];
     says("paper.md", &format!("was {} to {} times as fast as", ends[0], ends[1]));
@@ -311,8 +318,7 @@ fn figures_of_devices_are_stored() {
     let notes = text("docs/contributing/performance-notes.md");
     for row in &devices.0[1..] {
         let quoted = row_of(section(&notes, "Devices"), &format!("{:<13}", row[0]));
-        let stored: Vec<f64> = row[1..].iter().map(|cell| cell.parse().expect("a number")).collect();
-        assert_eq!([&quoted[..3], &quoted[4..]].concat(), stored, "{}", row[0]);
+        assert_eq!([&quoted[..3], &quoted[4..]].concat(), Stored::numbers(row, 1), "{}", row[0]);
     }
 }
 

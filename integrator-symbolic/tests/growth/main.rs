@@ -8,10 +8,11 @@
 mod choice;
 mod grammar;
 
+use choice::seeds;
 use grammar::System;
 use integrator_symbolic::hamiltonian;
 use proc_macro2::{TokenStream, TokenTree};
-use std::{env, fmt::Write as _};
+use std::fmt::Write as _;
 
 /// What the annotation requests, and how many parts the systems have: steppers with their Hessians, recurrences of Taylor's method,
 /// derivatives with respect to a parameter, and code for devices, which have room for 64 numbers.
@@ -93,16 +94,10 @@ impl Tally {
     }
 }
 
-fn seeds(count: u64) -> std::ops::Range<u64> {
-    let number = |name: &str, otherwise| env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise);
-    let first = number("GROWING_SYSTEMS_SEED", 1);
-    first..first + number("GROWING_SYSTEMS", count)
-}
-
 #[test]
 fn twice_the_parts_are_at_most_two_and_a_half_times_the_code() {
     let mut tally = Tally::default();
-    for seed in seeds(6) {
+    for seed in seeds(["GROWING_SYSTEMS_SEED", "GROWING_SYSTEMS"], 6) {
         let system = System::drawn(seed);
         for (arguments, lengths) in REQUESTS {
             tally.grow(&format!("system {seed}"), arguments, lengths, |parts| system.of_parts(parts));

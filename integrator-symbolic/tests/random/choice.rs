@@ -1,5 +1,18 @@
 //! Random choices that a seed decides.
 
+use std::{env, ops::Range};
+
+/// Returns the seeds of the systems to draw: the first one and their number are variables of the environment, or 1 and `count`.
+pub(crate) fn seeds([first, number]: [&str; 2], count: u64) -> Range<u64> {
+    let first = set(first, 1);
+    first..first + set(number, count)
+}
+
+/// Returns a number from the environment.
+fn set(variable: &str, otherwise: u64) -> u64 {
+    env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
+}
+
 /// SplitMix64 (Steele, Lea and Flood 2014).
 #[derive(Clone)]
 pub(crate) struct Choices(u64);

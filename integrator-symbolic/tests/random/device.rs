@@ -5,6 +5,7 @@
 //! elsewhere; each operation is that of the texts. All systems are one program. `DEVICE_TEXT_SYSTEMS` asks for more.
 
 use crate::{
+    choice::seeds,
     expansion::Expansion,
     grammar,
     judge::{Case, System, machine, method},
@@ -253,9 +254,9 @@ fn faults(systems: &Systems, name: &str) -> Option<Vec<String>> {
 #[test]
 fn device_code_is_bitwise_identical_to_the_rust_code() {
     let mut systems = Systems::default();
-    let number = |name: &str, otherwise| env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise);
-    let (first, count) = (number("RANDOM_SYSTEMS_SEED", 1), number("DEVICE_TEXT_SYSTEMS", 50));
-    for seed in first..first + count {
+    let seeds = seeds(["RANDOM_SYSTEMS_SEED", "DEVICE_TEXT_SYSTEMS"], 50);
+    let count = seeds.end - seeds.start;
+    for seed in seeds {
         systems.add(&format!("system {seed}"), &grammar::fixed_system(seed));
     }
     systems.add("names", &named());

@@ -26,19 +26,15 @@ mod splits;
 mod systems;
 mod value;
 
-use choice::Choices;
+use choice::{Choices, seeds};
 use expansion::Expansion;
 use grammar::PARTS;
 use judge::{Fault, Outside, System, Verdict};
 use mutate::{MUTATIONS, mutated};
-use std::{collections::BTreeMap, env, fmt::Write as _};
+use std::{collections::BTreeMap, fmt::Write as _};
 
-/// The first seed, and how many follow.
-fn seeds(count: u64) -> std::ops::Range<u64> {
-    let number = |name: &str, otherwise| env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise);
-    let first = number("RANDOM_SYSTEMS_SEED", 1);
-    first..first + number("RANDOM_SYSTEMS_COUNT", count)
-}
+/// The variables of the first seed and of the number of systems.
+const SEEDS: [&str; 2] = ["RANDOM_SYSTEMS_SEED", "RANDOM_SYSTEMS_COUNT"];
 
 /// How many faults are shown: each takes a while to be made small.
 const SHOWN: usize = 3;
@@ -113,7 +109,7 @@ fn pretty(system: &System) -> String {
 #[test]
 fn steppers_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(50) {
+    for seed in seeds(SEEDS, 50) {
         tally.judge(&format!("system {seed}"), &grammar::system(seed));
     }
     tally.assert_without_faults();
@@ -125,7 +121,7 @@ fn steppers_match_the_functions() {
 #[test]
 fn lattices_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(40) {
+    for seed in seeds(SEEDS, 40) {
         tally.judge(&format!("lattice {seed}"), &grammar::lattice(seed));
     }
     tally.assert_without_faults();
@@ -135,7 +131,7 @@ fn lattices_match_the_functions() {
 #[test]
 fn bodies_in_pairs_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(40) {
+    for seed in seeds(SEEDS, 40) {
         tally.judge(&format!("bodies {seed}"), &grammar::pairs(seed));
     }
     tally.assert_without_faults();
@@ -153,7 +149,7 @@ fn steppers_match_the_functions_in_units_of_any_size() {
     ];
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
     for (kind, of_seed) in kinds {
-        for seed in seeds(40) {
+        for seed in seeds(SEEDS, 40) {
             tally.judge(&format!("{kind} {seed} in units"), &of_seed(seed));
         }
     }
@@ -166,7 +162,7 @@ fn steppers_match_the_functions_in_units_of_any_size() {
 #[test]
 fn steppers_of_changed_systems_match_the_functions() {
     let mut tally = Tally::default();
-    for seed in seeds(50) {
+    for seed in seeds(SEEDS, 50) {
         let (mut system, mut choices) = (grammar::system(seed), Choices::new(seed));
         for _ in 0..1 + choices.below(3) {
             let mutation = &MUTATIONS[choices.below(MUTATIONS.len())];
