@@ -29,3 +29,6 @@ pub(crate) mod step_functions;
 pub(crate) mod step_loop;
 pub(crate) mod tangent;
 pub(crate) mod watch;
+
+#[cfg(all(test, feature = "check"))]
+mod tests;

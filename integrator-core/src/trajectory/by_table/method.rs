@@ -39,6 +39,12 @@ impl<G> ByTable<G> {
     pub(crate) fn of<X: Scheme>(composition: X) -> Self {
         Self { facts: composition.facts(), stages: X::STAGES, processor: X::PROCESSOR, gradients: PhantomData }
     }
+
+    /// The same composition with other stages in the middle of a run.
+    #[cfg(test)]
+    pub(crate) fn with_cycle(self, cycle: &'static [crate::composition::Stage]) -> Self {
+        Self { stages: Stages { cycle, ..self.stages }, ..self }
+    }
 }
 
 impl<G> Clone for ByTable<G> {

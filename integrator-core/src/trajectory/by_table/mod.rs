@@ -65,6 +65,3 @@ pub(super) fn end<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor,
     let portion = if SHOWN { Portion::Undoing } else { Portion::Closing };
     walk::<H, Plain, R, K, E>(motion, Table::of::<H, X>(), clock, portion, threads);
 }
-
-#[cfg(all(test, feature = "check"))]
-mod tests;
