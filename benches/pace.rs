@@ -181,7 +181,7 @@ impl<H> Orbit<'_, H> {
     }
 }
 
-impl<H: Recurrences<Coords = [f64; 2]> + QuadraticKinetic + TimeTransformed> Orbit<'_, H> {
+impl<H: Hamiltonian<Coords = [f64; 2]> + Recurrences + QuadraticKinetic + TimeTransformed> Orbit<'_, H> {
     /// Adds rows for Taylor's method with decreasing tolerances, with automatic and with fixed orders.
     fn taylor(&self, table: &mut Table) -> Best {
         let mut best = Best::NONE;

@@ -56,7 +56,7 @@ struct Report {
 
 impl Report {
     /// Measures eight tolerances from `10^-first` on, a decade apart.
-    fn add<H: Recurrences>(
+    fn add<H: Hamiltonian + Recurrences>(
         &mut self,
         problem: &Problem<H>,
         first: i32,
@@ -90,7 +90,7 @@ impl Report {
     }
 
     /// Measures the generated and the hand-written integrator.
-    fn race<H: Recurrences>(
+    fn race<H: Hamiltonian + Recurrences>(
         &mut self,
         problem: &Problem<H>,
         order: usize,
@@ -141,7 +141,7 @@ impl Report {
 }
 
 /// Creates a run with a step of the span divided by `looks`.
-fn begin<H: Recurrences>(
+fn begin<H: Hamiltonian + Recurrences>(
     Problem { system, start, span, .. }: &Problem<H>,
     method: Taylor,
     looks: u32,
@@ -154,7 +154,10 @@ where
 }
 
 /// Returns the largest relative energy error, and the distance from the reference at the end.
-fn errors<H: Recurrences>(problem: &Problem<H>, method: Taylor) -> Result<[f64; 2], integrator_core::Error>
+fn errors<H: Hamiltonian + Recurrences>(
+    problem: &Problem<H>,
+    method: Taylor,
+) -> Result<[f64; 2], integrator_core::Error>
 where
     H::Coords: Coords<Leaf = f64>,
 {
@@ -176,7 +179,7 @@ fn distance(q: &[f64], reference: &[f64]) -> f64 {
 }
 
 /// Compares tolerance alone, with automatic order, to the best fixed order at each energy error.
-fn by_tolerance<H: Recurrences>(problem: &Problem<H>)
+fn by_tolerance<H: Hamiltonian + Recurrences>(problem: &Problem<H>)
 where
     H::Coords: Coords<Leaf = f64>,
 {
@@ -198,7 +201,9 @@ where
 }
 
 /// Compares the time of an ensemble of close orbits with that of its members one after the other.
-fn lanes<H: Recurrences + Copy>(Problem { name, system, start, .. }: &Problem<H>) -> Result<(), Box<dyn Error>>
+fn lanes<H: Hamiltonian + Recurrences + Copy>(
+    Problem { name, system, start, .. }: &Problem<H>,
+) -> Result<(), Box<dyn Error>>
 where
     H::Coords: Coords<Leaf = f64>,
 {

@@ -61,7 +61,7 @@ fn share(member: usize, coordinate: usize) -> f64 {
 }
 
 /// Prints a line for plain and one for compensated initial states.
-fn both<H: Recurrences>(
+fn both<H: Hamiltonian + Recurrences>(
     system: &H,
     name: &str,
     method: Taylor,

@@ -77,7 +77,7 @@ fn end<H: Hamiltonian<Coords = C>, C: Coords<Leaf = f64, With<f64> = C>, X: Comp
 /// The order between 40 and 80 steps, against a method without gradients.
 fn check<H, C, X>(system: &H, composition: X, start: &Phase<C>)
 where
-    H: QuadraticKinetic<Coords = C>,
+    H: QuadraticKinetic + Hamiltonian<Coords = C>,
     C: Coords<Leaf = f64, With<f64> = C>,
     X: Composition<H>,
     SofroniouSpaletta10: Composition<H>,

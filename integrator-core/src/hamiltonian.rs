@@ -1,40 +1,22 @@
-//! The trait of systems, which `#[hamiltonian]` implements, and the trait of flows, which compositions call.
+//! The trait of Hamiltonians that users name: a system with its annotated method, from which runs are started.
 
 use crate::{
     composition::visitor::{Visitor, visit_general},
     error::Error,
-    flow::doubled::{Moved, Read},
-    layout::lattice::{
-        sites::{MovedSites, Sites},
-        time_tiling::{Flow, StencilRadii},
-    },
     methods::taylor::RecurrencesVisitor,
-    scalar::real::Real,
     state::{
-        coords::Coords,
         phase::{Phase, StartOf},
         precision::Precision,
     },
-    system::motion::{Motion, Prepared},
+    system::{Shaped, System},
     trajectory::{
         method::{Differentiable, Memoryless, Method},
         run::Run,
         tangent::Tangent,
     },
 };
-use core::ops::Range;
-
-/// The coordinates of `H` with leaf `K`.
-pub type Shaped<H, K> = <<H as Hamiltonian>::Coords as Coords>::With<K>;
-
-/// The slots of the positions or the momenta of `H`.
-type SlotsOf<H, R, K> = <Shaped<H, K> as Coords>::Slots<R>;
-
-/// The slots and constants from which the vector field of `H` is evaluated.
-pub type ReadBy<'m, H, R, K> = Read<'m, SlotsOf<H, R, K>, <H as Hamiltonian>::Parameters<R>>;
-
-/// The slots that the vector field of `H` changes.
-pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
+#[cfg(feature = "checkpoint")]
+use crate::{state::coords::Coords, trajectory::checkpoint::CheckpointError};
 
 /// A Hamiltonian that is split into parts with exact flows, such as `H = T(p) + V(q)`.
 ///
@@ -45,113 +27,9 @@ pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
     label = "has no generated stepper",
     note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
 )]
-pub trait Hamiltonian: Sized {
-    /// The shape of `q` and of `p`, with the scalar type `f64`.
-    type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
+pub trait Hamiltonian: System {
     /// The composition of the annotation, or another method.
     type Compose: Memoryless<Self>;
-    /// The prepared constants, which depend on parameters alone.
-    type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
-    /// The prepared constants and the state, in the layout that the macro chose.
-    type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
-
-    /// The names of the parts, in the order of the letters A, B, C.
-    ///
-    /// Empty if `H` is not split. Compositions cannot integrate such an `H`; methods that use the whole vector field can.
-    const PARTS: &'static [&'static str] = &["kinetic", "potential"];
-    /// Whether parts 2..n form one composite part, advanced by a symmetric inner step.
-    ///
-    /// The inner step applies `middle` for half the duration, `kick`, and `middle` backwards.
-    const PAIRED: bool = false;
-    /// Whether `H = T(p) + V(q)`, so that a drift changes positions only and a kick momenta only.
-    const SEPARABLE: bool = true;
-    /// The error of flow derivatives relative to exact dual-number derivatives, which have 1.
-    ///
-    /// A flow that the user wrote is differentiated by extrapolated differences, which lose one or two digits.
-    const TANGENT_ERROR: f64 = 1.0;
-    /// Whether steps evolve two coupled copies of the state, of which one is returned (Tao 2016).
-    ///
-    /// Such steps are symplectic and reversible in the doubled phase space, not in that of one copy.
-    const COPIES: bool = false;
-    /// Whether no part depends on time, so that the energy is conserved.
-    const AUTONOMOUS: bool;
-    /// Whether a flow changes its formula at given times, such as a switch or a pulse.
-    ///
-    /// Each step then uses the formulas at its midpoint, and stages are not merged across steps.
-    const PIECEWISE_IN_TIME: bool = false;
-    /// Whether a single run benefits from 512-bit vectors, because its flows process sites or bodies in SIMD lanes.
-    ///
-    /// Scalar code can be slower in AVX-512 and is compiled for AVX2 at most.
-    const WIDE: bool = false;
-    /// Whether flows are so expensive that a dispatch per stage costs nothing in comparison.
-    ///
-    /// One loop that reads the table of the composition is then compiled for all compositions.
-    const LARGE_FLOWS: bool = false;
-    /// A fingerprint of the generated flows and energies, by which a checkpoint is matched to its system.
-    const FINGERPRINT: u64 = 0;
-    /// The names of the functions that are annotated as conserved.
-    const INVARIANTS: &'static [&'static str] = &[];
-    /// The stencil radii of the flows of a lattice, if its sites can be updated in segments.
-    const STENCIL_RADII: Option<StencilRadii> = None;
-
-    /// Checks that the system can be integrated from a start with `length` numbers or points.
-    ///
-    /// # Errors
-    /// [`Error::FewMasses`] or [`Error::Mass`] if masses are missing or unusable in the coordinates of the system.
-    fn admissible(&self, _length: usize) -> Result<(), Error> {
-        Ok(())
-    }
-    /// Evaluates the constants that depend on parameters only, by the user's own expressions.
-    ///
-    /// `length` is the number of numbers or points in the positions of the start.
-    fn parameters(&self, length: usize) -> Self::Parameters<f64>;
-    /// Sets the midpoint time at which time-dependent conditions are evaluated in the current step.
-    fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
-    /// Applies the exact flow of `T`, or of the first part, for `duration`; an explicit time dependence is evaluated at `time`.
-    fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// Applies the flows of the parts between the first and the last, in their order or backwards.
-    fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _time: f64, _backwards: bool) {}
-    /// Applies the exact flow of `V`, or of the last part, for `duration`; an explicit time dependence is evaluated at `time`.
-    fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
-    /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
-    ///
-    /// Empty if `H = T(p) + V(q)` in the user's own coordinates: the flows of `T` and `V` give the field there.
-    fn along_field<R: Real, K: Precision>(
-        _motion: ReadBy<'_, Self, R, K>,
-        _moved: MovedBy<'_, Self, R, K>,
-        _duration: f64,
-        _time: f64,
-    ) {
-    }
-    /// Returns `T`, or the energy of the first part.
-    fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
-    /// Returns `V`, or the energy of all parts except the first.
-    fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
-
-    /// Returns the energy by the user's own functions, with which the generated code is compared.
-    fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy;
-
-    /// Returns the value of an invariant, by its index in [`Hamiltonian::INVARIANTS`].
-    fn invariant<R: Real, K: Precision>(_motion: &Self::Motion<R, K>, _number: usize) -> R {
-        R::of(f64::NAN)
-    }
-
-    /// Returns the value of an invariant by the user's own function, with which the generated code is compared.
-    fn stated_invariant(&self, _number: usize, _q: &Self::Coords, _p: &Self::Coords) -> f64 {
-        f64::NAN
-    }
-
-    /// Returns the sites of a lattice, if they can be updated in segments.
-    fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
-        None
-    }
-    /// Applies a flow to a range of sites of a lattice.
-    fn apply_to_sites<R: Real, K: Precision>(
-        _lattice: MovedSites<'_, R, K, Self::Parameters<R>>,
-        _flow: &Flow,
-        _sites: Range<usize>,
-    ) {
-    }
 
     /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.
     ///
@@ -222,82 +100,39 @@ pub trait Hamiltonian: Sized {
     }
 }
 
-/// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`.
-///
-/// `#[hamiltonian]` implements this trait if it can show symbolically that `T` has this form.
-#[diagnostic::on_unimplemented(
-    message = "H of `{Self}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M",
-    label = "this composition needs H = ½ pᵀ M⁻¹ p + V(q)",
-    note = "its order conditions hold only for such an H",
-    note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every splitting"
-)]
-pub trait QuadraticKinetic: Hamiltonian {
-    /// Replaces the momenta by the product of the Hessian of `V` and the momenta.
-    fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, time: f64);
-    /// Applies the exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
-    fn gradient_kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
-}
-
-/// The flows that a composition calls. The executor decides to which motions they are applied.
-pub trait Flows<H: Hamiltonian> {
-    /// Whether coordinates are compensated, so that the durations of stages need corrections for rounding as well.
-    const COMPENSATED: bool;
-
-    /// Sets the midpoint time of the current step: [`Hamiltonian::begin_step`].
-    fn begin_step(&mut self, _middle: f64) {}
-    /// Applies the flow of `T`.
-    fn drift(&mut self, duration: f64, time: f64);
-    /// Applies the flow of `V`.
-    fn kick(&mut self, duration: f64, time: f64);
-    /// Applies the flows of the parts between the first and the last: [`Hamiltonian::middle`].
-    fn middle(&mut self, duration: f64, time: f64, backwards: bool);
-    /// Applies the flow of `duration·V + gradient·|∇V|²`.
-    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+#[cfg(feature = "checkpoint")]
+impl<C: Coords> Run<C> {
+    /// Resumes a run from a checkpoint, with the annotated composition of its system.
+    ///
+    /// # Errors
+    /// - The bytes are not a checkpoint, are damaged, or have another format version.
+    /// - The checkpoint is of another composition, another precision, or another system. Systems are compared by the names
+    ///   of their types, the formulas of their energies and the values of their parameters.
+    /// - The run cannot continue from the stored state.
+    ///
+    /// Parameters are compared bitwise. This includes parameters that only a `#[flow]` function, a function with a stated
+    /// derivative, or a method that these call reads. If such a function reads a field that neither consists of numbers nor
+    /// implements `Hash`, the impl needs `fn fingerprint(&self) -> u64`, which is compared instead.
+    pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
-        H: QuadraticKinetic;
-}
-
-/// One motion.
-pub(crate) struct Single<'m, H: Hamiltonian, R: Real, K: Precision>(pub(crate) &'m mut H::Motion<R, K>);
-
-impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
-    const COMPENSATED: bool = K::COMPENSATED;
-
-    #[inline(always)]
-    fn begin_step(&mut self, middle: f64) {
-        H::begin_step::<R, K>(self.0, middle);
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn drift(&mut self, duration: f64, time: f64) {
-        H::drift::<R, K>(self.0, duration, time);
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn kick(&mut self, duration: f64, time: f64) {
-        H::kick::<R, K>(self.0, duration, time);
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
-        H::middle::<R, K>(self.0, duration, time, backwards);
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
-    where
-        H: QuadraticKinetic,
+        H: Hamiltonian,
+        H::Coords: Coords<With<C::Leaf> = C>,
     {
-        H::gradient_kick::<R, K>(self.0, duration, gradient, time);
+        Self::resume_with(system, H::Compose::default(), checkpoint)
     }
-}
 
-/// The energy of a state, computed by the user's own functions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StatedEnergy {
-    /// Computed by `kinetic` and `potential`, or by the functions of named parts.
-    Separate {
-        /// `T`, or the energy of the first part.
-        kinetic: f64,
-        /// `V`, or the energy of all other parts together.
-        potential: f64,
-    },
-    /// Computed by `hamiltonian`.
-    Whole(f64),
+    /// Resumes a run from a checkpoint with changed parameters or formulas, and the annotated composition of its system.
+    ///
+    /// The run continues from the stored state, which is in the middle of a step. The current step is therefore taken partly
+    /// with the old and partly with the new parameters.
+    ///
+    /// # Errors
+    /// Those of [`Run::resume`], except for differences of parameters and formulas.
+    pub fn resume_with_changed_parameters<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
+    where
+        H: Hamiltonian,
+        H::Coords: Coords<With<C::Leaf> = C>,
+    {
+        Self::resume_with_changed_parameters_with(system, H::Compose::default(), checkpoint)
+    }
 }

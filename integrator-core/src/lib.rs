@@ -124,7 +124,7 @@ pub use ensemble::Ensemble;
 #[cfg(feature = "std")]
 pub use ensemble::in_lanes::{InLanes, ResumableInLanes};
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
-pub use hamiltonian::{Hamiltonian, QuadraticKinetic};
+pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
 pub use methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
@@ -140,6 +140,7 @@ pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::{Phase, StartOf};
 pub use system::counts::OwnSteps;
+pub use system::{QuadraticKinetic, System};
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
@@ -181,6 +182,8 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
+    // Constants such as `PARTS`.
+    pub use crate::System as _;
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre4, GaussLegendre6, Hamiltonian,
         ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, Sensitive,
@@ -206,7 +209,7 @@ pub mod __private {
             kepler::{Kepler, OfBody},
             quadratic::{Form, Quadratic, QuadraticPart},
         },
-        hamiltonian::{Flows, Hamiltonian, MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy},
+        hamiltonian::Hamiltonian,
         layout::{
             bodies::{
                 jacobi::Jacobi,
@@ -218,26 +221,26 @@ pub mod __private {
                 pair_sums::{BodyConstants, ManyBody},
             },
             lattice::{
-                sites::{MovedSites, Sites},
-                stencil::{Boundary, Drift, Kick, Stencil},
-                time_tiling::{Flow, StencilRadii},
+                stencil::{Drift, Kick, Stencil},
                 window::Window,
             },
             lists::{Addend, Read, Term, Terms},
         },
-        methods::implicit::{ImplicitMidpoint, TakesWhole},
-        methods::pace::{NODES, PlainMotion, Rated, TimeTransformed},
-        methods::taylor::{
-            Recurrences, RecurrencesVisitor,
-            edges::{Level, Watch},
-            inverse_mass::InverseMass,
-            iterations::{Iterations, Target, splat},
-            line::{Bundle, Ends, Few, Line},
-            series::{
-                COEFFICIENTS, div_by_order, half_power, next_record, power_at_zero, power_sum, power_weight,
-                power_weight_with, time_coefficients,
+        methods::{
+            implicit::{ImplicitMidpoint, TakesWhole},
+            pace::{NODES, PlainMotion, Rated, TimeTransformed},
+            taylor::{
+                Recurrences, RecurrencesVisitor,
+                edges::{Level, Watch},
+                inverse_mass::InverseMass,
+                iterations::{Iterations, Target, splat},
+                line::{Bundle, Ends, Few, Line},
+                series::{
+                    COEFFICIENTS, div_by_order, half_power, next_record, power_at_zero, power_sum, power_weight,
+                    power_weight_with, time_coefficients,
+                },
+                table::{Coefficients, Layout, Table, Wide},
             },
-            table::{Coefficients, Layout, Table, Wide},
         },
         scalar::{
             fma::Fused,
@@ -254,14 +257,17 @@ pub mod __private {
             precision::{Precision, Slot},
         },
         system::{
+            MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy, System,
             by_value::by_value,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
+            flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             motion::{Motion, Plain, Prepared, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
+            sites::{Boundary, Flow, MovedSites, Sites, StencilRadii},
         },
         trajectory::sensitive::Sensitive,
     };

@@ -1,6 +1,6 @@
 //! The arguments of a launch: the clock and the stages of a composition, in the layout of the device.
 
-use integrator_core::__private::{Composition, Hamiltonian, Lead, Precision, Rows, Stage, corrections};
+use integrator_core::__private::{Composition, Lead, Precision, Rows, Stage, System, corrections};
 
 /// What kernels of any composition know of it: what a launch says.
 pub(crate) const ANY_COMPOSITION: &str = "typedef AnyComposition Composed;\n";
@@ -38,7 +38,7 @@ pub(crate) struct Launch {
 impl Launch {
     /// A launch from the start, and the stages of its composition: opening, closing, those of a cycle, and those before and
     /// after a processed one.
-    pub(crate) fn new<H: Hamiltonian, X: Composition<H>, K: Precision>(h: f64, members: usize) -> (Self, Vec<Row>) {
+    pub(crate) fn new<H: System, X: Composition<H>, K: Precision>(h: f64, members: usize) -> (Self, Vec<Row>) {
         let (stages, processor) = (X::STAGES, X::PROCESSOR);
         let of = |rows: &Rows| {
             let count = rows.rows.len() as i32;

@@ -110,7 +110,7 @@ fn a_declared_order_chooses_the_class() {
     for declared in [": order 3", ""] {
         let general = pretty(&format!("struct McAte4{declared} = {MCATE4};"));
         assert!(general.contains("Order 3 for every `T`, 4 where `T` is quadratic in `p` (proved)"), "{general}");
-        assert!(general.contains("__System: ::integrator_core::__private::Hamiltonian"), "{general}");
+        assert!(general.contains("__System: ::integrator_core::__private::System"), "{general}");
         assert!(general.contains("const ORDER: u32 = 3;"), "{general}");
     }
     let found = errors(&format!("struct McAte4: order 5 = {MCATE4};"));

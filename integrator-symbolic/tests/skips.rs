@@ -127,7 +127,7 @@ const ROWS: [Row; 11] = [
 /// The text of a function of the expansion, from its name to the next function.
 fn function(expansion: &str, name: &str) -> String {
     let start = format!("fn {name} ");
-    let generated = expansion.split("impl runtime :: Hamiltonian for").nth(1).expect("an implementation");
+    let generated = expansion.split("impl runtime :: System for").nth(1).expect("an implementation");
     let text = generated.split(&start).nth(1).unwrap_or_else(|| panic!("no function {name}: {generated}"));
     text.split(" fn ").next().expect("a body").to_owned()
 }

@@ -27,8 +27,11 @@ macro_rules! by_hand {
         }
 
         impl Hamiltonian for $name {
-            type Coords = [f64; $n];
             type Compose = Verlet;
+        }
+
+        impl System for $name {
+            type Coords = [f64; $n];
             type Parameters<R: Real> = Self;
             type Motion<R: Real, K: Precision> = Plain<R, Shaped<Self, K>, Self>;
             const AUTONOMOUS: bool = $autonomous;

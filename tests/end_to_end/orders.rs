@@ -43,7 +43,7 @@ fn measure_all<H: Hamiltonian<Coords = [f64; N]>, const N: usize>(problem: &Prob
 }
 
 /// For the compositions that need a quadratic `T`.
-fn measure_quadratic<H: QuadraticKinetic<Coords = [f64; N]>, const N: usize>(problem: &Problem<H, N>) {
+fn measure_quadratic<H: QuadraticKinetic + Hamiltonian<Coords = [f64; N]>, const N: usize>(problem: &Problem<H, N>) {
     let exact = problem.reference(SPAN);
     macro_rules! each {
         ($($composition:ident)*) => {
@@ -54,7 +54,7 @@ fn measure_quadratic<H: QuadraticKinetic<Coords = [f64; N]>, const N: usize>(pro
 }
 
 /// For some of each kind.
-fn measure_kinds<H: QuadraticKinetic<Coords = [f64; N]>, const N: usize>(problem: &Problem<H, N>) {
+fn measure_kinds<H: QuadraticKinetic + Hamiltonian<Coords = [f64; N]>, const N: usize>(problem: &Problem<H, N>) {
     let exact = problem.reference(SPAN);
     macro_rules! each {
         ($($composition:ident)*) => {

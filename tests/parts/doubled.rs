@@ -3,8 +3,8 @@
 use crate::slope::slope;
 use integrator_core::{
     __private::{Doubled, Motion},
-    CheckpointError, Composition, Ensemble, Error, GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint,
-    Method, Phase, Run,
+    CheckpointError, Composition, Ensemble, Error, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Phase,
+    Run, System,
     check::{CertifyError, Shortfall, certify},
     prelude::*,
 };
@@ -104,7 +104,7 @@ fn the_energy_stays() {
 fn rotated(mut state: [f64; 4], coupling: f64, durations: &[f64]) -> [f64; 4] {
     let point = Phase { q: [state[0]], p: [state[1]] };
     let parameters = MIXED.parameters(1);
-    type Of = Doubled<f64, [f64; 1], <Mixed as Hamiltonian>::Parameters<f64>>;
+    type Of = Doubled<f64, [f64; 1], <Mixed as System>::Parameters<f64>>;
     let mut motion: Of = Motion::load(&[&parameters], &[&point]);
     (motion.x, motion.y) = ([state[2]], [state[3]]);
     for duration in durations {

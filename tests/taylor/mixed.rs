@@ -21,7 +21,7 @@ macro_rules! system {
 
 pub(crate) const HUNG: Phase<[f64; 2]> = Phase { q: [1.0, -0.5], p: [0.2, 0.3] };
 
-fn end<H: Recurrences>(system: &H, start: &Phase<H::Coords>, h: f64, steps: u64) -> Vec<f64>
+fn end<H: Hamiltonian + Recurrences>(system: &H, start: &Phase<H::Coords>, h: f64, steps: u64) -> Vec<f64>
 where
     H::Coords: Coords<Leaf = f64>,
 {

@@ -6,7 +6,7 @@ use crate::{
 };
 use integrator_core::{
     __private::{Coefficients, Layout, Recurrences, Table},
-    Coords, Hamiltonian,
+    Coords, System,
 };
 use std::{array, collections::BTreeSet, fs, path::Path};
 
@@ -24,7 +24,7 @@ pub(crate) fn expand<H: Recurrences>(system: &H, motion: &Motion) -> [Vec<Series
     let place = |coordinate: &usize| layout.index_of(*coordinate);
     let coordinates: Vec<usize> = (0..motion.q.len()).collect();
     let (mut tables, mut tape) = ([Table::new(layout), Table::new(layout)], H::Tape::<f64>::default());
-    let parameters = <H as Hamiltonian>::parameters(system, length);
+    let parameters = <H as System>::parameters(system, length);
     let [mut q, mut p] = tables.each_mut().map(|table| table.of(layout, 1.0));
     for i in &coordinates {
         (q[0][place(i)], p[0][place(i)]) = (motion.q[*i][0].value, motion.p[*i][0].value);

@@ -19,7 +19,7 @@ use integrator_bench::{
     starts::{Problem, Problems},
     table::{Table, folder},
 };
-use integrator_core::{Coords, QuadraticKinetic, taylor::Recurrences};
+use integrator_core::{Coords, Hamiltonian, QuadraticKinetic, taylor::Recurrences};
 use integrator_peers::{
     curves,
     fields::{self, Case, Field},
@@ -37,7 +37,7 @@ struct Report {
 }
 
 impl Report {
-    fn problem<H: QuadraticKinetic + Recurrences, F: Field<D>, const D: usize, const N: usize>(
+    fn problem<H: Hamiltonian + QuadraticKinetic + Recurrences, F: Field<D>, const D: usize, const N: usize>(
         &mut self,
         title: &str,
         problem: &Problem<H>,

@@ -112,7 +112,7 @@ where
 }
 
 /// Measures all curves. `evaluations` is the number of force evaluations with the longest steps.
-pub(crate) fn curves<H: integrator_core::QuadraticKinetic + Recurrences>(
+pub(crate) fn curves<H: Hamiltonian + integrator_core::QuadraticKinetic + Recurrences>(
     problem: &Problem<H>,
     evaluations: u64,
 ) -> Vec<Curve>

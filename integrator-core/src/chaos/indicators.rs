@@ -7,9 +7,10 @@ use crate::{
     },
     check::{CheckError, IntoStart, Start},
     error::{Error, Number},
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     methods::implicit::field::{Constants, Pair, field},
     state::{coords::Coords, phase::Phase, precision::Precision},
+    system::Shaped,
     trajectory::{
         method::Differentiable,
         tangent::{TOGETHER, Tangent, numbers},

@@ -8,7 +8,7 @@ use crate::{
     check::CheckError,
     ensemble::{in_lanes, lane_scalars::LaneScalars, member, members::refusal},
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::exact::power_of_two,
     state::{
         clock::Clock,
@@ -17,7 +17,7 @@ use crate::{
         point::Point,
         precision::Precision,
     },
-    system::energy::energy,
+    system::{Shaped, energy::energy},
     threads::{all_threads, on_threads},
     trajectory::{
         dispatch::Deviations,

@@ -3,8 +3,9 @@
 use crate::{
     chaos::indicators::LEAST,
     check::{CheckError, IntoStart, Start},
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     state::{coords::Coords, phase::Phase, precision::Precision},
+    system::Shaped,
     trajectory::{
         method::Memoryless,
         tangent::{BETWEEN_SCALES, Tangent, numbers, scaled, unit_vectors},

@@ -26,10 +26,10 @@ use crate::{
             points::{begin, flat_start, numbers},
         },
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, ratio, within},
     state::precision::Precision,
-    system::user_energies::Values,
+    system::{Shaped, user_energies::Values},
     trajectory::method::Method,
 };
 

@@ -19,11 +19,12 @@ use crate::{
         statistics::points::{self, plain, run},
     },
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     state::{
         flat::{Flat, flat, shaped},
         precision::Precision,
     },
+    system::Shaped,
     trajectory::{method::Method, run::Run},
 };
 

@@ -9,8 +9,8 @@
 
 use crate::{
     composition::{Processor, Scheme, Stage, Stages},
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::exact::two_sum,
+    system::{QuadraticKinetic, System, flows::Flows},
 };
 use core::mem::take;
 
@@ -80,7 +80,7 @@ pub(crate) enum Between {
 }
 
 impl Between {
-    pub(crate) const fn of<H: Hamiltonian>() -> Self {
+    pub(crate) const fn of<H: System>() -> Self {
         match (H::PARTS.len(), H::PAIRED) {
             (..=2, _) => Self::Nothing,
             (_, false) => Self::Flows,
@@ -139,7 +139,7 @@ impl Corrections {
 
 /// Returns the corrections of the durations of drifts, kicks and the flows between them in a compensated run with step
 /// `h`, each with the fraction of cycles that it applies to, in units of 2^-64: for executors that loop elsewhere.
-pub fn corrections<H: Hamiltonian, X: Scheme>(h: f64) -> [(f64, u64); 3] {
+pub fn corrections<H: System, X: Scheme>(h: f64) -> [(f64, u64); 3] {
     let Corrections { drift, kick, middle } = Corrections::new(&X::STAGES, h, Between::of::<H>());
     [drift, kick, middle].map(|Correction { longer, frequency }| (longer, frequency))
 }
@@ -152,7 +152,7 @@ pub(crate) struct Corrected<'f, F> {
     middle: u64,
 }
 
-impl<F: Flows<H>, H: Hamiltonian> Flows<H> for Corrected<'_, F> {
+impl<F: Flows<H>, H: System> Flows<H> for Corrected<'_, F> {
     const COMPENSATED: bool = F::COMPENSATED;
 
     #[inline(always)]
@@ -299,7 +299,7 @@ mod tests {
     /// durations that are rounded as they are, from one whose durations add up to the step.
     fn errors<X: Composition<Oscillator>>(composition: X, h: f64, steps: u64) -> [f64; 2] {
         let start = Phase::compensated([1.0], [0.0]);
-        let mut run = Hamiltonian::run_with(&Oscillator, composition, start, h).expect("a start");
+        let mut run = crate::Hamiltonian::run_with(&Oscillator, composition, start, h).expect("a start");
         run.advance(steps).expect("finite");
         let Phase { q: [q], p: [p] } = run.state();
         let exact = |residual: [f64; 2]| {

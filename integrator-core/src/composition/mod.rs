@@ -14,7 +14,7 @@ pub(crate) mod catalogue_list;
 pub(crate) mod corrected_durations;
 pub(crate) mod visitor;
 
-use crate::hamiltonian::{Flows, Hamiltonian};
+use crate::system::{System, flows::Flows};
 
 /// A drift and a kick of a composition, as fractions of the step `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -222,7 +222,7 @@ pub const fn admits_pairs<X: Scheme>() {
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition"
 )]
-pub trait Composition<H: Hamiltonian>: Scheme {
+pub trait Composition<H: System>: Scheme {
     /// The kick of one stage.
     #[inline(always)]
     fn kick(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {

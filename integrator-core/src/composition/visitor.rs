@@ -4,7 +4,7 @@
 
 use crate::{
     composition::{Composition, catalogue::*, catalogue_list::for_each_composition},
-    hamiltonian::{Hamiltonian, QuadraticKinetic},
+    system::{QuadraticKinetic, System},
 };
 
 /// A visitor of the compositions that can integrate `H`.
@@ -36,7 +36,7 @@ use crate::{
 /// Oscillator::visit_compositions(&mut names);
 /// assert!(names.0.contains(&"Verlet") && names.0.contains(&"BlanesMoanSrkn11"));
 /// ```
-pub trait Visitor<H: Hamiltonian> {
+pub trait Visitor<H: System> {
     /// Called once with each composition.
     fn visit<X: Composition<H>>(&mut self, composition: X);
 
@@ -49,7 +49,7 @@ pub trait Visitor<H: Hamiltonian> {
 }
 
 /// Visits the compositions for every `T(p)`.
-pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+pub fn visit_general<H: System>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
@@ -58,7 +58,7 @@ pub fn visit_general<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
 }
 
 /// Visits the compositions for any number of parts: those for every `T(p)` that have no processor.
-pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+pub fn visit_many_parts<H: System>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
@@ -66,7 +66,7 @@ pub fn visit_many_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
 }
 
 /// Visits the compositions that keep their orders if the second of two parts is itself a symmetric pair.
-pub fn visit_pairs<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+pub fn visit_pairs<H: System>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }
@@ -74,7 +74,7 @@ pub fn visit_pairs<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
 }
 
 /// Visits the compositions for every `T(p)`, then those for a small second part: for two named parts.
-pub fn visit_two_parts<H: Hamiltonian>(visitor: &mut impl Visitor<H>) {
+pub fn visit_two_parts<H: System>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {
         ($($composition:ident)*) => {$( visitor.visit($composition); )*};
     }

@@ -13,8 +13,8 @@ use crate::{
         members::{Finished, refusal},
     },
     error::Error,
-    hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
+    system::System,
     trajectory::checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
 };
 use serde::{Deserialize, Serialize};
@@ -147,7 +147,7 @@ impl<C: Coords> Ensemble<C> {
         checkpoint: &[u8],
     ) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: ResumableInLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,

@@ -1,13 +1,15 @@
 //! The energies of the members of an ensemble and what they conserve: one function for all, each with its prepared constants.
 
 use crate::{
-    hamiltonian::Hamiltonian,
     state::{
         coords::Coords,
         point::{Point, shaped},
         precision::Precision,
     },
-    system::energy::{EnergyOf, InvariantsOf, Parts, energy},
+    system::{
+        System,
+        energy::{EnergyOf, InvariantsOf, Parts, energy},
+    },
 };
 use alloc::{sync::Arc, vec::Vec};
 
@@ -23,7 +25,7 @@ pub(crate) trait EnergiesOfMembers: Send + Sync {
 }
 
 /// The energy functions of systems with these prepared constants.
-pub(crate) fn energies_of_members<H: Hamiltonian, K: Precision>(
+pub(crate) fn energies_of_members<H: System, K: Precision>(
     parameters: Vec<Arc<H::Parameters<f64>>>,
 ) -> Arc<dyn EnergiesOfMembers> {
     Arc::new(MemberFunctions { parameters, energy: energy::<H, K>, invariants: InvariantsOf::of::<H, K>() })

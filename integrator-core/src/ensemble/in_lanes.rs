@@ -2,7 +2,7 @@
 
 use crate::{
     composition::{Composition, Scheme},
-    hamiltonian::Hamiltonian,
+    system::System,
     trajectory::method::{Memoryless, Method},
 };
 
@@ -17,9 +17,9 @@ use crate::{
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
     note = "methods of `reference` integrate single trajectories, with `run_with`"
 )]
-pub trait InLanes<H: Hamiltonian>: Method<H> {}
+pub trait InLanes<H: System>: Method<H> {}
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {}
+impl<H: System, X: Scheme + Composition<H>> InLanes<H> for X {}
 
 /// A method whose ensembles can be resumed from a checkpoint: compositions and implicit methods.
 ///
@@ -34,6 +34,6 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> InLanes<H> for X {}
             h)?.at_time(time)`",
     note = "`Run::resume_with` resumes single runs with `Logarithmic`, `Power` or `Paced`"
 )]
-pub trait ResumableInLanes<H: Hamiltonian>: InLanes<H> + Memoryless<H> {}
+pub trait ResumableInLanes<H: System>: InLanes<H> + Memoryless<H> {}
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> ResumableInLanes<H> for X {}
+impl<H: System, X: Scheme + Composition<H>> ResumableInLanes<H> for X {}

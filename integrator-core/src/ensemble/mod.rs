@@ -34,10 +34,9 @@ use crate::{
         members::{Members, of_member, refusal},
     },
     error::{Error, Lost},
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::instruction_set::InstructionSet,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped, precision::Precision},
-    system::{energy::energy, motion::Prepared},
+    system::{Shaped, System, energy::energy, motion::Prepared},
     threads::all_threads,
     trajectory::{
         admissible::{admissible_with, change},
@@ -62,7 +61,7 @@ const REGISTERS: usize = if cfg!(target_arch = "x86_64") { 16 } else { 32 };
 /// An empty list of motions with members in their lanes, for the instruction set of this machine.
 pub(crate) fn in_lanes<H, X, K, V>(constants: Constants<X::Constants>) -> Box<dyn Motions>
 where
-    H: Hamiltonian,
+    H: System,
     X: Method<H>,
     K: LaneScalars,
     V: Carried,
@@ -124,11 +123,11 @@ impl<C: Coords> Ensemble<C> {
     /// [`Ensemble::of_admissible`] leaves out the members that cause these errors.
     ///
     /// - [`Error::NoMembers`]: there are no members.
-    /// - [`Error::Member`]: one member, or every one, cannot start, for the reasons of [`Hamiltonian::run`].
+    /// - [`Error::Member`]: one member, or every one, cannot start, for the reasons of [`Hamiltonian::run`](crate::Hamiltonian::run).
     /// - [`Error::Members`]: several, but not all, cannot start.
     pub fn new<H, X>(method: X, members: impl IntoIterator<Item = (H, Phase<C>)>, h: f64) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: InLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
@@ -175,7 +174,7 @@ impl<C: Coords> Ensemble<C> {
         h: f64,
     ) -> Result<(Self, Vec<(usize, Error)>), Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: InLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
@@ -203,7 +202,7 @@ impl<C: Coords> Ensemble<C> {
         refused: &mut Vec<(usize, Error)>,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: InLanes<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
@@ -547,8 +546,8 @@ impl<C: Coords> fmt::Debug for Ensemble<C> {
 /// The parameters of a member, at its requested start time.
 ///
 /// # Errors
-/// Those of [`Hamiltonian::run`].
-pub(crate) fn member<H: Hamiltonian, K: Precision, X: Method<H>>(
+/// Those of [`Hamiltonian::run`](crate::Hamiltonian::run).
+pub(crate) fn member<H: System, K: Precision, X: Method<H>>(
     system: &H,
     method: X,
     start: &Phase<Shaped<H, K>>,

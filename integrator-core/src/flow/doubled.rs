@@ -12,7 +12,7 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::motion::{Motion, Prepared},
+    system::motion::{Motion, Moved, Prepared, Read},
 };
 use alloc::vec::Vec;
 
@@ -29,24 +29,6 @@ pub struct Doubled<R: Real, C: Coords, P> {
     pub y: C::Slots<R>,
     /// Prepared constants.
     pub parameters: P,
-}
-
-/// The coordinates that a flow reads.
-pub struct Read<'m, S, P> {
-    /// Positions.
-    pub q: &'m S,
-    /// Momenta.
-    pub p: &'m S,
-    /// Prepared constants.
-    pub parameters: &'m P,
-}
-
-/// The coordinates that it moves.
-pub struct Moved<'m, S> {
-    /// Positions.
-    pub q: &'m mut S,
-    /// Momenta.
-    pub p: &'m mut S,
 }
 
 /// The coordinates that a flow reads, and those that it moves.

@@ -1,6 +1,6 @@
 //! Flows as text for devices: C++, which CUDA compiles.
 
-use crate::hamiltonian::Hamiltonian;
+use crate::system::System;
 use alloc::vec::Vec;
 
 /// A Hamiltonian whose flows are also text for devices. Written by `#[hamiltonian(gpu)]`.
@@ -9,7 +9,7 @@ use alloc::vec::Vec;
     label = "generated without `gpu`",
     note = "write `#[hamiltonian(gpu)]` to generate it"
 )]
-pub trait DeviceText: Hamiltonian {
+pub trait DeviceText: System {
     /// The struct `System`: the shape of the state, its prepared constants, and its flows.
     const TEXT: &'static str;
     /// The number of prepared constants, counted as single numbers.

@@ -2,10 +2,12 @@
 
 use crate::{
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::{Kernel, Real},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::{Found, Motion},
+    system::{
+        Shaped, System,
+        motion::{Found, Motion},
+    },
 };
 use alloc::sync::Arc;
 
@@ -87,7 +89,7 @@ struct EnergyFunction<P, C> {
 }
 
 /// The energy function of a system.
-pub(crate) fn energies<H: Hamiltonian, K: Precision>(
+pub(crate) fn energies<H: System, K: Precision>(
     parameters: Arc<H::Parameters<f64>>,
 ) -> Arc<dyn Energies<Shaped<H, K>>> {
     let invariants = InvariantsOf::of::<H, K>();
@@ -103,7 +105,7 @@ pub(crate) struct InvariantsOf<P, C> {
 impl<P, C> InvariantsOf<P, C> {
     pub(crate) fn of<H, K>() -> Self
     where
-        H: Hamiltonian<Parameters<f64> = P>,
+        H: System<Parameters<f64> = P>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
@@ -129,7 +131,7 @@ impl<P: Send + Sync, C: Coords> Energies<C> for EnergyFunction<P, C> {
 pub(crate) type EnergyOf<P, C> = fn(&P, &Phase<C>, f64, Option<&Found>) -> Parts;
 
 /// The energy of a state, computed in the scalar of its leaf.
-pub(crate) fn energy<H: Hamiltonian, K: Precision>(
+pub(crate) fn energy<H: System, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     time: f64,
@@ -143,7 +145,7 @@ pub(crate) fn energy<H: Hamiltonian, K: Precision>(
 }
 
 /// An invariant of a state, computed in the scalar of its leaf.
-fn invariant<H: Hamiltonian, K: Precision>(
+fn invariant<H: System, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
     number: usize,
@@ -155,7 +157,7 @@ fn invariant<H: Hamiltonian, K: Precision>(
 }
 
 /// A motion at a state, in the scalar that energies of its leaf are computed in.
-fn in_energy_scalar<H: Hamiltonian, K: Precision>(
+fn in_energy_scalar<H: System, K: Precision>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
 ) -> H::Motion<K::Energy, f64> {
@@ -167,12 +169,12 @@ fn in_energy_scalar<H: Hamiltonian, K: Precision>(
     H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states)
 }
 
-struct Energy<'m, H: Hamiltonian, R: Real> {
+struct Energy<'m, H: System, R: Real> {
     motion: &'m H::Motion<R, f64>,
     time: f64,
 }
 
-impl<H: Hamiltonian, R: Real> Kernel for Energy<'_, H, R> {
+impl<H: System, R: Real> Kernel for Energy<'_, H, R> {
     type Out = Parts;
 
     #[inline(always)]

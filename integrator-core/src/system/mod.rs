@@ -1,4 +1,5 @@
-//! Systems: a state in its layout, energies, prepared constants, lists and functions of the user.
+//! Systems: flows and energies that the macro generates, the state in its layout, prepared constants, lists and functions
+//! of the user.
 
 pub(crate) mod by_value;
 pub(crate) mod counts;
@@ -6,11 +7,182 @@ pub(crate) mod device_text;
 pub(crate) mod elements;
 pub(crate) mod energy;
 pub(crate) mod external;
+pub(crate) mod flows;
 pub(crate) mod integers;
 pub(crate) mod motion;
 pub(crate) mod not_finite;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
 pub(crate) mod read_by_methods;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod sites;
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod user_energies;
+
+use crate::{
+    error::Error,
+    scalar::real::Real,
+    state::{coords::Coords, precision::Precision},
+    system::{
+        motion::{Motion, Moved, Prepared, Read},
+        sites::{Flow, MovedSites, Sites, StencilRadii},
+    },
+};
+use core::ops::Range;
+
+/// The coordinates of `H` with leaf `K`.
+pub type Shaped<H, K> = <<H as System>::Coords as Coords>::With<K>;
+
+/// The slots of the positions or the momenta of `H`.
+type SlotsOf<H, R, K> = <Shaped<H, K> as Coords>::Slots<R>;
+
+/// The slots and constants from which the vector field of `H` is evaluated.
+pub type ReadBy<'m, H, R, K> = Read<'m, SlotsOf<H, R, K>, <H as System>::Parameters<R>>;
+
+/// The slots that the vector field of `H` changes.
+pub type MovedBy<'m, H, R, K> = Moved<'m, SlotsOf<H, R, K>>;
+
+/// The exact flows, energies and constants of a Hamiltonian, in the layout that the macro chose.
+///
+/// `#[hamiltonian]` implements this trait beside [`Hamiltonian`](crate::Hamiltonian), which users name in bounds.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a Hamiltonian",
+    label = "has no generated stepper",
+    note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
+)]
+pub trait System: Sized {
+    /// The shape of `q` and of `p`, with the scalar type `f64`.
+    type Coords: Coords<Leaf = f64, With<f64> = Self::Coords>;
+    /// The prepared constants, which depend on parameters alone.
+    type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
+    /// The prepared constants and the state, in the layout that the macro chose.
+    type Motion<R: Real, K: Precision>: Motion<Shaped<Self, K>, Self::Parameters<f64>>;
+
+    /// The names of the parts, in the order of the letters A, B, C.
+    ///
+    /// Empty if `H` is not split. Compositions cannot integrate such an `H`; methods that use the whole vector field can.
+    const PARTS: &'static [&'static str] = &["kinetic", "potential"];
+    /// Whether parts 2..n form one composite part, advanced by a symmetric inner step.
+    ///
+    /// The inner step applies `middle` for half the duration, `kick`, and `middle` backwards.
+    const PAIRED: bool = false;
+    /// Whether `H = T(p) + V(q)`, so that a drift changes positions only and a kick momenta only.
+    const SEPARABLE: bool = true;
+    /// The error of flow derivatives relative to exact dual-number derivatives, which have 1.
+    ///
+    /// A flow that the user wrote is differentiated by extrapolated differences, which lose one or two digits.
+    const TANGENT_ERROR: f64 = 1.0;
+    /// Whether steps evolve two coupled copies of the state, of which one is returned (Tao 2016).
+    ///
+    /// Such steps are symplectic and reversible in the doubled phase space, not in that of one copy.
+    const COPIES: bool = false;
+    /// Whether no part depends on time, so that the energy is conserved.
+    const AUTONOMOUS: bool;
+    /// Whether a flow changes its formula at given times, such as a switch or a pulse.
+    ///
+    /// Each step then uses the formulas at its midpoint, and stages are not merged across steps.
+    const PIECEWISE_IN_TIME: bool = false;
+    /// Whether a single run benefits from 512-bit vectors, because its flows process sites or bodies in SIMD lanes.
+    ///
+    /// Scalar code can be slower in AVX-512 and is compiled for AVX2 at most.
+    const WIDE: bool = false;
+    /// Whether flows are so expensive that a dispatch per stage costs nothing in comparison.
+    ///
+    /// One loop that reads the table of the composition is then compiled for all compositions.
+    const LARGE_FLOWS: bool = false;
+    /// A fingerprint of the generated flows and energies, by which a checkpoint is matched to its system.
+    const FINGERPRINT: u64 = 0;
+    /// The names of the functions that are annotated as conserved.
+    const INVARIANTS: &'static [&'static str] = &[];
+    /// The stencil radii of the flows of a lattice, if its sites can be updated in segments.
+    const STENCIL_RADII: Option<StencilRadii> = None;
+
+    /// Checks that the system can be integrated from a start with `length` numbers or points.
+    ///
+    /// # Errors
+    /// [`Error::FewMasses`] or [`Error::Mass`] if masses are missing or unusable in the coordinates of the system.
+    fn admissible(&self, _length: usize) -> Result<(), Error> {
+        Ok(())
+    }
+    /// Evaluates the constants that depend on parameters only, by the user's own expressions.
+    ///
+    /// `length` is the number of numbers or points in the positions of the start.
+    fn parameters(&self, length: usize) -> Self::Parameters<f64>;
+    /// Sets the midpoint time at which time-dependent conditions are evaluated in the current step.
+    fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
+    /// Applies the exact flow of `T`, or of the first part, for `duration`; an explicit time dependence is evaluated at `time`.
+    fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// Applies the flows of the parts between the first and the last, in their order or backwards.
+    fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _time: f64, _backwards: bool) {}
+    /// Applies the exact flow of `V`, or of the last part, for `duration`; an explicit time dependence is evaluated at `time`.
+    fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
+    ///
+    /// Empty if `H = T(p) + V(q)` in the user's own coordinates: the flows of `T` and `V` give the field there.
+    fn along_field<R: Real, K: Precision>(
+        _motion: ReadBy<'_, Self, R, K>,
+        _moved: MovedBy<'_, Self, R, K>,
+        _duration: f64,
+        _time: f64,
+    ) {
+    }
+    /// Returns `T`, or the energy of the first part.
+    fn kinetic<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
+    /// Returns `V`, or the energy of all parts except the first.
+    fn potential<R: Real, K: Precision>(motion: &Self::Motion<R, K>, time: f64) -> R;
+
+    /// Returns the energy by the user's own functions, with which the generated code is compared.
+    fn stated(&self, q: &Self::Coords, p: &Self::Coords, time: f64) -> StatedEnergy;
+
+    /// Returns the value of an invariant, by its index in [`System::INVARIANTS`].
+    fn invariant<R: Real, K: Precision>(_motion: &Self::Motion<R, K>, _number: usize) -> R {
+        R::of(f64::NAN)
+    }
+
+    /// Returns the value of an invariant by the user's own function, with which the generated code is compared.
+    fn stated_invariant(&self, _number: usize, _q: &Self::Coords, _p: &Self::Coords) -> f64 {
+        f64::NAN
+    }
+
+    /// Returns the sites of a lattice, if they can be updated in segments.
+    fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
+        None
+    }
+    /// Applies a flow to a range of sites of a lattice.
+    fn apply_to_sites<R: Real, K: Precision>(
+        _lattice: MovedSites<'_, R, K, Self::Parameters<R>>,
+        _flow: &Flow,
+        _sites: Range<usize>,
+    ) {
+    }
+}
+
+/// A Hamiltonian with `T = ½ pᵀ M⁻¹ p` and a constant `M`.
+///
+/// `#[hamiltonian]` implements this trait if it can show symbolically that `T` has this form.
+#[diagnostic::on_unimplemented(
+    message = "H of `{Self}` is not ½ pᵀ M⁻¹ p + V(q) with a constant M",
+    label = "this composition needs H = ½ pᵀ M⁻¹ p + V(q)",
+    note = "its order conditions hold only for such an H",
+    note = "compositions of general class, such as `Yoshida4` and `KahanLi8`, integrate every splitting"
+)]
+pub trait QuadraticKinetic: System {
+    /// Replaces the momenta by the product of the Hessian of `V` and the momenta.
+    fn hessian<R: Real>(motion: &mut Self::Motion<R, f64>, time: f64);
+    /// Applies the exact flow of `duration·V + gradient·|∇V|²`, with the norm that `M⁻¹` defines.
+    fn gradient_kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, gradient: f64, time: f64);
+}
+
+/// The energy of a state, computed by the user's own functions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StatedEnergy {
+    /// Computed by `kinetic` and `potential`, or by the functions of named parts.
+    Separate {
+        /// `T`, or the energy of the first part.
+        kinetic: f64,
+        /// `V`, or the energy of all other parts together.
+        potential: f64,
+    },
+    /// Computed by `hamiltonian`.
+    Whole(f64),
+}

@@ -145,6 +145,24 @@ pub struct Beside {
     pub(crate) exponent: f64,
 }
 
+/// The coordinates that a flow reads.
+pub struct Read<'m, S, P> {
+    /// Positions.
+    pub q: &'m S,
+    /// Momenta.
+    pub p: &'m S,
+    /// Prepared constants.
+    pub parameters: &'m P,
+}
+
+/// The coordinates that it moves.
+pub struct Moved<'m, S> {
+    /// Positions.
+    pub q: &'m mut S,
+    /// Momenta.
+    pub p: &'m mut S,
+}
+
 /// The plain layout: the user's own shape.
 #[derive(Clone)]
 pub struct Plain<R: Real, C: Coords, P> {

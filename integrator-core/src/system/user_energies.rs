@@ -6,19 +6,18 @@
 #[cfg(debug_assertions)]
 use crate::{
     error::Error,
-    hamiltonian::Shaped,
     state::{
         coords::Coords,
         flat::{flat, shaped},
         precision::Precision,
     },
+    system::Shaped,
 };
 use crate::{
     error::Misread,
-    hamiltonian::{Hamiltonian, StatedEnergy},
     scalar::{bounded::Bounded, real::Real},
     state::{flat::Flat, phase::Phase},
-    system::{energy::part_names, motion::Motion},
+    system::{StatedEnergy, System, energy::part_names, motion::Motion},
 };
 
 /// The number of roundings of the user's function for each one of the generated code: where one adds in a loop, the
@@ -47,7 +46,7 @@ impl Function {
     pub(crate) const BOTH: [Self; 2] = [Self::Kinetic, Self::Potential];
 
     /// The user's function that it is, or is a part of.
-    fn name<H: Hamiltonian>(self, is_whole: bool) -> &'static str {
+    fn name<H: System>(self, is_whole: bool) -> &'static str {
         let [first, second] = part_names(H::PARTS);
         match self {
             _ if is_whole => "hamiltonian",
@@ -97,7 +96,7 @@ pub(crate) struct Values {
 
 /// The values of a function; where the user wrote all of `H` in one, those of all of `H`, which changes with the coordinates of
 /// either part as that part does.
-pub(crate) fn values<H: Hamiltonian>(
+pub(crate) fn values<H: System>(
     function: Function,
     system: &H,
     parameters: &H::Parameters<f64>,
@@ -110,7 +109,7 @@ pub(crate) fn values<H: Hamiltonian>(
 }
 
 /// The value of the generated code, and a bound on its rounding.
-pub(crate) fn bounded_energy<H: Hamiltonian>(
+pub(crate) fn bounded_energy<H: System>(
     function: Function,
     parameters: &H::Parameters<f64>,
     state: &Phase<H::Coords>,
@@ -180,7 +179,7 @@ impl Digits {
 /// # Errors
 /// [`Error::Misread`]
 #[cfg(debug_assertions)]
-pub(crate) fn hold_at_start<H: Hamiltonian, K: Precision>(
+pub(crate) fn hold_at_start<H: System, K: Precision>(
     system: &H,
     parameters: &H::Parameters<f64>,
     start: &Phase<Shaped<H, K>>,

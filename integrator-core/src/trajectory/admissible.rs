@@ -2,8 +2,8 @@
 
 use crate::{
     error::Error,
-    hamiltonian::Hamiltonian,
     state::{coords::Coords, fixed::is_power_of_two, phase::Phase, precision::Precision},
+    system::System,
     trajectory::method::Method,
 };
 
@@ -51,7 +51,7 @@ fn on_its_grid(
 ///
 /// # Errors
 /// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
-pub(crate) fn admissible_with<H: Hamiltonian, C: Coords>(
+pub(crate) fn admissible_with<H: System, C: Coords>(
     method: impl Method<H>,
     start: &Phase<C>,
     h: f64,

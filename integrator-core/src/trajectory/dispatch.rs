@@ -1,9 +1,9 @@
 //! The choice among the multiversioned variants of single trajectories: the instruction set of this machine.
 
 use crate::{
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::{dual::Dual, instruction_set::InstructionSet, real::Real},
     state::{point::Point, precision::Precision},
+    system::{Shaped, System},
     trajectory::{
         engine::Engine,
         method::{Facts, Method},
@@ -41,7 +41,7 @@ impl<const N: usize, const SENSITIVE: bool> Carried for Deviations<N, SENSITIVE>
 }
 
 /// An empty list of motions of single trajectories, for the instruction set of this machine.
-pub(crate) fn single<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(
+pub(crate) fn single<H: System, X: Method<H>, K: Precision, V: Carried>(
     constants: Constants<X::Constants>,
 ) -> Box<dyn Motions> {
     // A constant, so that nothing is compiled for the other instruction sets.
@@ -71,7 +71,7 @@ pub(crate) struct Bound<P> {
 }
 
 /// Binds a method to a system and to what a trajectory carries.
-pub(crate) fn bound<H: Hamiltonian, X: Method<H>, K: Precision, V: Carried>(method: X) -> Bound<H::Parameters<f64>> {
+pub(crate) fn bound<H: System, X: Method<H>, K: Precision, V: Carried>(method: X) -> Bound<H::Parameters<f64>> {
     Bound {
         facts: method.facts(),
         forces: method.forces(),
@@ -102,7 +102,7 @@ impl<P> Bound<P> {
 }
 
 /// An empty list of motions whose steps are computed in `R`.
-pub(crate) fn motions<H: Hamiltonian, X: Method<H>, R: Real, K: Precision, E: Executor>(
+pub(crate) fn motions<H: System, X: Method<H>, R: Real, K: Precision, E: Executor>(
     constants: Constants<X::Constants>,
 ) -> Box<dyn Motions> {
     Group::<X::Motion<R, K>, _, Shaped<H, K>>::empty(X::step_functions::<R, K, E>(), constants, 0)

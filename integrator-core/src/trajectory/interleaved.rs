@@ -5,9 +5,9 @@
 
 use crate::{
     composition::Composition,
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
+    system::{QuadraticKinetic, Shaped, System, flows::Flows},
     trajectory::{
         step_functions::Executor,
         step_loop::{Advance, AdvanceOne},
@@ -27,9 +27,9 @@ const FOR_STATE: usize = 24;
 /// Several motions, stage by stage.
 ///
 /// Unoptimised, a flow in vectors that was inlined at every stage would take megabytes of stack.
-struct Interleaved<'m, H: Hamiltonian, R: Real, K: Precision, const N: usize>(&'m mut [H::Motion<R, K>; N]);
+struct Interleaved<'m, H: System, R: Real, K: Precision, const N: usize>(&'m mut [H::Motion<R, K>; N]);
 
-impl<H: Hamiltonian, R: Real, K: Precision, const N: usize> Flows<H> for Interleaved<'_, H, R, K, N> {
+impl<H: System, R: Real, K: Precision, const N: usize> Flows<H> for Interleaved<'_, H, R, K, N> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     #[inline(always)]
@@ -68,7 +68,7 @@ impl<H: Hamiltonian, R: Real, K: Precision, const N: usize> Flows<H> for Interle
 }
 
 /// The n-step loop over all motions, one group after the other.
-pub(crate) struct AdvanceAll<'m, H: Hamiltonian, X, R: Real, K: Precision, E> {
+pub(crate) struct AdvanceAll<'m, H: System, X, R: Real, K: Precision, E> {
     motions: &'m mut [H::Motion<R, K>],
     clock: Clock,
     steps: u64,
@@ -77,7 +77,7 @@ pub(crate) struct AdvanceAll<'m, H: Hamiltonian, X, R: Real, K: Precision, E> {
 
 impl<'m, H, X, R, K, E> AdvanceAll<'m, H, X, R, K, E>
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,
@@ -126,7 +126,7 @@ where
 
 impl<H, X, R, K, E> Kernel for AdvanceAll<'_, H, X, R, K, E>
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,

@@ -6,10 +6,9 @@
 use crate::{
     composition::{Composition, Processor, Scheme, Stages},
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::precision::Precision,
-    system::motion::Motion,
+    system::{Shaped, System, motion::Motion},
     trajectory::step_functions::{Executor, StepFunctions, of_composition},
 };
 use alloc::sync::Arc;
@@ -114,7 +113,7 @@ impl<X: Scheme> Described for X {
             rate(&self, q: ...) -> f64`",
     note = "`Stoermer4` and `StoermerCowell4` require a T that is quadratic in p with constant masses"
 )]
-pub trait Method<H: Hamiltonian>: Described {
+pub trait Method<H: System>: Described {
     /// Whether steps are compiled for several instruction sets, of which a run uses the best available.
     const CLONED: bool = true;
     /// Whether a single run uses AVX-512 if the machine has it.
@@ -122,7 +121,7 @@ pub trait Method<H: Hamiltonian>: Described {
 
     /// Returns the force evaluations per step, if the number is constant.
     ///
-    /// [`Facts::forces`] assumes stages that are merged across steps, which [`Hamiltonian::PIECEWISE_IN_TIME`] prevents.
+    /// [`Facts::forces`] assumes stages that are merged across steps, which [`System::PIECEWISE_IN_TIME`] prevents.
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
     }
@@ -141,7 +140,7 @@ pub trait Method<H: Hamiltonian>: Described {
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>>;
 }
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
+impl<H: System, X: Scheme + Composition<H>> Method<H> for X {
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
     }
@@ -170,9 +169,9 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Method<H> for X {
     note = "compositions, `ImplicitMidpoint`, Gauss methods, `Logarithmic`, `Power` and `Paced` support checkpoints",
     note = "a method with memory, such as `Taylor`, restarts from `state()`"
 )]
-pub trait Resumable<H: Hamiltonian>: Method<H> {}
+pub trait Resumable<H: System>: Method<H> {}
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
+impl<H: System, X: Scheme + Composition<H>> Resumable<H> for X {}
 
 /// A method that integrates deviation vectors together with the state.
 ///
@@ -183,12 +182,12 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Resumable<H> for X {}
     note = "compositions, `ImplicitMidpoint`, Gauss methods, `Logarithmic`, `Power`, `Paced` and `Taylor` integrate \
             deviation vectors"
 )]
-pub trait Differentiable<H: Hamiltonian>: Method<H> {
+pub trait Differentiable<H: System>: Method<H> {
     /// Whether a run depends on its state and vectors only, so that vectors can be rescaled by powers of two.
     const FROM_STATES: bool = false;
 }
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> Differentiable<H> for X {
+impl<H: System, X: Scheme + Composition<H>> Differentiable<H> for X {
     const FROM_STATES: bool = true;
 }
 
@@ -201,6 +200,6 @@ impl<H: Hamiltonian, X: Scheme + Composition<H>> Differentiable<H> for X {
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition"
 )]
-pub trait Memoryless<H: Hamiltonian>: Resumable<H> + Differentiable<H> + Default {}
+pub trait Memoryless<H: System>: Resumable<H> + Differentiable<H> + Default {}
 
-impl<H: Hamiltonian, X: Scheme + Composition<H>> Memoryless<H> for X {}
+impl<H: System, X: Scheme + Composition<H>> Memoryless<H> for X {}

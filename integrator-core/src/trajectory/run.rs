@@ -8,7 +8,6 @@ use crate::trajectory::checkpoint::Origin;
 use crate::trajectory::progress::{Progress, in_portions};
 use crate::{
     error::{Divergence, Error},
-    hamiltonian::Hamiltonian,
     state::{
         clock::{Clock, durations, time_after},
         coords::Coords,
@@ -17,6 +16,7 @@ use crate::{
         precision::Precision,
     },
     system::{
+        System,
         counts::{Counts, OwnSteps},
         energy::{Energies, Parts, energies},
         motion::Prepared,
@@ -35,7 +35,7 @@ use core::fmt;
 #[cfg(feature = "std")]
 use core::ops::ControlFlow;
 
-/// A trajectory that is being integrated, returned by [`Hamiltonian::run`].
+/// A trajectory that is being integrated, returned by [`Hamiltonian::run`](crate::Hamiltonian::run).
 ///
 /// The type has the coordinates as its only parameter, so that runs of different systems and methods can be stored
 /// together.
@@ -77,7 +77,7 @@ pub(crate) struct Kind {
 impl<C: Coords> Run<C> {
     pub(crate) fn start<H, X, K>(system: &H, method: X, start: Phase<C>, h: f64) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: Method<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
@@ -95,7 +95,7 @@ impl<C: Coords> Run<C> {
         h: f64,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
@@ -136,7 +136,7 @@ impl<C: Coords> Run<C> {
         opened: u64,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {

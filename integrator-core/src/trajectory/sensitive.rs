@@ -2,12 +2,12 @@
 
 use crate::{
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
     state::{
         coords::Coords,
         phase::{Phase, StartOf},
         precision::Precision,
     },
+    system::{Shaped, System},
     trajectory::{
         method::Differentiable,
         tangent::{Beginning, Tangent},
@@ -24,7 +24,7 @@ use core::ops::Range;
     label = "the annotation has no `sensitive`",
     note = "name fields of `{Self}` that are numbers, as in `#[hamiltonian(sensitive(mass, length))]`"
 )]
-pub trait Sensitive: Hamiltonian {
+pub trait Sensitive: System {
     /// The names of the parameters, in the order of the annotation.
     const SENSITIVE: &'static [&'static str];
 
@@ -59,7 +59,7 @@ pub trait Sensitive: Hamiltonian {
     /// ```
     ///
     /// # Errors
-    /// As [`Hamiltonian::tangent`].
+    /// As [`Hamiltonian::tangent`](crate::Hamiltonian::tangent).
     fn sensitivities<K: Precision, X: Differentiable<Self>>(
         &self,
         method: X,

@@ -2,11 +2,10 @@
 
 use crate::{
     composition::Composition,
-    hamiltonian::{Hamiltonian, Single},
     layout::lattice::{carried::CarriedApart, time_tiling::TimeTiling},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
-    system::motion::Motion,
+    system::{System, flows::Single, motion::Motion},
     trajectory::{
         by_table,
         interleaved::AdvanceAll,
@@ -16,11 +15,11 @@ use crate::{
 
 #[cfg(feature = "check")]
 use crate::{
-    hamiltonian::Shaped,
     state::{
         phase::Phase,
         point::{Point, shaped_mut},
     },
+    system::Shaped,
     trajectory::tangent::square,
 };
 
@@ -152,7 +151,7 @@ impl<const REGISTERS: usize> Executor for Interleaved<REGISTERS> {
 /// The step functions of a system under a composition.
 pub(crate) fn of_composition<H, X, R, K, E>() -> StepFunctions<H::Motion<R, K>>
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,
@@ -184,7 +183,7 @@ where
 }
 
 /// Whether the loop over stages reads the table of the composition, and is not compiled for it.
-const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E: Executor>() -> bool {
+const fn is_by_table<H: System, X: Composition<H>, R: Real, K: Precision, E: Executor>() -> bool {
     let carried_apart = E::TILES && CarriedApart::<H, R, K>::ENABLED;
     H::LARGE_FLOWS && X::GRADIENT_EVALUATIONS == 0 && AdvanceAll::<H, X, R, K, E>::TOGETHER == 1 && !carried_apart
 }
@@ -192,7 +191,7 @@ const fn is_by_table<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision, E
 /// Returns the function that completes a step, or that undoes the processor after it.
 fn ending<H, X, R, K, E, const SHOWN: bool>() -> fn(&mut H::Motion<R, K>, Clock, Option<usize>)
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,
@@ -208,7 +207,7 @@ where
 /// The n-step loop.
 fn advance<H, X, R, K, E>(motions: &mut [H::Motion<R, K>], clock: Clock, steps: u64, threads: Option<usize>)
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,
@@ -233,7 +232,7 @@ where
 /// The end of the current step: its last stages, or the inverse of the processor after them.
 fn end<H, X, R, K, E, const SHOWN: bool>(motion: &mut H::Motion<R, K>, clock: Clock, threads: Option<usize>)
 where
-    H: Hamiltonian,
+    H: System,
     X: Composition<H>,
     R: Real,
     K: Precision,
@@ -259,16 +258,13 @@ pub(crate) fn all_finite<C: Coords, P, M: Motion<C, P>>(motions: &[M], threads: 
 }
 
 /// Whether all motions are finite, in the variant for the instruction set of lanes.
-fn all_finite_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
-    motions: &[H::Motion<R, K>],
-    _threads: Option<usize>,
-) -> bool {
+fn all_finite_in_lanes<H: System, R: Real, K: Precision>(motions: &[H::Motion<R, K>], _threads: Option<usize>) -> bool {
     R::enter(Finite::<H, R, K>(motions))
 }
 
 /// The squares of vectors in that variant, too: elsewhere a lane would be taken out of a register by a call.
 #[cfg(feature = "check")]
-fn squares_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
+fn squares_in_lanes<H: System, R: Real, K: Precision>(
     motions: &[H::Motion<R, K>],
     point: &mut dyn Point,
     squares: &mut [f64],
@@ -277,14 +273,14 @@ fn squares_in_lanes<H: Hamiltonian, R: Real, K: Precision>(
 }
 
 #[cfg(feature = "check")]
-struct SquaresOf<'m, H: Hamiltonian, R: Real, K: Precision> {
+struct SquaresOf<'m, H: System, R: Real, K: Precision> {
     motions: &'m [H::Motion<R, K>],
     point: &'m mut Phase<Shaped<H, K>>,
     squares: &'m mut [f64],
 }
 
 #[cfg(feature = "check")]
-impl<H: Hamiltonian, R: Real, K: Precision> Kernel for SquaresOf<'_, H, R, K> {
+impl<H: System, R: Real, K: Precision> Kernel for SquaresOf<'_, H, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -298,9 +294,9 @@ impl<H: Hamiltonian, R: Real, K: Precision> Kernel for SquaresOf<'_, H, R, K> {
     }
 }
 
-struct Finite<'m, H: Hamiltonian, R: Real, K: Precision>(&'m [H::Motion<R, K>]);
+struct Finite<'m, H: System, R: Real, K: Precision>(&'m [H::Motion<R, K>]);
 
-impl<H: Hamiltonian, R: Real, K: Precision> Kernel for Finite<'_, H, R, K> {
+impl<H: System, R: Real, K: Precision> Kernel for Finite<'_, H, R, K> {
     type Out = bool;
 
     #[inline(always)]

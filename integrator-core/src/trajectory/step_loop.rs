@@ -5,11 +5,14 @@ use crate::{
         Composition, Lead,
         corrected_durations::{Between, Corrections},
     },
-    hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::carried::CarriedApart,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
-    system::motion::{InRegisters, Motion},
+    system::{
+        System,
+        flows::{Flows, Single},
+        motion::{InRegisters, Motion},
+    },
 };
 use core::marker::PhantomData;
 
@@ -27,7 +30,7 @@ impl<F, H, X> Advance<F, H, X> {
     }
 }
 
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X> {
+impl<F: Flows<H>, H: System, X: Composition<H>> Kernel for Advance<F, H, X> {
     type Out = ();
 
     #[inline(always)]
@@ -57,7 +60,7 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Kernel for Advance<F, H, X>
     }
 }
 
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
+impl<F: Flows<H>, H: System, X: Composition<H>> Advance<F, H, X> {
     /// Takes whole steps, where a stage that is merged across steps would belong to two pieces: each step ends before
     /// the next one begins, with its own middle.
     #[inline(always)]
@@ -82,20 +85,20 @@ impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>> Advance<F, H, X> {
 }
 
 /// The n-step loop of one motion.
-pub(crate) struct AdvanceOne<'m, H: Hamiltonian, X, R: Real, K: Precision> {
+pub(crate) struct AdvanceOne<'m, H: System, X, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
     clock: Clock,
     steps: u64,
     marker: PhantomData<X>,
 }
 
-impl<'m, H: Hamiltonian, X, R: Real, K: Precision> AdvanceOne<'m, H, X, R, K> {
+impl<'m, H: System, X, R: Real, K: Precision> AdvanceOne<'m, H, X, R, K> {
     pub(crate) fn new(motion: &'m mut H::Motion<R, K>, clock: Clock, steps: u64) -> Self {
         Self { motion, clock, steps, marker: PhantomData }
     }
 }
 
-impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceOne<'_, H, X, R, K> {
+impl<H: System, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceOne<'_, H, X, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -118,15 +121,15 @@ impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for Advanc
 }
 
 /// The n-step loop of a short lattice whose state is compensated.
-pub(crate) struct AdvanceApart<'m, H: Hamiltonian, X, R: Real, K: Precision>(AdvanceOne<'m, H, X, R, K>);
+pub(crate) struct AdvanceApart<'m, H: System, X, R: Real, K: Precision>(AdvanceOne<'m, H, X, R, K>);
 
-impl<'m, H: Hamiltonian, X, R: Real, K: Precision> AdvanceApart<'m, H, X, R, K> {
+impl<'m, H: System, X, R: Real, K: Precision> AdvanceApart<'m, H, X, R, K> {
     pub(crate) fn new(motion: &'m mut H::Motion<R, K>, clock: Clock, steps: u64) -> Self {
         Self(AdvanceOne::new(motion, clock, steps))
     }
 }
 
-impl<H: Hamiltonian, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceApart<'_, H, X, R, K> {
+impl<H: System, X: Composition<H>, R: Real, K: Precision> Kernel for AdvanceApart<'_, H, X, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -152,7 +155,7 @@ impl<F, H, X, const SHOWN: bool> End<F, H, X, SHOWN> {
     }
 }
 
-impl<F: Flows<H>, H: Hamiltonian, X: Composition<H>, const SHOWN: bool> Kernel for End<F, H, X, SHOWN> {
+impl<F: Flows<H>, H: System, X: Composition<H>, const SHOWN: bool> Kernel for End<F, H, X, SHOWN> {
     type Out = ();
 
     #[inline(always)]

@@ -11,9 +11,9 @@ mod within_step;
 
 use crate::{
     error::{Error, VectorFault},
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
+    system::{Shaped, System},
     trajectory::{
         admissible::admissible_with,
         dispatch::{Carried, Deviations, bound},
@@ -35,7 +35,7 @@ pub(crate) const BETWEEN_SCALES: u64 = 64;
 /// register of 256 bits.
 pub(crate) const TOGETHER: usize = 4;
 
-/// A trajectory with deviation vectors `(δq, δp)`, returned by [`Hamiltonian::tangent`].
+/// A trajectory with deviation vectors `(δq, δp)`, returned by [`Hamiltonian::tangent`](crate::Hamiltonian::tangent).
 ///
 /// Each step multiplies the vectors by its exact derivative: a vector is the difference to a neighbouring orbit, to first
 /// order in the initial distance and divided by it. This linear map is symplectic if the method is.
@@ -79,7 +79,7 @@ impl<C: Coords> Tangent<C> {
         h: f64,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
@@ -100,7 +100,7 @@ impl<C: Coords> Tangent<C> {
         slopes: impl Fn(Range<usize>) -> Vec<H::Parameters<f64>>,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
@@ -119,7 +119,7 @@ impl<C: Coords> Tangent<C> {
         slopes: impl Fn(Range<usize>) -> Vec<H::Parameters<f64>>,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: System,
         X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
@@ -359,7 +359,7 @@ impl<C: Coords> fmt::Debug for Tangent<C> {
 ///
 /// # Errors
 /// [`Error::NoTangent`]
-pub(crate) fn refused<H: Hamiltonian, K: Precision>(start: &Phase<Shaped<H, K>>) -> Result<(), Error> {
+pub(crate) fn refused<H: System, K: Precision>(start: &Phase<Shaped<H, K>>) -> Result<(), Error> {
     if start.q.flat().is_empty() {
         return Err(Error::NoTangent { reason: "the state has no coordinates" });
     }
@@ -385,7 +385,7 @@ fn run<H, X, K, V>(
     (h, at): (f64, Option<(Clock, u64)>),
 ) -> Result<Run<Shaped<H, K>>, Error>
 where
-    H: Hamiltonian,
+    H: System,
     X: Differentiable<H>,
     K: Precision,
     V: Carried,

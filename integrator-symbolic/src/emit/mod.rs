@@ -258,7 +258,8 @@ impl<'i> Stepper<'i> {
         let sensitive = constants.sensitive(&input.sensitive, names);
         let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
-        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian(&others));
+        let system = implementation(quote!(#runtime::System), &self.system(&others));
+        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian());
         // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
         let device =
             self.device.as_ref().map(|device| implementation(quote!(#runtime::DeviceText), &device.items(names)));
@@ -271,6 +272,7 @@ impl<'i> Stepper<'i> {
                 #declaration
                 #documentation
                 #hamiltonian
+                #system
                 #others
                 #sensitive
                 #device
@@ -288,13 +290,30 @@ impl<'i> Stepper<'i> {
         }
     }
 
-    /// The items of `Hamiltonian`. What else is implemented, `others`, is known by the fingerprint alone.
-    fn hamiltonian(&self, others: &TokenStream) -> TokenStream {
+    /// The items of `Hamiltonian`: the annotated composition, and the methods that can replace it.
+    fn hamiltonian(&self) -> TokenStream {
+        let Self { names: Names { runtime, .. }, composition: (composition, _), visit, .. } = self;
+        let visit_recurrences = self.taylor.as_ref().map(|_| {
+            quote! {
+                fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
+                    #runtime::RecurrencesVisitor::visit(visitor);
+                }
+            }
+        });
+        quote! {
+            type Compose = #composition;
+
+            #visit
+            #visit_recurrences
+        }
+    }
+
+    /// The items of `System`. What else is implemented, `others`, is known by the fingerprint alone.
+    fn system(&self, others: &TokenStream) -> TokenStream {
         let Self {
             input,
             names,
             coordinates,
-            composition: (composition, _),
             constants,
             called,
             flows,
@@ -302,7 +321,6 @@ impl<'i> Stepper<'i> {
             stated,
             invariants,
             parts,
-            visit,
             autonomous,
             ..
         } = self;
@@ -316,16 +334,8 @@ impl<'i> Stepper<'i> {
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
-        let visit_recurrences = self.taylor.as_ref().map(|_| {
-            quote! {
-                fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
-                    #runtime::RecurrencesVisitor::visit(visitor);
-                }
-            }
-        });
         quote! {
             type Coords = #coordinates;
-            type Compose = #composition;
             type Parameters<#scalar: #runtime::Real> = #parameters;
             type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
 
@@ -345,8 +355,6 @@ impl<'i> Stepper<'i> {
             #stated
             #invariants
             #sites
-            #visit
-            #visit_recurrences
         }
     }
 }

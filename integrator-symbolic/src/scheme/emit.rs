@@ -82,7 +82,7 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
         table.processor(root).map(|processor| quote!(const PROCESSOR: #root::__private::Processor = #processor;));
     let kick = facts.has_gradients().then(|| gradient_kick(root));
     let (bound, class) = match facts.class {
-        Class::General => (quote!(Hamiltonian), quote!(General)),
+        Class::General => (quote!(System), quote!(General)),
         Class::QuadraticKinetic => (quote!(QuadraticKinetic), quote!(QuadraticKinetic)),
     };
     quote! {

@@ -170,9 +170,7 @@ mod tests {
     fn code_is_written_for_the_class_of_the_hamiltonian() {
         let parsed = parse("V(1/2) T(1) V(1/2)").expect("a composition");
         let name = Ident::new("__Compose", Span::call_site());
-        for (class, bound) in
-            [(Class::General, quote!(Hamiltonian)), (Class::QuadraticKinetic, quote!(QuadraticKinetic))]
-        {
+        for (class, bound) in [(Class::General, quote!(System)), (Class::QuadraticKinetic, quote!(QuadraticKinetic))] {
             let code = parsed.emit(&name, class, &default_root()).to_string();
             let bound = quote!(impl<__System: ::integrator_core::__private::#bound>).to_string();
             assert!(code.contains(&bound), "{code}");

@@ -56,7 +56,7 @@ impl Expansion {
 
     /// A function of the stepper.
     pub(crate) fn function(&self, name: &str) -> Option<&ImplItemFn> {
-        function(self.implementation("Hamiltonian", "")?, name)
+        function(self.implementation("System", "")?, name)
     }
 
     /// What tells the runtime the derivatives of the part with this number, where that is a quadratic form.

@@ -205,7 +205,7 @@ fn changed(
     let stepper = block.block.stmts.iter_mut().find_map(|statement| match statement {
         syn::Stmt::Item(syn::Item::Impl(item)) => {
             let (of, _) = item.trait_.as_ref()?;
-            of.segments.last().is_some_and(|name| name.ident == "Hamiltonian").then_some(item)
+            of.segments.last().is_some_and(|name| name.ident == "System").then_some(item)
         }
         _ => None,
     })?;

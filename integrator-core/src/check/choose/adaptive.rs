@@ -11,10 +11,11 @@ use super::{
 use crate::{
     check::CheckError,
     composition::Class,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     methods::taylor::{Recurrences, RecurrencesVisitor, Taylor},
     scalar::tolerance::within,
     state::{coords::Coords, precision::Precision},
+    system::Shaped,
 };
 
 /// Digits of the tightest tolerance, beyond which steps become shorter and nothing else.

@@ -4,9 +4,10 @@ use crate::{
     check::{start::Start, statistics::points::run},
     composition::{Class, Composition, Rows, visitor::Visitor},
     error::Error,
-    hamiltonian::{Hamiltonian, QuadraticKinetic, Shaped},
+    hamiltonian::Hamiltonian,
     methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
     state::{coords::Coords, precision::Precision},
+    system::{QuadraticKinetic, Shaped},
     trajectory::{
         by_table::{ByTable, Kicks, Plain, WithGradients},
         method::{Described, Facts, Method},

@@ -26,9 +26,10 @@ use crate::{
         CheckError,
         start::{IntoStart, Start},
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::within,
     state::{coords::Coords, precision::Precision},
+    system::Shaped,
 };
 use problem::Problem;
 use search::{Found, SPREAD, search};

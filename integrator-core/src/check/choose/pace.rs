@@ -62,7 +62,7 @@ type Begins<'s, H, C> = fn(&'s H, f64) -> Vec<Candidate<'s, C>>;
 
 macro_rules! steps {
     ($steps:ident by $method:ident of $system:ident) => {
-        impl<H: $system, C: Coords> Splitting<C> for $steps<'_, H>
+        impl<H: Hamiltonian + $system, C: Coords> Splitting<C> for $steps<'_, H>
         where
             H::Coords: Coords<With<C::Leaf> = C>,
         {
@@ -71,7 +71,7 @@ macro_rules! steps {
             }
         }
 
-        impl<H: $system, C: Coords> Measured<C> for $steps<'_, H>
+        impl<H: Hamiltonian + $system, C: Coords> Measured<C> for $steps<'_, H>
         where
             H::Coords: Coords<With<C::Leaf> = C>,
         {

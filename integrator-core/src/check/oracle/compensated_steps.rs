@@ -5,7 +5,7 @@
 use crate::{
     check::start::Start,
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     state::{
         clock::Clock,
         compensated::Compensated,
@@ -13,7 +13,7 @@ use crate::{
         flat::{Flat, flat},
         phase::Phase,
     },
-    system::motion::Motion,
+    system::{Shaped, motion::Motion},
     trajectory::{admissible::admissible_with, method::Method, step_functions::FlowByFlow},
 };
 use std::sync::Arc;

@@ -9,7 +9,7 @@ use crate::{
         start::Start,
         statistics::path::{PARTS, Path, Recorder, Scale},
     },
-    hamiltonian::{Flows, Hamiltonian, Shaped, Single},
+    hamiltonian::Hamiltonian,
     methods::implicit::field::{Constants, Pair, field},
     scalar::tolerance::within,
     state::{
@@ -19,7 +19,11 @@ use crate::{
         phase::Phase,
         precision::Slot,
     },
-    system::motion::{Motion, Plain, Prepared},
+    system::{
+        Shaped,
+        flows::{Flows, Single},
+        motion::{Motion, Plain, Prepared},
+    },
 };
 
 /// The steps per part at the first and at the last refinement.

@@ -16,14 +16,14 @@ use crate::{
         statistics::path::{Path, Scale},
     },
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     methods::taylor::Taylor,
     state::{
         compensated::Compensated,
         flat::{Flat, flat, shaped},
         phase::Phase,
     },
-    system::motion::Motion,
+    system::{Shaped, motion::Motion},
     trajectory::{
         method::{Facts, Method},
         run::Run,

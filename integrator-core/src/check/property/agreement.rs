@@ -16,15 +16,18 @@ use crate::{
         shortfall::Shortfall,
         statistics::points::{numbers, origin},
     },
-    hamiltonian::{Hamiltonian, StatedEnergy},
+    hamiltonian::Hamiltonian,
     scalar::{
         bounded::Bounded,
         real::Real,
         tolerance::{largest, within},
     },
     state::flat::{Flat, shaped},
-    system::motion::Motion,
-    system::user_energies::{Digits, Function, Values, hold, values},
+    system::{
+        StatedEnergy,
+        motion::Motion,
+        user_energies::{Digits, Function, Values, hold, values},
+    },
 };
 
 /// The largest number of coordinates of which each is a direction of its own, and the number of directions beyond that.

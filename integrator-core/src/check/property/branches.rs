@@ -10,10 +10,10 @@ use crate::{
         start::{IntoStart, Start},
     },
     error::Number,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::watched::{Side, Watched, sides_of},
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::{energy::part_names, motion::Motion},
+    system::{Shaped, energy::part_names, motion::Motion},
     trajectory::method::Method,
 };
 use core::fmt;

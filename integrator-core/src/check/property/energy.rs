@@ -16,14 +16,14 @@ use crate::{
         },
     },
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::{
         dual::Dual,
         real::Real,
         tolerance::{largest, length, ratio, within},
     },
     state::{coords::Coords, phase::Phase, precision::Precision},
-    system::motion::Motion,
+    system::{Shaped, motion::Motion},
     trajectory::method::Method,
 };
 

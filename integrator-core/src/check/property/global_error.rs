@@ -14,9 +14,10 @@ use crate::{
             points::{begin, flat_start, run},
         },
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::within,
     state::{flat::flat, precision::Precision},
+    system::Shaped,
     trajectory::method::Method,
 };
 

@@ -12,7 +12,7 @@ use crate::{
         start::{IntoStart, Start},
         statistics::points::{begin, coordinate, numbers, origin},
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     methods::implicit::field::{Constants, Pair, field},
     scalar::{
         bounded::Bounded,
@@ -27,6 +27,7 @@ use crate::{
         precision::Precision,
     },
     system::{
+        Shaped,
         motion::{Motion, Prepared},
         user_energies::bounded_energy,
     },

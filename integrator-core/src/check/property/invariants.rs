@@ -15,9 +15,10 @@ use crate::{
         start::Start,
         statistics::points::{coordinate, numbers, origin, resolution, run},
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, ratio},
     state::{flat::Flat, precision::Precision},
+    system::Shaped,
     trajectory::method::Method,
 };
 use std::fmt;

@@ -9,9 +9,10 @@ use crate::{
         start::{IntoStart, Start},
     },
     error::Number,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::largest,
     state::{coords::Coords, phase::Phase, precision::Precision},
+    system::Shaped,
     trajectory::{
         method::Memoryless,
         tangent::{Tangent, numbers, unit_vectors},

@@ -19,9 +19,10 @@ use crate::{
         },
     },
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::within,
     state::{flat::Flat, precision::Precision},
+    system::Shaped,
     trajectory::method::Method,
 };
 

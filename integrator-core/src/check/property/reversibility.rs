@@ -12,12 +12,13 @@ use crate::{
         statistics::points::{coordinate, numbers, origin, plain, resolution, run},
     },
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, ratio},
     state::{
         flat::{Flat, flat},
         precision::Precision,
     },
+    system::Shaped,
     trajectory::method::Method,
 };
 

@@ -20,9 +20,10 @@ use crate::{
     },
     composition::{Composition, catalogue::Verlet},
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, length, within},
     state::{flat::Flat, precision::Precision},
+    system::Shaped,
 };
 use std::fmt;
 

@@ -17,12 +17,13 @@ use crate::{
     },
     composition::Composition,
     error::Number,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, within},
     state::{
         flat::{Flat, flat},
         precision::Precision,
     },
+    system::Shaped,
     trajectory::method::Method,
 };
 use std::fmt;

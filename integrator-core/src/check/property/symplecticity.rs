@@ -11,9 +11,10 @@ use crate::{
         start::{IntoStart, Start},
         statistics::points::begin,
     },
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::largest,
     state::{coords::Coords, flat::flat, precision::Precision},
+    system::Shaped,
     trajectory::method::Method,
 };
 use nalgebra::DMatrix;

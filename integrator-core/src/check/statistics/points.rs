@@ -3,7 +3,7 @@
 use crate::{
     check::start::Start,
     error::Error,
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, ratio},
     state::{
         coords::Coords,
@@ -11,6 +11,7 @@ use crate::{
         phase::Phase,
         precision::Precision,
     },
+    system::Shaped,
     trajectory::{admissible::admissible, method::Method, run::Run},
 };
 

@@ -5,10 +5,10 @@
 //! bits whatever a row is made of; the lanes after the last body change no sum.
 
 use crate::{
-    hamiltonian::Hamiltonian,
     layout::lattice::stencil::Array,
     scalar::{real::Real, simd::row::Row},
     state::precision::Slot,
+    system::System,
 };
 
 /// The prepared constants of each body. Written by `#[hamiltonian]`.
@@ -19,7 +19,7 @@ pub trait BodyConstants<const S: usize> {
 
 /// A Hamiltonian of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over pairs,
 /// and over bodies. Written by `#[hamiltonian]`.
-pub trait ManyBody<const D: usize, const S: usize>: Hamiltonian {
+pub trait ManyBody<const D: usize, const S: usize>: System {
     /// Whether action is reaction: the force on the second body is that on the first, with the opposite sign.
     const RECIPROCAL: bool;
     /// Whether forces are central: given by the radial factor that multiplies the displacement from the second body to

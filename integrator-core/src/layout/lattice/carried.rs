@@ -6,28 +6,29 @@
 //! operations of a slot that is moved by itself, in the same order.
 
 use crate::{
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
-    layout::lattice::{
-        sites::{Sites, is_short},
-        time_tiling::Flow,
-    },
+    layout::lattice::sites::is_short,
     scalar::{exact::fast_two_sum, real::Real, simd::block::Block},
     state::{
         coords::Coords,
         precision::{Precision, Slot},
     },
+    system::{
+        QuadraticKinetic, System,
+        flows::Flows,
+        sites::{Flow, Sites},
+    },
 };
 
 /// A number for each site.
-type Numbers<H, R> = <<H as Hamiltonian>::Coords as Coords>::Slots<R>;
+type Numbers<H, R> = <<H as System>::Coords as Coords>::Slots<R>;
 
 /// Half of a state: a number for each site, and what it carries.
-struct Half<H: Hamiltonian, R: Real> {
+struct Half<H: System, R: Real> {
     numbers: Numbers<H, R>,
     carried: Numbers<H, R>,
 }
 
-impl<H: Hamiltonian, R: Real> Half<H, R> {
+impl<H: System, R: Real> Half<H, R> {
     #[inline(always)]
     fn of<S: Slot<R>>(slots: &[S]) -> Self {
         let part = |part: usize| H::Coords::slots_from(slots.len(), |site| slots[site].parts()[part]);
@@ -66,13 +67,13 @@ fn take_over<R: Real, B: Block<R>>(numbers: &mut [R], carried: &mut [R]) {
 }
 
 /// The executor of short lattices whose state is compensated.
-pub(crate) struct CarriedApart<'m, H: Hamiltonian, R: Real, K: Precision> {
+pub(crate) struct CarriedApart<'m, H: System, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
     q: Half<H, R>,
     p: Half<H, R>,
 }
 
-impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
+impl<'m, H: System, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
     /// Whether numbers and what they carry are taken apart: where sites are moved in blocks that fit into registers.
     pub(crate) const ENABLED: bool = K::COMPENSATED
         && <R::Block as Block<R>>::WIDTH > 1
@@ -113,7 +114,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> CarriedApart<'m, H, R, K> {
     }
 }
 
-impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for &mut CarriedApart<'_, H, R, K> {
+impl<H: System, R: Real, K: Precision> Flows<H> for &mut CarriedApart<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     #[inline(always)]

@@ -7,9 +7,7 @@
 
 use crate::{
     layout::lattice::{
-        sites::{MovedSites, Sites},
-        stencil::{AdjacentRows, Boundary, Drift, Kick, Stencil, StencilPass},
-        time_tiling::Flow,
+        stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
         volume::Volume,
         window::{MAX_RADIUS, Window},
     },
@@ -21,9 +19,12 @@ use crate::{
         coords::Coords,
         precision::{Precision, Slot},
     },
-    system::motion::Plain,
+    system::{
+        motion::Plain,
+        sites::{Boundary, Flow, MovedSites, RowCarries, Sites},
+    },
 };
-use alloc::{vec, vec::Vec};
+use alloc::vec::Vec;
 use core::{marker::PhantomData, ops::Range};
 
 impl<R: Real, C: Coords, P> Plain<R, C, P> {
@@ -76,52 +77,6 @@ impl<R: Real, K: Precision, P> MovedSites<'_, R, K, P> {
         let layers = Plane { columns, rows, first, range, around, read, moved, carries, parameters, step, time, flow };
         // A constant, so that nothing is compiled of volumes for planes.
         if const { H::PLANE_BOUNDARY.is_some() } { R::enter(Volume(layers)) } else { R::enter(layers) }
-    }
-}
-
-/// The contributions of rows at which passes ended to the rows after them, where the next passes begin.
-///
-/// Each flow begins where it ended in the tile before, and the row determines to which flow its carry
-/// belongs: the flow after one whose rows contribute to the next ones ends at least a row before it, so no two of these
-/// end at one row.
-pub(crate) struct RowCarries<R> {
-    waiting: Vec<(usize, Vec<R>)>,
-    /// Rows for others to write to.
-    spare: Vec<Vec<R>>,
-}
-
-impl<R> Default for RowCarries<R> {
-    fn default() -> Self {
-        Self { waiting: Vec::new(), spare: Vec::new() }
-    }
-}
-
-impl<R: Real> RowCarries<R> {
-    /// The carry into a row, if a pass ended before it.
-    fn take(&mut self, row: usize) -> Option<Vec<R>> {
-        let place = self.waiting.iter().position(|(waiting, _)| *waiting == row)?;
-        Some(self.waiting.swap_remove(place).1)
-    }
-
-    /// Forgets what no pass will take.
-    pub(crate) fn forget(&mut self) {
-        self.spare.extend(self.waiting.drain(..).map(|(_, carry)| carry));
-    }
-
-    /// A carry of nothing.
-    fn zeros(&mut self, columns: usize) -> Vec<R> {
-        match self.spare.pop() {
-            Some(mut spare) => {
-                spare.fill(R::of(0.0));
-                spare
-            }
-            None => vec![R::of(0.0); columns],
-        }
-    }
-
-    /// A carry that nothing reads.
-    fn unread(&mut self, columns: usize) -> Vec<R> {
-        self.spare.pop().unwrap_or_else(|| vec![R::of(0.0); columns])
     }
 }
 

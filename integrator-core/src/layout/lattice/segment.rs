@@ -1,14 +1,12 @@
 //! Segments of a lattice, which threads advance concurrently.
 
 use crate::{
-    hamiltonian::Hamiltonian,
-    layout::lattice::{
-        plane::RowCarries,
-        sites::{MovedSites, Sites},
-        time_tiling::{Flow, StencilRadii},
-    },
     scalar::real::Real,
     state::precision::Precision,
+    system::{
+        System,
+        sites::{Flow, MovedSites, RowCarries, Sites, StencilRadii},
+    },
     threads::Job,
 };
 use alloc::{boxed::Box, vec::Vec};
@@ -30,18 +28,18 @@ pub(super) trait Segment: Send {
 }
 
 /// The sites of a lattice, or a segment of them.
-pub(super) struct SiteSegment<'m, H: Hamiltonian, R: Real, K: Precision> {
+pub(super) struct SiteSegment<'m, H: System, R: Real, K: Precision> {
     sites: Sites<'m, R, K, H::Parameters<R>>,
     carries: RowCarries<R>,
 }
 
-impl<'m, H: Hamiltonian, R: Real, K: Precision> SiteSegment<'m, H, R, K> {
+impl<'m, H: System, R: Real, K: Precision> SiteSegment<'m, H, R, K> {
     pub(super) fn new(sites: Sites<'m, R, K, H::Parameters<R>>) -> Self {
         Self { sites, carries: RowCarries::default() }
     }
 }
 
-impl<H: Hamiltonian, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K> {
+impl<H: System, R: Real, K: Precision> Segment for SiteSegment<'_, H, R, K> {
     fn size(&self) -> [usize; 2] {
         [self.sites.length, self.sites.columns]
     }

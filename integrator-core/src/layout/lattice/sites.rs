@@ -2,49 +2,18 @@
 //! they are counted in rows.
 
 use crate::{
-    layout::lattice::{
-        plane::RowCarries,
-        stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
-        time_tiling::Flow,
-    },
+    layout::lattice::stencil::{AdjacentRows, Drift, Kick, Stencil, StencilPass},
     scalar::real::{Kernel, Real},
     state::{
         coords::Coords,
         precision::{Precision, Slot},
     },
-    system::motion::Plain,
+    system::{
+        motion::Plain,
+        sites::{Flow, MovedSites, Sites},
+    },
 };
 use core::{marker::PhantomData, ops::Range};
-
-/// The state of a segment of sites or of rows, with the prepared constants of the lattice.
-pub struct Sites<'m, R: Real, K: Precision, P> {
-    pub(crate) q: &'m mut [K::Slot<R>],
-    pub(crate) p: &'m mut [K::Slot<R>],
-    pub(crate) parameters: &'m P,
-    /// The index of the first site or row in the slices.
-    pub(crate) first: usize,
-    /// The number of sites or rows of the whole lattice.
-    pub(crate) length: usize,
-    /// The number of sites in a row: one on a line.
-    pub(crate) columns: usize,
-}
-
-/// The half of the sites that a flow moves, and the half that it reads.
-pub struct MovedSites<'m, R: Real, K: Precision, P> {
-    pub(crate) read: &'m [K::Slot<R>],
-    pub(crate) moved: &'m mut [K::Slot<R>],
-    pub(crate) parameters: &'m P,
-    /// The index of the first site or row in the slice that is read.
-    pub(crate) first: usize,
-    /// The index of the first row in the slice that is moved; on a line both begin at one site.
-    pub(crate) first_moved: usize,
-    /// The number of sites or rows of the whole lattice.
-    pub(crate) length: usize,
-    /// The number of sites in a row: one on a line.
-    pub(crate) columns: usize,
-    /// The contributions of rows to others, between passes over some of them.
-    pub(crate) carries: Option<&'m mut RowCarries<R>>,
-}
 
 /// The shortest lattice of a known length whose flows are compiled once for all loops over stages. Those of shorter
 /// ones are compiled into the loops.
@@ -84,30 +53,6 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     pub fn sites(&mut self) -> Sites<'_, R, C::Leaf, P> {
         let (q, p) = (C::slots_mut(&mut self.q), C::slots_mut(&mut self.p));
         Sites { length: q.len(), q, p, parameters: &self.parameters, first: 0, columns: 1 }
-    }
-}
-
-impl<'m, R: Real, K: Precision, P> Sites<'m, R, K, P> {
-    /// Borrows the sites again.
-    #[inline(always)]
-    pub(crate) fn reborrow(&mut self) -> Sites<'_, R, K, P> {
-        Sites { q: self.q, p: self.p, ..*self }
-    }
-
-    /// The sites or rows up to `border`, and those from there on.
-    pub(crate) fn split_at(self, border: usize) -> (Self, Self) {
-        let before = (border - self.first) * self.columns;
-        let (q, q_after) = self.q.split_at_mut(before);
-        let (p, p_after) = self.p.split_at_mut(before);
-        (Self { q, p, ..self }, Self { q: q_after, p: p_after, first: border, ..self })
-    }
-
-    /// Returns the coordinates that a flow moves, with those that it reads: positions in a drift, momenta in a kick.
-    #[inline(always)]
-    pub(crate) fn moved_by(self, drifts: bool) -> MovedSites<'m, R, K, P> {
-        let Self { q, p, parameters, first, length, columns } = self;
-        let (read, moved): (&[_], _) = if drifts { (p, q) } else { (q, p) };
-        MovedSites { read, moved, parameters, first, first_moved: first, length, columns, carries: None }
     }
 }
 

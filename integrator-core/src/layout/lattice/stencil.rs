@@ -7,13 +7,16 @@
 //! are the bits.
 
 use crate::{
-    hamiltonian::Hamiltonian,
     layout::lattice::window::{ADJACENT, Blocks, MAX_RADIUS, RowPosition, Window},
     scalar::{
         real::Real,
         simd::block::{Block, WIDEST},
     },
     state::precision::Slot,
+    system::{
+        System,
+        sites::{Boundary, StencilRadii},
+    },
 };
 use core::{marker::PhantomData, ops::Range};
 
@@ -22,41 +25,6 @@ pub struct Drift;
 
 /// The flow of `V`, as a parameter of [`Stencil`].
 pub struct Kick;
-
-/// The boundary of a lattice in one direction, and the radius of its stencil.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Boundary {
-    /// The number of sites at the beginning that differ from those of the interior.
-    pub first: usize,
-    /// The number of such sites at the end.
-    pub last: usize,
-    /// The largest forward offset of a contribution.
-    pub forward: usize,
-    /// The stencil's radius backwards: how far before a site its contributions depend on coordinates.
-    pub behind: usize,
-    /// The stencil's radius forwards.
-    pub ahead: usize,
-    /// Whether the last site is followed by the first.
-    pub periodic: bool,
-}
-
-impl Boundary {
-    /// Whether every site is like all others, and depends on itself alone.
-    const fn is_pointwise(&self) -> bool {
-        self.first == 0 && self.last == 0 && self.forward == 0 && self.behind == 0 && self.ahead == 0
-    }
-
-    /// Returns the distance, in sites to either side, over which the flow transports a coordinate.
-    pub(crate) const fn reach(&self) -> usize {
-        let behind = self.behind + self.forward;
-        if behind > self.ahead { behind } else { self.ahead }
-    }
-
-    /// Returns the number of sites at an end that may differ from those of the interior.
-    pub(crate) const fn ends(&self) -> usize {
-        if self.first > self.last { self.first } else { self.last }
-    }
-}
 
 /// Whether a stencil reads earlier and later sites along a direction that the lattice may not have.
 const fn is_read(boundary: Option<Boundary>) -> [bool; 2] {
@@ -76,7 +44,7 @@ const fn is_pointwise(boundary: Option<Boundary>) -> bool {
 
 /// The stencil of a flow: what every site of a lattice computes from its neighbourhood. Written by `#[hamiltonian]`;
 /// `F` is [`Drift`] or [`Kick`].
-pub trait Stencil<F>: Hamiltonian {
+pub trait Stencil<F>: System {
     /// The contributions of a site: element `k` is an addend of the site at the forward offset `k`. After the farthest
     /// of these come those for the next row: for the site below, and for the ones after that.
     type Contributions<W: Copy>: Array<W>;
@@ -98,8 +66,31 @@ pub trait Stencil<F>: Hamiltonian {
     ) -> Self::Contributions<W>;
 }
 
+impl StencilRadii {
+    /// The radii of the flows of `H`: across planes, across the rows of a plane, or else along a line.
+    pub const fn of<H: Stencil<Drift> + Stencil<Kick>>() -> Self {
+        let rows = Self::across(<H as Stencil<Drift>>::ROW_BOUNDARY, <H as Stencil<Kick>>::ROW_BOUNDARY);
+        let planes = Self::across(<H as Stencil<Drift>>::PLANE_BOUNDARY, <H as Stencil<Kick>>::PLANE_BOUNDARY);
+        match (planes, rows) {
+            (Some(layers), _) | (None, Some(layers)) => layers,
+            (None, None) => {
+                let (drift, kick) = (<H as Stencil<Drift>>::BOUNDARY, <H as Stencil<Kick>>::BOUNDARY);
+                Self { drift, kick, of_layers: false }
+            }
+        }
+    }
+
+    /// The radii across layers, if both flows have these.
+    const fn across(drift: Option<Boundary>, kick: Option<Boundary>) -> Option<Self> {
+        match (drift, kick) {
+            (Some(drift), Some(kick)) => Some(Self { drift, kick, of_layers: true }),
+            _ => None,
+        }
+    }
+}
+
 /// A stencil pass over slices of sites: a whole line, a segment of one, or a row of a plane.
-pub(crate) struct StencilPass<'m, H: Hamiltonian, F, R: Real, S> {
+pub(crate) struct StencilPass<'m, H: System, F, R: Real, S> {
     /// The coordinates that the flow depends on.
     pub(crate) read: &'m [S],
     /// The coordinates that the flow moves.

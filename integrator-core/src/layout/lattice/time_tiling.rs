@@ -9,16 +9,19 @@
 //! nor threads change a bit.
 
 use crate::{
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     layout::lattice::{
         segment::{Segment, SiteSegment},
         sites::LONG,
-        stencil::{Boundary, Drift, Kick, Stencil},
     },
     scalar::{real::Real, simd::block::Block},
     state::{
         coords::Coords,
         precision::{Precision, Slot},
+    },
+    system::{
+        QuadraticKinetic, System,
+        flows::Flows,
+        sites::{Flow, StencilRadii},
     },
     threads::{Job, all_threads, at_once},
 };
@@ -62,80 +65,17 @@ const MIN_SHARE: usize = 16 * TILE;
 /// The least number of sites, counted once for each flow, that a thread takes part for.
 const MIN_WORK: usize = 128 * TILE;
 
-/// One flow of a lattice.
-#[derive(Clone, Copy, Debug)]
-pub struct Flow {
-    /// Whether it is the flow of `T`, which moves the positions.
-    pub(crate) drifts: bool,
-    pub(crate) duration: f64,
-    pub(crate) time: f64,
-}
-
-/// The radii of the stencils of both flows.
-#[derive(Clone, Copy, Debug)]
-pub struct StencilRadii {
-    drift: Boundary,
-    kick: Boundary,
-    /// Whether the radii are counted in layers: rows of a plane, or planes of a volume.
-    pub(crate) of_layers: bool,
-}
-
-impl StencilRadii {
-    /// The radii of the flows of `H`: across planes, across the rows of a plane, or else along a line.
-    pub const fn of<H: Stencil<Drift> + Stencil<Kick>>() -> Self {
-        let rows = Self::across(<H as Stencil<Drift>>::ROW_BOUNDARY, <H as Stencil<Kick>>::ROW_BOUNDARY);
-        let planes = Self::across(<H as Stencil<Drift>>::PLANE_BOUNDARY, <H as Stencil<Kick>>::PLANE_BOUNDARY);
-        match (planes, rows) {
-            (Some(layers), _) | (None, Some(layers)) => layers,
-            (None, None) => {
-                let (drift, kick) = (<H as Stencil<Drift>>::BOUNDARY, <H as Stencil<Kick>>::BOUNDARY);
-                Self { drift, kick, of_layers: false }
-            }
-        }
-    }
-
-    /// The radii across layers, if both flows have these.
-    const fn across(drift: Option<Boundary>, kick: Option<Boundary>) -> Option<Self> {
-        match (drift, kick) {
-            (Some(drift), Some(kick)) => Some(Self { drift, kick, of_layers: true }),
-            _ => None,
-        }
-    }
-
-    /// Whether the last site or row is followed by the first.
-    pub const fn periodic(&self) -> bool {
-        self.drift.periodic || self.kick.periodic
-    }
-
-    /// Returns the distance, in sites or rows to either side, over which a drift and a kick transport a coordinate.
-    pub const fn reach(&self) -> [usize; 2] {
-        [self.drift.reach(), self.kick.reach()]
-    }
-
-    /// Returns the number of sites or rows at an end that may differ from those of the interior.
-    pub const fn ends(&self) -> usize {
-        let (drift, kick) = (self.drift.ends(), self.kick.ends());
-        if drift > kick { drift } else { kick }
-    }
-
-    /// Returns the distances before and after a site within which a flow depends on coordinates.
-    fn radius(&self, flow: &Flow) -> [usize; 2] {
-        let boundary = if flow.drifts { &self.drift } else { &self.kick };
-        [boundary.behind + boundary.forward, boundary.ahead]
-    }
-}
-
 /// The block that a pass reads at a time.
 type Wide<R, K> = <<K as Precision>::Slot<R> as Slot<R>>::Wide;
 
 /// The executor of long lattices: it collects flows, and applies several of them to a tile at a time.
-pub(crate) struct TimeTiling<'m, H: Hamiltonian, R: Real, K: Precision> {
+pub(crate) struct TimeTiling<'m, H: System, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
     threads: Option<usize>,
     flows: Vec<Flow>,
 }
 
-impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
+impl<'m, H: System, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     /// Whether a system's flows are tiled in time: those of a lattice that does not fit into registers, or may not.
     pub(crate) const ENABLED: bool = H::STENCIL_RADII.is_some()
         && match <H::Coords as Coords>::LENGTH {
@@ -171,7 +111,7 @@ impl<'m, H: Hamiltonian, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
     }
 }
 
-impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for &mut TimeTiling<'_, H, R, K> {
+impl<H: System, R: Real, K: Precision> Flows<H> for &mut TimeTiling<'_, H, R, K> {
     const COMPENSATED: bool = K::COMPENSATED;
 
     fn begin_step(&mut self, middle: f64) {

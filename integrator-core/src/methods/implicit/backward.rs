@@ -5,9 +5,9 @@ use super::{
     tableau::{self, Tableau, one_stage},
 };
 use crate::{
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::precision::Precision,
+    system::{Shaped, System},
     trajectory::{
         method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
         step_functions::{Executor, StepFunctions},

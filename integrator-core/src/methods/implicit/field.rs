@@ -1,31 +1,32 @@
 //! The vector field of a Hamiltonian at a point: as written, or from its flows of `T` and `V`.
 
 use crate::{
-    flow::doubled::{Moved, Read},
-    hamiltonian::Hamiltonian,
     scalar::real::Real,
     state::{coords::Coords, phase::Phase},
-    system::motion::Motion,
+    system::{
+        System,
+        motion::{Motion, Moved, Read},
+    },
 };
 use alloc::vec::Vec;
 
 /// Numbers in the shape of the positions or the momenta of `H`.
-pub(crate) type Half<H, R> = <<H as Hamiltonian>::Coords as Coords>::Slots<R>;
+pub(crate) type Half<H, R> = <<H as System>::Coords as Coords>::Slots<R>;
 
 /// Positions and momenta, or what the field is there: velocities and forces.
-pub(crate) struct Pair<H: Hamiltonian, R: Real> {
+pub(crate) struct Pair<H: System, R: Real> {
     pub(crate) q: Half<H, R>,
     pub(crate) p: Half<H, R>,
 }
 
-impl<H: Hamiltonian, R: Real> Clone for Pair<H, R> {
+impl<H: System, R: Real> Clone for Pair<H, R> {
     #[inline(always)]
     fn clone(&self) -> Self {
         Self { q: self.q.clone(), p: self.p.clone() }
     }
 }
 
-impl<H: Hamiltonian, R: Real> Pair<H, R> {
+impl<H: System, R: Real> Pair<H, R> {
     /// Both halves as lists.
     #[inline(always)]
     pub(crate) fn halves(&self) -> [&[R]; 2] {
@@ -47,7 +48,7 @@ impl<H: Hamiltonian, R: Real> Pair<H, R> {
 }
 
 /// The constants that the field has, for all lanes and for each.
-pub(crate) struct Constants<'m, H: Hamiltonian, R: Real> {
+pub(crate) struct Constants<'m, H: System, R: Real> {
     pub(crate) gathered: &'m H::Parameters<R>,
     pub(crate) of_lanes: &'m [H::Parameters<f64>],
     /// A point in the shape of the coordinates.
@@ -58,7 +59,7 @@ pub(crate) struct Constants<'m, H: Hamiltonian, R: Real> {
 
 /// The field at a point.
 #[inline(always)]
-pub(crate) fn field<H: Hamiltonian, R: Real>(
+pub(crate) fn field<H: System, R: Real>(
     constants: &Constants<'_, H, R>,
     Pair { q, p }: &Pair<H, R>,
     time: f64,
@@ -75,11 +76,7 @@ pub(crate) fn field<H: Hamiltonian, R: Real>(
 
 /// The field of `T + V`: a drift moves positions from zero by the velocities, a kick momenta from zero by the forces.
 #[inline(always)]
-fn of_flows<H: Hamiltonian, R: Real>(
-    constants: &Constants<'_, H, R>,
-    [q, p]: [&Half<H, R>; 2],
-    time: f64,
-) -> Pair<H, R> {
+fn of_flows<H: System, R: Real>(constants: &Constants<'_, H, R>, [q, p]: [&Half<H, R>; 2], time: f64) -> Pair<H, R> {
     let mut drifted = loaded::<H, R>(constants, [None, Some(p)]);
     H::drift::<R, f64>(&mut drifted, 1.0, time);
     let mut kicked = loaded::<H, R>(constants, [Some(q), None]);
@@ -91,7 +88,7 @@ fn of_flows<H: Hamiltonian, R: Real>(
 }
 
 /// A motion in the layout of the flows, with one half at these numbers and the other at zero.
-fn loaded<H: Hamiltonian, R: Real>(
+fn loaded<H: System, R: Real>(
     Constants { of_lanes, shape, middle, .. }: &Constants<'_, H, R>,
     [q, p]: [Option<&Half<H, R>>; 2],
 ) -> H::Motion<R, f64> {
@@ -113,7 +110,7 @@ fn loaded<H: Hamiltonian, R: Real>(
 }
 
 /// One half of the state of a motion.
-fn stored<H: Hamiltonian, R: Real>(
+fn stored<H: System, R: Real>(
     constants: &Constants<'_, H, R>,
     motion: &H::Motion<R, f64>,
     half: fn(&Phase<H::Coords>) -> &H::Coords,

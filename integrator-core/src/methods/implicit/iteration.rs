@@ -10,14 +10,13 @@ use super::{
 };
 use crate::{
     error::Unsolved,
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::{Kernel, Real},
     state::{
         clock::Clock,
         coords::Coords,
         precision::{Precision, Slot},
     },
-    system::motion::Prepared,
+    system::{Shaped, System, motion::Prepared},
 };
 use alloc::vec::Vec;
 
@@ -29,10 +28,10 @@ const ITERATIONS: u32 = 64;
 const STALLED: f64 = 64.0;
 
 /// The motion of an implicit step.
-type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as System>::Parameters<R>>;
 
 /// Takes steps with each motion.
-pub(super) fn advance<H: Hamiltonian, R: Real, K: Precision, M: Stages<S>, const S: usize>(
+pub(super) fn advance<H: System, R: Real, K: Precision, M: Stages<S>, const S: usize>(
     motions: &mut [Moved<H, R, K>],
     clock: Clock,
     steps: u64,
@@ -44,14 +43,14 @@ pub(super) fn advance<H: Hamiltonian, R: Real, K: Precision, M: Stages<S>, const
 }
 
 /// Steps of one motion.
-struct Steps<'m, H: Hamiltonian, R: Real, K: Precision, const S: usize> {
+struct Steps<'m, H: System, R: Real, K: Precision, const S: usize> {
     motion: &'m mut Moved<H, R, K>,
     clock: Clock,
     steps: u64,
     tableau: &'m Tableau<S>,
 }
 
-impl<H: Hamiltonian, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R, K, S> {
+impl<H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R, K, S> {
     type Out = ();
 
     /// An end that was not found is remembered, and no step is taken from there.
@@ -97,7 +96,7 @@ impl<H: Hamiltonian, R: Real, K: Precision, const S: usize> Kernel for Steps<'_,
 }
 
 /// The equation of a step from a point.
-pub(super) struct Equation<'m, H: Hamiltonian, R: Real, const S: usize> {
+pub(super) struct Equation<'m, H: System, R: Real, const S: usize> {
     pub(super) constants: Constants<'m, H, R>,
     pub(super) y: &'m Pair<H, R>,
     pub(super) time: f64,
@@ -108,14 +107,14 @@ pub(super) struct Equation<'m, H: Hamiltonian, R: Real, const S: usize> {
 }
 
 /// The field at the stages.
-struct Solution<H: Hamiltonian, R: Real, const S: usize> {
+struct Solution<H: System, R: Real, const S: usize> {
     slopes: [Pair<H, R>; S],
     evaluations: u64,
     /// The faults of lanes without a solution; empty if all have one.
     unsolved: Vec<Option<Unsolved>>,
 }
 
-impl<H: Hamiltonian, R: Real, const S: usize> Equation<'_, H, R, S> {
+impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
     /// Converged lanes keep their result, so no lane iterates because of another one.
     #[inline(always)]
     fn solution(&self) -> Solution<H, R, S> {
@@ -222,7 +221,7 @@ fn larger(one: f64, other: f64) -> f64 {
 
 /// Restores the previous slopes in the lanes that are settled.
 #[inline(always)]
-pub(super) fn keep_settled<H: Hamiltonian, R: Real, const S: usize>(
+pub(super) fn keep_settled<H: System, R: Real, const S: usize>(
     settled: &R,
     slopes: &[Pair<H, R>; S],
     found: &mut [Pair<H, R>; S],

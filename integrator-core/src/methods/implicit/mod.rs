@@ -27,17 +27,17 @@ macro_rules! implicit {
         #[diagnostic::do_not_recommend]
         impl TakesWhole for $name {}
 
-        impl<H: Hamiltonian> Resumable<H> for $name {}
+        impl<H: System> Resumable<H> for $name {}
 
-        impl<H: Hamiltonian> Differentiable<H> for $name {
+        impl<H: System> Differentiable<H> for $name {
             const FROM_STATES: bool = true;
         }
 
         #[diagnostic::do_not_recommend]
-        impl<H: Hamiltonian> Memoryless<H> for $name {}
+        impl<H: System> Memoryless<H> for $name {}
 
         #[diagnostic::do_not_recommend]
-        impl<H: Hamiltonian> Method<H> for $name {
+        impl<H: System> Method<H> for $name {
             type Constants = H::Parameters<f64>;
             type Motion<R: Real, K: Precision> = Implicit<R, Shaped<H, K>, H::Parameters<R>>;
 
@@ -70,9 +70,9 @@ mod tableau;
 pub use backward::BackwardEuler;
 
 use crate::{
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::precision::Precision,
+    system::{Shaped, System},
     trajectory::{
         method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
         step_functions::{Executor, StepFunctions},

@@ -7,13 +7,12 @@ use super::{
 };
 use crate::{
     error::Unsolved,
-    hamiltonian::Hamiltonian,
     scalar::{
         dual::Dual,
         real::Real,
         tolerance::{largest, ratio},
     },
-    system::motion::Prepared,
+    system::{System, motion::Prepared},
 };
 use core::{array, ops::Range};
 use nalgebra::{DMatrix, DVector};
@@ -30,7 +29,7 @@ const SETTLED: f64 = 4.0;
 const STALLED: f64 = 1e6;
 
 /// The field at the stages, of all lanes that are not settled.
-pub(super) fn solve<H: Hamiltonian, R: Real, const S: usize>(
+pub(super) fn solve<H: System, R: Real, const S: usize>(
     equation: &Equation<'_, H, R, S>,
     slopes: &mut [Pair<H, R>; S],
     mut settled: R,
@@ -58,7 +57,7 @@ pub(super) fn solve<H: Hamiltonian, R: Real, const S: usize>(
 }
 
 /// The field at the stages by the matrix of one member, or how far the last iteration moved.
-fn member<H: Hamiltonian, R: Real, const S: usize>(
+fn member<H: System, R: Real, const S: usize>(
     equation: &Equation<'_, H, R, S>,
     own: usize,
     evaluations: &mut u64,
@@ -146,7 +145,7 @@ fn moved_by(moved: &[f64], stage: &[f64], beginning: &[f64]) -> f64 {
 }
 
 /// The derivatives of the field of one member, column by column by duals.
-fn jacobian<H: Hamiltonian, R: Real>(
+fn jacobian<H: System, R: Real>(
     Constants { of_lanes, shape, middle, .. }: &Constants<'_, H, R>,
     own: usize,
     y: &[f64],
@@ -170,12 +169,12 @@ fn jacobian<H: Hamiltonian, R: Real>(
 }
 
 /// Positions, then momenta.
-fn listed<H: Hamiltonian, R: Real>(pair: &Pair<H, R>) -> Vec<R> {
+fn listed<H: System, R: Real>(pair: &Pair<H, R>) -> Vec<R> {
     pair.halves().concat()
 }
 
 /// A list of positions, then momenta, in the shape of the coordinates.
-fn paired<H: Hamiltonian, R: Real>(list: &[R]) -> Pair<H, R> {
+fn paired<H: System, R: Real>(list: &[R]) -> Pair<H, R> {
     let mut pair = Pair::zero(list.len() / 2);
     let (q, p) = list.split_at(list.len() / 2);
     for (to, from) in pair.halves_mut().into_iter().zip([q, p]) {

@@ -6,20 +6,20 @@
 use super::{Rated, TimeTransformed, motion::Timed};
 use crate::{
     composition::{Composition, Lead},
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic, Shaped},
     scalar::real::{Mask, Real},
     state::precision::Precision,
+    system::{QuadraticKinetic, Shaped, System, flows::Flows},
 };
 use core::marker::PhantomData;
 
 /// The motion of a system.
-pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+pub(super) type TimedOf<H, R, K> = Timed<R, Shaped<H, K>, <H as System>::Parameters<R>>;
 
 /// A time transformation: two exact flows, of which one moves positions and time, the other one momenta.
 ///
 /// Each flow checks at its own state that the number it divides by, or takes a power of, is positive. These are the only
 /// checks, so that no outcome depends on where a call of `advance` ends.
-pub trait Transformation<H: Hamiltonian>: 'static {
+pub trait Transformation<H: System>: 'static {
     /// Returns the number that the motion has beside its state and time, at the start; with derivatives if requested.
     fn begin<R: Real, K: Precision>(motion: &TimedOf<H, R, K>, along_starts: bool) -> R;
     /// Moves positions and time.
@@ -145,12 +145,12 @@ impl<H: Rated> Transformation<H> for OfRate {
 /// The drift comes first: of the two orders of the flows of `ln`, this one stays on the orbit of two bodies exactly, and
 /// the other does not. A composition that begins with a kick has its letters exchanged, which leaves the order of one of
 /// general class as it is, since its proof does not distinguish the letters.
-pub(super) struct Transformed<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
+pub(super) struct Transformed<'m, F, X, H: System, R: Real, K: Precision> {
     motion: &'m mut TimedOf<H, R, K>,
     marker: PhantomData<(F, X)>,
 }
 
-impl<'m, F: Transformation<H>, X, H: Hamiltonian, R: Real, K: Precision> Transformed<'m, F, X, H, R, K> {
+impl<'m, F: Transformation<H>, X, H: System, R: Real, K: Precision> Transformed<'m, F, X, H, R, K> {
     pub(super) fn new(motion: &'m mut TimedOf<H, R, K>) -> Self {
         Self { motion, marker: PhantomData }
     }
@@ -169,7 +169,7 @@ impl<F, X, H, R, K> Flows<H> for Transformed<'_, F, X, H, R, K>
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
 {

@@ -8,10 +8,9 @@ use super::{
 use crate::{
     composition::{Class, Composition, Scheme},
     error::Error,
-    hamiltonian::Hamiltonian,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
-    system::motion::Motion,
+    system::{System, motion::Motion},
     trajectory::{
         method::{Described, Differentiable, Facts, Method, Resumable},
         step_functions::{Executor, StepFunctions, all_finite},
@@ -164,7 +163,7 @@ fn step_functions<F, X, H, R, K, E>() -> StepFunctions<TimedOf<H, R, K>>
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
     E: Executor,
@@ -198,7 +197,7 @@ fn advance<F, X, H, R, K, E>(motions: &mut [TimedOf<H, R, K>], clock: Clock, ste
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
     E: Executor,
@@ -209,7 +208,7 @@ where
     }
 }
 
-struct Steps<'m, F, X, H: Hamiltonian, R: Real, K: Precision> {
+struct Steps<'m, F, X, H: System, R: Real, K: Precision> {
     flows: Transformed<'m, F, X, H, R, K>,
     along_starts: bool,
     clock: Clock,
@@ -220,7 +219,7 @@ impl<F, X, H, R, K> Kernel for Steps<'_, F, X, H, R, K>
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
 {
@@ -238,7 +237,7 @@ fn complete<F, X, H, R, K>(motion: &mut TimedOf<H, R, K>, clock: Clock)
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
 {
@@ -254,7 +253,7 @@ fn dense<F, X, H, R, K, E>(to: &mut TimedOf<H, R, K>, begin: &TimedOf<H, R, K>, 
 where
     F: Transformation<H>,
     X: Composition<H>,
-    H: Hamiltonian,
+    H: System,
     R: Real,
     K: Precision,
     E: Executor,

@@ -13,14 +13,13 @@ mod motion;
 pub use method::{Logarithmic, Paced, Power};
 
 use crate::{
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::precision::Precision,
-    system::motion::Plain,
+    system::{Shaped, System, motion::Plain},
 };
 
 /// The plain motion of a system, whatever layout its steps in `t` have.
-pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>>;
+pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as System>::Parameters<R>>;
 
 /// The nodes of Gauss's rule of five points between 0 and 1, with their weights. Its error is of the eleventh power of
 /// the range, so that steps keep every order that is proved for a composition, which is ten at most.
@@ -39,7 +38,7 @@ pub const NODES: [[f64; 2]; 5] = [
     note = "`Logarithmic`, `Power` and `Paced` require `kinetic` and `potential` without explicit time, and without \
             Jacobi coordinates"
 )]
-pub trait TimeTransformed: Hamiltonian {
+pub trait TimeTransformed: System {
     /// Whether `V` has the same sign everywhere.
     const KEEPS_SIGN: bool = false;
     /// `T` and a number.

@@ -3,11 +3,12 @@
 //! States are a list of numbers here, positions first.
 
 use crate::{
-    flow::doubled::{Moved, Read},
-    hamiltonian::Hamiltonian,
     scalar::{dual::Dual, real::Real},
     state::{coords::Coords, phase::Phase},
-    system::motion::{Motion, Prepared},
+    system::{
+        System,
+        motion::{Motion, Moved, Prepared, Read},
+    },
 };
 use core::cell::Cell;
 use nalgebra::DMatrix;
@@ -25,7 +26,7 @@ pub(crate) trait Field<R> {
 }
 
 /// The field of `H`, with its parameters and a point that has the shape of its coordinates.
-pub(crate) struct Generated<'s, H: Hamiltonian> {
+pub(crate) struct Generated<'s, H: System> {
     pub(crate) parameters: &'s H::Parameters<f64>,
     pub(crate) shape: &'s Phase<H::Coords>,
     /// The middle of the step that evaluates it.
@@ -34,7 +35,7 @@ pub(crate) struct Generated<'s, H: Hamiltonian> {
     pub(crate) evaluations: Cell<u64>,
 }
 
-impl<H: Hamiltonian> Generated<'_, H> {
+impl<H: System> Generated<'_, H> {
     /// One half of `y` in every lane, and nothing in the other half.
     fn points<R: Real>(&self, y: &[R], half: fn(&mut Phase<H::Coords>) -> &mut H::Coords) -> Vec<Phase<H::Coords>> {
         let point = |lane: usize| {
@@ -66,7 +67,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
     }
 }
 
-impl<H: Hamiltonian> Generated<'_, H> {
+impl<H: System> Generated<'_, H> {
     /// The field that was written as such: it moves nothing by a unit of time, without rounding.
     fn of_whole<R: Real>(&self, y: &[R], time: f64) -> Vec<R> {
         self.evaluations.set(self.evaluations.get() + 1);
@@ -83,7 +84,7 @@ impl<H: Hamiltonian> Generated<'_, H> {
     }
 }
 
-impl<H: Hamiltonian, R: Real> Field<R> for Generated<'_, H> {
+impl<H: System, R: Real> Field<R> for Generated<'_, H> {
     fn derivative(&self, y: &[R], time: f64) -> Vec<R> {
         if const { !H::SEPARABLE } {
             return self.of_whole(y, time);

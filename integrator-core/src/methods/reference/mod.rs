@@ -78,9 +78,9 @@ pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
 pub use stoermer::{Stoermer4, StoermerCowell4};
 
 use crate::{
-    hamiltonian::Hamiltonian,
     scalar::real::Real,
     state::precision::Precision,
+    system::System,
     trajectory::{
         method::Method,
         step_functions::{Executor, StepFunctions},
@@ -91,7 +91,7 @@ use walk::{Constants, Walked, step_functions};
 
 macro_rules! methods {
     ($($method:ident)*) => {$(
-        impl<H: Hamiltonian> Method<H> for $method {
+        impl<H: System> Method<H> for $method {
             const CLONED: bool = false;
 
             type Constants = Constants<H::Parameters<f64>, Self>;

@@ -11,9 +11,9 @@ use super::{
 };
 use crate::{
     error::Unsolved,
-    hamiltonian::QuadraticKinetic,
     scalar::real::Real,
     state::precision::Precision,
+    system::QuadraticKinetic,
     trajectory::{
         method::{Described, Facts, Method},
         step_functions::{Executor, StepFunctions},

@@ -3,7 +3,6 @@
 use super::field::{Field, Generated};
 use crate::{
     error::Unsolved,
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::real::Real,
     state::{
         clock::Clock,
@@ -11,7 +10,7 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::{counts::Counts, motion::Motion},
+    system::{Shaped, System, counts::Counts, motion::Motion},
     trajectory::{method::Described, step_functions::StepFunctions},
 };
 use alloc::sync::Arc;
@@ -119,10 +118,10 @@ impl<R: Real, C: Coords, P: Clone + Send + Sync + 'static, M: Recipe> Motion<C, 
 }
 
 /// The motion of a method for a system.
-pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<f64>, M>;
+pub(crate) type Walked<H, R, K, M> = Walk<R, Shaped<H, K>, <H as System>::Parameters<f64>, M>;
 
 /// The step functions of a method.
-pub(crate) fn step_functions<H: Hamiltonian, R: Real, K: Precision, M: Recipe>() -> StepFunctions<Walked<H, R, K, M>> {
+pub(crate) fn step_functions<H: System, R: Real, K: Precision, M: Recipe>() -> StepFunctions<Walked<H, R, K, M>> {
     let advance = |walks: &mut [_], clock, steps, _| {
         for walk in walks {
             advance::<H, R, K, M>(walk, clock, steps);
@@ -132,7 +131,7 @@ pub(crate) fn step_functions<H: Hamiltonian, R: Real, K: Precision, M: Recipe>()
 }
 
 /// Takes steps. An end that was not found is remembered, and no step is taken from there.
-fn advance<H: Hamiltonian, R: Real, K: Precision, M: Recipe>(walk: &mut Walked<H, R, K, M>, clock: Clock, steps: u64) {
+fn advance<H: System, R: Real, K: Precision, M: Recipe>(walk: &mut Walked<H, R, K, M>, clock: Clock, steps: u64) {
     for step in clock.steps..clock.steps + steps {
         if walk.unsolved.is_some() {
             return;

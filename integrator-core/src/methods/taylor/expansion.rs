@@ -16,7 +16,6 @@ use super::{
 };
 use crate::{
     error::Unsolved,
-    hamiltonian::{Hamiltonian, Shaped},
     scalar::{
         exact::exponent,
         real::{Kernel, Real},
@@ -24,6 +23,7 @@ use crate::{
     },
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::{
+        Shaped, System,
         counts::{Counts, OwnSteps},
         motion::{Motion, Prepared},
     },
@@ -173,8 +173,7 @@ where
 }
 
 /// The expansion of a system's motion.
-pub(super) type Of<H, R, K> =
-    Expansion<R, Shaped<H, K>, <H as Hamiltonian>::Parameters<R>, <H as Recurrences>::Tape<R>>;
+pub(super) type Of<H, R, K> = Expansion<R, Shaped<H, K>, <H as System>::Parameters<R>, <H as Recurrences>::Tape<R>>;
 
 /// The step functions of the Taylor method.
 pub(super) fn step_functions<H: Recurrences, R: Real, K: Precision>() -> StepFunctions<Of<H, R, K>> {

@@ -9,10 +9,9 @@ use super::{
 };
 use crate::{
     error::Unsolved,
-    hamiltonian::Hamiltonian,
     scalar::real::Real,
     state::{clock::Clock, precision::Precision},
-    system::motion::Prepared,
+    system::{System, motion::Prepared},
 };
 
 /// Looks for edges on the polynomials of a member up to a time, and returns the step within which there are none. The
@@ -63,7 +62,7 @@ fn search<H: Recurrences, R: Real, K: Precision>(
     let unit = segment.unit::<R>(clock.h);
     let single = &*expansion.of_members[member];
     let parameters = <H::Parameters<Enclosure> as Prepared<Enclosure>>::gather(&[single; BOUNDS]);
-    let layout = Layout::of::<<H as Hamiltonian>::Coords>(main.length(), false);
+    let layout = Layout::of::<<H as System>::Coords>(main.length(), false);
     let (order, count) = (expansion.method.order(), layout.coordinates());
     let halves = [&expansion.q, &expansion.p];
     let spacing = halves[0].leaf(member, main.index_of(0)).spacing();

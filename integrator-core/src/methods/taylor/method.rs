@@ -8,9 +8,9 @@ use super::{
 };
 use crate::{
     error::Error,
-    hamiltonian::Shaped,
     scalar::real::Real,
     state::{coords::Coords, precision::Precision},
+    system::Shaped,
     trajectory::{
         method::{Described, Differentiable, Facts, Method},
         step_functions::{Executor, StepFunctions},

@@ -1,7 +1,7 @@
 //! The interface of generated recurrences.
 
 use super::{edges::Watch, table::Coefficients};
-use crate::{hamiltonian::Hamiltonian, scalar::real::Real};
+use crate::{scalar::real::Real, system::System};
 
 /// A Hamiltonian with recurrences for the Taylor coefficients of its motion. Written by `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
@@ -9,7 +9,7 @@ use crate::{hamiltonian::Hamiltonian, scalar::real::Real};
     label = "generated without `taylor`",
     note = "write `#[hamiltonian(taylor)]` to generate them"
 )]
-pub trait Recurrences: Hamiltonian {
+pub trait Recurrences: System {
     /// The coefficients that recurrences read.
     type Tape<R: Real>: Default + Send + Sync + 'static;
 

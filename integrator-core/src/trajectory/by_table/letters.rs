@@ -2,7 +2,7 @@
 
 use crate::{
     composition::{Lead, Processor, Scheme, Stage, Stages, corrected_durations::Between},
-    hamiltonian::Hamiltonian,
+    system::System,
 };
 use alloc::vec::Vec;
 
@@ -40,7 +40,7 @@ pub(super) struct Table {
 
 impl Table {
     /// The table of a composition for a system.
-    pub(super) fn of<H: Hamiltonian, X: Scheme>() -> Self {
+    pub(super) fn of<H: System, X: Scheme>() -> Self {
         Self { stages: X::STAGES, processor: X::PROCESSOR, between: const { Between::of::<H>() } }
     }
 

@@ -3,11 +3,12 @@
 use crate::{
     composition::{Processor, Scheme, Stages, corrected_durations::Between},
     error::Unsolved,
-    hamiltonian::{Flows, Hamiltonian, QuadraticKinetic},
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::{
+        QuadraticKinetic, System,
         counts::Counts,
+        flows::Flows,
         motion::{Found, Motion},
     },
     trajectory::{
@@ -69,7 +70,7 @@ impl<H: QuadraticKinetic> Kicks<H> for WithGradients {
     }
 }
 
-impl<H: Hamiltonian, G: Kicks<H>> Method<H> for ByTable<G> {
+impl<H: System, G: Kicks<H>> Method<H> for ByTable<G> {
     type Constants = Constants<H::Parameters<f64>>;
     type Motion<R: Real, K: Precision> = Tabled<H::Motion<R, K>>;
 

@@ -14,9 +14,9 @@ pub(crate) use method::{ByTable, WithGradients};
 
 use crate::{
     composition::Scheme,
-    hamiltonian::{Flows, Hamiltonian},
     scalar::real::Real,
     state::{clock::Clock, precision::Precision},
+    system::{System, flows::Flows},
     trajectory::{
         by_table::{
             letters::Table,
@@ -30,22 +30,22 @@ use crate::{
 pub(crate) struct Plain;
 
 /// The way in which kicks of a table are applied.
-pub(crate) trait Kicks<H: Hamiltonian>: Send + Sync + 'static {
+pub(crate) trait Kicks<H: System>: Send + Sync + 'static {
     /// Whether there are kicks with gradients.
     const GRADIENTS: bool;
     /// The flow of `duration·V + gradient·|∇V|²`.
     fn gradient_kick(flows: &mut impl Flows<H>, duration: f64, gradient: f64, time: f64);
 }
 
-impl<H: Hamiltonian> Kicks<H> for Plain {
+impl<H: System> Kicks<H> for Plain {
     const GRADIENTS: bool = false;
     #[inline(always)]
     fn gradient_kick(_: &mut impl Flows<H>, _: f64, _: f64, _: f64) {}
 }
 
-/// Takes this number of steps with motions of [large flows](Hamiltonian::LARGE_FLOWS), by a composition without force
+/// Takes this number of steps with motions of [large flows](System::LARGE_FLOWS), by a composition without force
 /// gradients.
-pub(super) fn advance<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor>(
+pub(super) fn advance<H: System, X: Scheme, R: Real, K: Precision, E: Executor>(
     motions: &mut [H::Motion<R, K>],
     clock: Clock,
     steps: u64,
@@ -57,7 +57,7 @@ pub(super) fn advance<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Execu
 }
 
 /// Completes the current step, or undoes the processor after it, in the same way.
-pub(super) fn end<H: Hamiltonian, X: Scheme, R: Real, K: Precision, E: Executor, const SHOWN: bool>(
+pub(super) fn end<H: System, X: Scheme, R: Real, K: Precision, E: Executor, const SHOWN: bool>(
     motion: &mut H::Motion<R, K>,
     clock: Clock,
     threads: Option<usize>,

@@ -2,11 +2,14 @@
 
 use crate::{
     composition::{Lead, Stage, Stages, corrected_durations::Corrections},
-    hamiltonian::{Flows, Hamiltonian, Single},
     layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, precision::Precision},
-    system::motion::{InRegisters, Motion},
+    system::{
+        System,
+        flows::{Flows, Single},
+        motion::{InRegisters, Motion},
+    },
     trajectory::{
         by_table::{
             Kicks,
@@ -37,7 +40,7 @@ pub(super) fn walk<H, G, R, K, E>(
     portion: Portion,
     threads: Option<usize>,
 ) where
-    H: Hamiltonian,
+    H: System,
     G: Kicks<H>,
     R: Real,
     K: Precision,
@@ -53,9 +56,9 @@ pub(super) fn walk<H, G, R, K, E>(
 }
 
 /// The loop over flows of one motion, moved out of memory where that is worth it for any step.
-struct WalkOne<'m, H: Hamiltonian, G, R: Real, K: Precision>(Walk<Single<'m, H, R, K>, H, G>);
+struct WalkOne<'m, H: System, G, R: Real, K: Precision>(Walk<Single<'m, H, R, K>, H, G>);
 
-impl<H: Hamiltonian, G: Kicks<H>, R: Real, K: Precision> Kernel for WalkOne<'_, H, G, R, K> {
+impl<H: System, G: Kicks<H>, R: Real, K: Precision> Kernel for WalkOne<'_, H, G, R, K> {
     type Out = ();
 
     #[inline(always)]
@@ -108,7 +111,7 @@ struct Lists {
 /// and all up to the step's own end.
 const WHOLE_STEP: u64 = 3;
 
-impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<F, H, G> {
+impl<F: Flows<H>, H: System, G: Kicks<H>> Kernel for Walk<F, H, G> {
     type Out = ();
 
     #[inline(always)]
@@ -137,7 +140,7 @@ impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Kernel for Walk<F, H, G> {
     }
 }
 
-impl<F: Flows<H>, H: Hamiltonian, G: Kicks<H>> Walk<F, H, G> {
+impl<F: Flows<H>, H: System, G: Kicks<H>> Walk<F, H, G> {
     /// Whether cycles go in drifts and kicks by turns, which keeps small states in registers.
     const IN_PAIRS: bool = !H::PIECEWISE_IN_TIME && !H::LARGE_FLOWS && H::PARTS.len() == 2;
 

@@ -18,9 +18,11 @@ pub use error::CheckpointError;
 use crate::{
     composition::{Processor, Stages},
     error::Error,
-    hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, digest::Digest, phase::Phase, precision::Precision},
-    system::motion::{Beside, Prepared},
+    system::{
+        System,
+        motion::{Beside, Prepared},
+    },
     trajectory::{
         admissible::admissible_with,
         dispatch::{Nothing, bound},
@@ -63,7 +65,7 @@ impl Origin {
     pub(crate) const UNKNOWN: Self =
         Self { system: "", formulas: 0, parameters: 0, unknown: None, composition: "", over: "", table: None };
 
-    pub(crate) fn of<H: Hamiltonian>(Facts { name, over, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
+    pub(crate) fn of<H: System>(Facts { name, over, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
         let mut digest = Digest::EMPTY;
         H::Parameters::<f64>::digest(parameters, &mut digest);
         Self {
@@ -209,51 +211,17 @@ impl<C: Coords> Run<C> {
         Ok(write_whole(path.as_ref(), &self.checkpoint())?)
     }
 
-    /// Resumes a run from a checkpoint, with the annotated composition of its system.
-    ///
-    /// # Errors
-    /// - The bytes are not a checkpoint, are damaged, or have another format version.
-    /// - The checkpoint is of another composition, another precision, or another system. Systems are compared by the names
-    ///   of their types, the formulas of their energies and the values of their parameters.
-    /// - The run cannot continue from the stored state.
-    ///
-    /// Parameters are compared bitwise. This includes parameters that only a `#[flow]` function, a function with a stated
-    /// derivative, or a method that these call reads. If such a function reads a field that neither consists of numbers nor
-    /// implements `Hash`, the impl needs `fn fingerprint(&self) -> u64`, which is compared instead.
-    pub fn resume<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
-    where
-        H: Hamiltonian,
-        H::Coords: Coords<With<C::Leaf> = C>,
-    {
-        Self::resume_with(system, H::Compose::default(), checkpoint)
-    }
-
     /// Resumes a run from a checkpoint, with the composition or other method of the original run.
     ///
     /// # Errors
     /// Those of [`Run::resume`]; a checkpoint by [`Power`](crate::Power) with another exponent.
     pub fn resume_with<H, X>(system: &H, composition: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         Self::resumed(system, composition, checkpoint, false)
-    }
-
-    /// Resumes a run from a checkpoint with changed parameters or formulas, and the annotated composition of its system.
-    ///
-    /// The run continues from the stored state, which is in the middle of a step. The current step is therefore taken partly
-    /// with the old and partly with the new parameters.
-    ///
-    /// # Errors
-    /// Those of [`Run::resume`], except for differences of parameters and formulas.
-    pub fn resume_with_changed_parameters<H>(system: &H, checkpoint: &[u8]) -> Result<Self, CheckpointError>
-    where
-        H: Hamiltonian,
-        H::Coords: Coords<With<C::Leaf> = C>,
-    {
-        Self::resume_with_changed_parameters_with(system, H::Compose::default(), checkpoint)
     }
 
     /// Resumes a run from a checkpoint with changed parameters or formulas, and the method of the original run.
@@ -269,7 +237,7 @@ impl<C: Coords> Run<C> {
         checkpoint: &[u8],
     ) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
@@ -278,7 +246,7 @@ impl<C: Coords> Run<C> {
 
     fn resumed<H, X>(system: &H, composition: X, checkpoint: &[u8], changed: bool) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: Resumable<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {

@@ -3,9 +3,8 @@
 use super::CheckpointError;
 use crate::{
     composition::{Processor, Stage, Stages},
-    hamiltonian::Hamiltonian,
     state::precision::Precision,
-    system::motion::Beside,
+    system::{System, motion::Beside},
     trajectory::{method::Facts, motions::Form},
 };
 use alloc::{borrow::ToOwned, format, string::String, vec::Vec};
@@ -122,7 +121,7 @@ impl Stored {
     }
 
     /// Checks that the names of a system, a method and a precision are those that are stored, and the stages too.
-    pub(crate) fn belongs_to<H: Hamiltonian, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
+    pub(crate) fn belongs_to<H: System, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let Record { system, composition, stages, leaf, .. } = &self.record;
         let over = facts.over.unwrap_or_default();
         let asked = match self.over {

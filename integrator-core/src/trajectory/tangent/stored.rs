@@ -6,8 +6,8 @@
 
 use super::{Beginning, Tangent, refused};
 use crate::{
-    hamiltonian::Hamiltonian,
     state::{coords::Coords, phase::Phase},
+    system::System,
     trajectory::{
         checkpoint::{CheckpointError, coordinates, numbers, record_of, sealed_record},
         method::Memoryless,
@@ -62,7 +62,7 @@ impl<C: Coords> Tangent<C> {
     /// [`Tangent::resume_sensitivities`] continues with.
     pub fn resume<H, X>(system: &H, method: X, checkpoint: &[u8]) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: Memoryless<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
@@ -91,7 +91,7 @@ impl<C: Coords> Tangent<C> {
         slopes: impl Fn(usize, usize, Range<usize>) -> Vec<H::Parameters<f64>>,
     ) -> Result<Self, CheckpointError>
     where
-        H: Hamiltonian,
+        H: System,
         X: Memoryless<H>,
         H::Coords: Coords<With<C::Leaf> = C>,
     {

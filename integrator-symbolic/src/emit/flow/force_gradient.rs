@@ -58,7 +58,7 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, -1.0, time);
+            <Self as #runtime::System>::kick::<#scalar, f64>(&mut force, -1.0, time);
             motion.push(#scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             #velocity
@@ -77,7 +77,7 @@ fn velocity(emitter: &mut Emitter<'_>) -> TokenStream {
         let Names { runtime, scalar, .. } = emitter.names;
         return quote! {
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as #runtime::Hamiltonian>::drift::<#scalar, f64>(&mut force, 1.0, time);
+            <Self as #runtime::System>::drift::<#scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
         };
     }

@@ -77,13 +77,13 @@ fn of_plain(names: &Names) -> TokenStream {
     quote! {
         #[inline(always)]
         fn potential_of<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &#runtime::PlainMotion<Self, #scalar, #leaf>) -> #scalar {
-            <Self as #runtime::Hamiltonian>::potential::<#scalar, #leaf>(motion, 0.0)
+            <Self as #runtime::System>::potential::<#scalar, #leaf>(motion, 0.0)
         }
 
         #[inline(always)]
         fn kick_for<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, duration: #scalar) {
             let mut force = motion.at_rest();
-            <Self as #runtime::Hamiltonian>::kick::<#scalar, f64>(&mut force, 1.0, 0.0);
+            <Self as #runtime::System>::kick::<#scalar, f64>(&mut force, 1.0, 0.0);
             motion.push(duration, &force);
         }
     }

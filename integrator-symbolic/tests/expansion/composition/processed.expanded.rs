@@ -84,5 +84,5 @@ impl ::integrator_core::__private::Scheme for Shifted {
     };
 }
 impl<
-    __System: ::integrator_core::__private::Hamiltonian,
+    __System: ::integrator_core::__private::System,
 > ::integrator_core::__private::Composition<__System> for Shifted {}

@@ -65,5 +65,5 @@ impl my::runtime::__private::Scheme for Ruth3 {
     };
 }
 impl<
-    __System: my::runtime::__private::Hamiltonian,
+    __System: my::runtime::__private::System,
 > my::runtime::__private::Composition<__System> for Ruth3 {}

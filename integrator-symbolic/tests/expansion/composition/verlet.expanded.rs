@@ -58,5 +58,5 @@ impl ::integrator_core::__private::Scheme for Verlet {
     };
 }
 impl<
-    __System: ::integrator_core::__private::Hamiltonian,
+    __System: ::integrator_core::__private::System,
 > ::integrator_core::__private::Composition<__System> for Verlet {}

@@ -77,8 +77,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Network {
-        type Coords = runtime::Vec<[f64; 2]>;
         type Compose = runtime::Verlet;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Network {
+        type Coords = runtime::Vec<[f64; 2]>;
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -86,7 +92,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 661567832718261605;
+        const FINGERPRINT: u64 = 13510542547831866065;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -328,9 +334,6 @@ const _: () = {
                 potential: Self::potential(self, q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for Network {
@@ -510,11 +513,11 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            <Self as runtime::System>::drift::<Scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
@@ -540,7 +543,7 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+            <Self as runtime::System>::potential::<Scalar, Leaf>(motion, 0.0)
         }
         #[inline(always)]
         fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -548,7 +551,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
             motion.push(duration, &force);
         }
         #[inline(always)]

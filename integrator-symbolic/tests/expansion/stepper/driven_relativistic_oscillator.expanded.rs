@@ -41,8 +41,11 @@ const _: () = {
     /// `T` is not quadratic in the momenta with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Driven {
-        type Coords = [f64; 1];
         type Compose = runtime::Verlet;
+    }
+    #[automatically_derived]
+    impl runtime::System for Driven {
+        type Coords = [f64; 1];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,

@@ -75,8 +75,14 @@ const _: () = {
     /// Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair.
     #[automatically_derived]
     impl runtime::Hamiltonian for Planets {
-        type Coords = [[f64; 3]; 4];
         type Compose = Abah1064;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_pairs(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Planets {
+        type Coords = [[f64; 3]; 4];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
             Scalar,
@@ -334,9 +340,6 @@ const _: () = {
                 kinetic: Self::kepler(self, *q, *p),
                 potential: Self::jump(self, *p) + Self::interaction(self, *q),
             }
-        }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_pairs(visitor);
         }
     }
 };

@@ -23,8 +23,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for HenonHeiles {
-        type Coords = [f64; 2];
         type Compose = runtime::Verlet;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for HenonHeiles {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -32,7 +38,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8790757408185095731;
+        const FINGERPRINT: u64 = 12220034033749124535;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -93,9 +99,6 @@ const _: () = {
                 potential: Self::potential(self, *q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for HenonHeiles {
@@ -124,11 +127,11 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            <Self as runtime::System>::drift::<Scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
@@ -150,7 +153,7 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+            <Self as runtime::System>::potential::<Scalar, Leaf>(motion, 0.0)
         }
         #[inline(always)]
         fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -158,7 +161,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
             motion.push(duration, &force);
         }
         #[inline(always)]

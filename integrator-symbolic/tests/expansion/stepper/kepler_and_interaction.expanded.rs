@@ -68,8 +68,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl runtime::Hamiltonian for Planets {
-        type Coords = [[f64; 3]; 5];
         type Compose = Aba1064;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Planets {
+        type Coords = [[f64; 3]; 5];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
             Scalar,
@@ -80,7 +86,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7044536329407685956;
+        const FINGERPRINT: u64 = 2835648426565933545;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -290,9 +296,6 @@ const _: () = {
                 potential: Self::interaction(self, *q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for Planets {
@@ -359,7 +362,7 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut force.p);

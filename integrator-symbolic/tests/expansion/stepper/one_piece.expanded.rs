@@ -50,8 +50,12 @@ const _: () = {
     /// H is in one piece, for methods that take the whole of its field.
     #[automatically_derived]
     impl runtime::Hamiltonian for DoublePendulum {
-        type Coords = [f64; 2];
         type Compose = GaussLegendre4;
+        fn visit_compositions(_visitor: &mut impl runtime::Visitor<Self>) {}
+    }
+    #[automatically_derived]
+    impl runtime::System for DoublePendulum {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -159,6 +163,5 @@ const _: () = {
         ) -> runtime::StatedEnergy {
             runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
         }
-        fn visit_compositions(_visitor: &mut impl runtime::Visitor<Self>) {}
     }
 };

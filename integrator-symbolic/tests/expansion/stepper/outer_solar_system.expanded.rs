@@ -63,8 +63,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Solar {
-        type Coords = [[f64; 3]; 6];
         type Compose = Yoshida4;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Solar {
+        type Coords = [[f64; 3]; 6];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::OneRow<
             Scalar,
@@ -75,7 +81,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15576068481535308867;
+        const FINGERPRINT: u64 = 1135840327974662239;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -162,9 +168,6 @@ const _: () = {
                 kinetic: Self::kinetic(self, p),
                 potential: Self::potential(self, q),
             }
-        }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
         }
     }
     #[automatically_derived]
@@ -282,11 +285,11 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            <Self as runtime::System>::drift::<Scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);

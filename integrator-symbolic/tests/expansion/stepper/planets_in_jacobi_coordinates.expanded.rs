@@ -79,8 +79,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Solar {
-        type Coords = [[f64; 3]; 6];
         type Compose = Aba1064;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Solar {
+        type Coords = [[f64; 3]; 6];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Jacobi<
             runtime::OneRow<Scalar, Leaf, Parameters<Scalar>, 6, 3, 3>,
@@ -89,7 +95,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15563840015909197170;
+        const FINGERPRINT: u64 = 4265528796467257173;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn admissible(
@@ -275,9 +281,6 @@ const _: () = {
                 Self::kinetic(self, p) + Self::potential(self, q),
             )
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::ManyBody<3, 3> for Solar {
@@ -413,7 +416,7 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             bent = force;

@@ -53,8 +53,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl runtime::Hamiltonian for HenonHeiles {
-        type Coords = [f64; 2];
         type Compose = Aba864;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for HenonHeiles {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
             Scalar,
@@ -65,7 +71,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["harmonic", "anharmonic"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 3736688282761734674;
+        const FINGERPRINT: u64 = 13861830976177082455;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 * (0.5 * self.stiffness),
@@ -189,9 +195,6 @@ const _: () = {
                 potential: Self::anharmonic(self, *q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for HenonHeiles {
@@ -219,7 +222,7 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut force.p);

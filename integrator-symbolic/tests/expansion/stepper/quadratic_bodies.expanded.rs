@@ -61,8 +61,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl<const N: usize> runtime::Hamiltonian for Frame<N> {
-        type Coords = [[f64; 2]; { N }];
         type Compose = Yoshida4;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl<const N: usize> runtime::System for Frame<N> {
+        type Coords = [[f64; 2]; { N }];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
             Scalar,
@@ -73,7 +79,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["turning", "potential"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4842975883481660319;
+        const FINGERPRINT: u64 = 84300288213867386;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -221,9 +227,6 @@ const _: () = {
                 potential: Self::potential(self, *q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl<const N: usize> runtime::QuadraticKinetic for Frame<N> {
@@ -265,7 +268,7 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut force.p);

@@ -57,8 +57,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Rotors {
-        type Coords = runtime::Vec<[f64; 64]>;
         type Compose = runtime::Verlet;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Rotors {
+        type Coords = runtime::Vec<[f64; 64]>;
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -66,7 +72,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17965981231432619001;
+        const FINGERPRINT: u64 = 4389937044021781657;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -181,9 +187,6 @@ const _: () = {
         ) {
             lattice.apply_to_layers::<Self>(flow, sites);
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for Rotors {
@@ -232,11 +235,11 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            <Self as runtime::System>::drift::<Scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
@@ -265,7 +268,7 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+            <Self as runtime::System>::potential::<Scalar, Leaf>(motion, 0.0)
         }
         #[inline(always)]
         fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -273,7 +276,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
             motion.push(duration, &force);
         }
         #[inline(always)]

@@ -86,8 +86,14 @@ const _: () = {
     /// `T` is quadratic in the momenta, with a constant mass matrix.
     #[automatically_derived]
     impl runtime::Hamiltonian for Pendulum {
-        type Coords = [f64; 1];
         type Compose = runtime::Verlet;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Pendulum {
+        type Coords = [f64; 1];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -95,7 +101,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 7958875367256000435;
+        const FINGERPRINT: u64 = 15846396792266478111;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -189,9 +195,6 @@ const _: () = {
                 potential: Self::potential(self, *q),
             }
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for Pendulum {
@@ -224,11 +227,11 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut bent.p);
-            <Self as runtime::Hamiltonian>::drift::<Scalar, f64>(&mut force, 1.0, time);
+            <Self as runtime::System>::drift::<Scalar, f64>(&mut force, 1.0, time);
             bent.p = force.q;
             <Self as runtime::QuadraticKinetic>::hessian::<Scalar>(&mut bent, time);
             motion.push(Scalar::of(-2.0 * gradient), &bent);
@@ -249,7 +252,7 @@ const _: () = {
         fn potential_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
         ) -> Scalar {
-            <Self as runtime::Hamiltonian>::potential::<Scalar, Leaf>(motion, 0.0)
+            <Self as runtime::System>::potential::<Scalar, Leaf>(motion, 0.0)
         }
         #[inline(always)]
         fn kick_for<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -257,7 +260,7 @@ const _: () = {
             duration: Scalar,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, 1.0, 0.0);
             motion.push(duration, &force);
         }
         #[inline(always)]

@@ -47,8 +47,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl runtime::Hamiltonian for Twist {
-        type Coords = [f64; 2];
         type Compose = Yoshida4;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Twist {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -160,9 +166,6 @@ const _: () = {
                 kinetic: Self::twist(self, *q, *p),
                 potential: Self::potential(self, *q),
             }
-        }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts(visitor);
         }
     }
 };

@@ -55,8 +55,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl runtime::Hamiltonian for RestrictedThreeBody {
-        type Coords = [f64; 2];
         type Compose = Aba864;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_two_parts_quadratic(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for RestrictedThreeBody {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Solving<
             Scalar,
@@ -67,7 +73,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 17206484812117479651;
+        const FINGERPRINT: u64 = 14705761833495096216;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -215,9 +221,6 @@ const _: () = {
         ) -> runtime::StatedEnergy {
             runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
         }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_two_parts_quadratic(visitor);
-        }
     }
     #[automatically_derived]
     impl runtime::QuadraticKinetic for RestrictedThreeBody {
@@ -285,7 +288,7 @@ const _: () = {
             time: f64,
         ) {
             let mut force = motion.at_rest();
-            <Self as runtime::Hamiltonian>::kick::<Scalar, f64>(&mut force, -1.0, time);
+            <Self as runtime::System>::kick::<Scalar, f64>(&mut force, -1.0, time);
             motion.push(Scalar::of(-duration), &force);
             let mut bent = motion.at_rest();
             ::core::mem::swap(&mut force.q, &mut force.p);

@@ -69,8 +69,14 @@ const _: () = {
     /// Each part has an exact flow.
     #[automatically_derived]
     impl runtime::Hamiltonian for Twisted {
-        type Coords = [f64; 2];
         type Compose = Yoshida4;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_many_parts(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Twisted {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Plain<
             Scalar,
@@ -203,9 +209,6 @@ const _: () = {
                 kinetic: Self::kinetic(self, *p),
                 potential: Self::twist(self, *q, *p) + Self::potential(self, *q),
             }
-        }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_many_parts(visitor);
         }
     }
 };

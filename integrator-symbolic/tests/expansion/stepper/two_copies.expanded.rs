@@ -44,8 +44,14 @@ const _: () = {
     /// Two copies of the state are coupled, each of which moves by what H says of the other.
     #[automatically_derived]
     impl runtime::Hamiltonian for Mixed {
-        type Coords = [f64; 2];
         type Compose = Yoshida4;
+        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
+            runtime::visit_many_parts(visitor);
+        }
+    }
+    #[automatically_derived]
+    impl runtime::System for Mixed {
+        type Coords = [f64; 2];
         type Parameters<Scalar: runtime::Real> = Parameters<Scalar>;
         type Motion<Scalar: runtime::Real, Leaf: runtime::Precision> = runtime::Doubled<
             Scalar,
@@ -139,9 +145,6 @@ const _: () = {
             time: f64,
         ) -> runtime::StatedEnergy {
             runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
-        }
-        fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
-            runtime::visit_many_parts(visitor);
         }
     }
 };

@@ -3,7 +3,6 @@
 use super::{Arc, Cutoffs, Neighbours, Sum, cells::Cells, listed::Listed, lists::Lists};
 use crate::{
     hamiltonian,
-    hamiltonian::Hamiltonian,
     layout::bodies::{many_rows::WIDTH, pair_sums::ManyBody},
     scalar::{
         dual::Dual,
@@ -13,7 +12,7 @@ use crate::{
         simd::lanes::Lanes,
     },
     state::phase::Phase,
-    system::motion::Motion,
+    system::{System, motion::Motion},
 };
 use alloc::{vec, vec::Vec};
 
@@ -84,7 +83,7 @@ impl Soft {
 }
 
 /// The motions of members in the lanes of an `R`; directions of derivatives are the state itself.
-type Rows<R> = <Soft as Hamiltonian>::Motion<R, f64>;
+type Rows<R> = <Soft as System>::Motion<R, f64>;
 
 fn motion<R: Real>(members: &[(&Soft, &Phase<Vec<[f64; 3]>>)]) -> Rows<R> {
     let constants: Vec<_> = members.iter().map(|(soft, _)| soft.parameters(BODIES)).collect();
@@ -371,7 +370,7 @@ fn energies_are_those_of_all_pairs() {
     for soft in [Soft::new(2.1), Soft::new(0.3)] {
         let start = soft.start(6);
         let motion = motion::<f64>(&[(&soft, &start)]);
-        let listed = <Soft as Hamiltonian>::potential::<f64, f64>(&motion, 0.0);
+        let listed = <Soft as System>::potential::<f64, f64>(&motion, 0.0);
         let stated = soft.potential(&start.q);
         // So many terms of one sign and of a few roundings each, and those of gravity.
         let limit = 1e3 * BODIES as f64 * f64::EPSILON * (1.0 + stated.abs());

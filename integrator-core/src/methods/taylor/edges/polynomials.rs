@@ -8,7 +8,7 @@ use alloc::{vec, vec::Vec};
 const SUMMATION: f64 = 2.0 * f64::EPSILON;
 
 /// The Taylor polynomials of positions and momenta, in the direction of the step.
-pub(in super::super) struct Polynomials {
+pub(in crate::methods::taylor) struct Polynomials {
     order: usize,
     /// The number of positions and momenta together.
     count: usize,
@@ -20,7 +20,7 @@ pub(in super::super) struct Polynomials {
 
 impl Polynomials {
     /// The polynomials with the coefficients `of(order, coordinate)`.
-    pub(in super::super) fn new(
+    pub(in crate::methods::taylor) fn new(
         [order, count]: [usize; 2],
         backwards: bool,
         [relative, absolute]: [f64; 2],

@@ -30,29 +30,29 @@ const EVALUATIONS: usize = 1 << 15;
 
 /// Too many evaluations were needed.
 #[derive(Debug, PartialEq)]
-pub(in super::super) struct Unresolved;
+pub(in crate::methods::taylor) struct Unresolved;
 
 /// The end of a step at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in super::super) struct Edge {
+pub(in crate::methods::taylor) struct Edge {
     /// The duration from the origin of the polynomials.
-    pub(in super::super) duration: f64,
+    pub(in crate::methods::taylor) duration: f64,
     /// Whether the edge depends on the time alone, so that all neighbouring orbits cross it at the same time.
-    pub(in super::super) is_of_time: bool,
+    pub(in crate::methods::taylor) is_of_time: bool,
 }
 
 /// A search along the polynomials of a step.
-pub(in super::super) struct Search<'s> {
-    pub(in super::super) polynomials: &'s Polynomials,
-    pub(in super::super) layout: Layout,
-    pub(in super::super) conditions: &'s Conditions<'s>,
+pub(in crate::methods::taylor) struct Search<'s> {
+    pub(in crate::methods::taylor) polynomials: &'s Polynomials,
+    pub(in crate::methods::taylor) layout: Layout,
+    pub(in crate::methods::taylor) conditions: &'s Conditions<'s>,
     /// The time of the origin, and the unit of durations, negative where steps lead back.
-    pub(in super::super) time: f64,
-    pub(in super::super) unit: f64,
+    pub(in crate::methods::taylor) time: f64,
+    pub(in crate::methods::taylor) unit: f64,
     /// The shortest duration of a step that ends at an edge.
-    pub(in super::super) resolution: f64,
+    pub(in crate::methods::taylor) resolution: f64,
     /// The spacing of coordinates around one.
-    pub(in super::super) epsilon: f64,
+    pub(in crate::methods::taylor) epsilon: f64,
 }
 
 /// The margins at the origin and what follows from them.
@@ -96,7 +96,7 @@ impl Sides {
 
 impl Search<'_> {
     /// The first crossing between two durations from the origin.
-    pub(in super::super) fn first(&self, [begin, end]: [f64; 2]) -> Result<Option<Edge>, Unresolved> {
+    pub(in crate::methods::taylor) fn first(&self, [begin, end]: [f64; 2]) -> Result<Option<Edge>, Unresolved> {
         let mut sides = self.sides();
         if sides.origin.is_empty() {
             return Ok(None);
