@@ -9,13 +9,13 @@ mod systems;
 
 use crate::{
     composition::{Composition, Scheme, catalogue::*, catalogue_list::for_each_composition, visitor::Visitor},
-    hamiltonian::{Hamiltonian, Shaped},
+    hamiltonian::Hamiltonian,
     scalar::{instruction_set::InstructionSet, real::Real},
     state::{
         clock::Clock, compensated::Compensated, coords::Coords, digest::Digest, fixed::Fixed, phase::Phase,
         precision::Precision,
     },
-    system::motion::Motion,
+    system::{Shaped, motion::Motion},
     trajectory::{
         by_table::{ByTable, Kicks, Plain, WithGradients},
         method::{Described, Method},
