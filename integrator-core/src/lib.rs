@@ -132,7 +132,6 @@ pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 pub use methods::reference;
 pub use methods::taylor;
 pub use methods::taylor::RecurrencesVisitor;
-#[cfg(not(feature = "std"))]
 pub use scalar::elementary::Elementary;
 pub use scalar::instruction_set::InstructionSet;
 pub use state::compensated::Compensated;

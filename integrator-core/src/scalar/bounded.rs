@@ -5,7 +5,10 @@
 //! bound. Always true: where a comparison or the edge of a domain lies within the bounds, both sides are allowed for,
 //! and where there is no bound it is infinite. A number that is certainly not finite has the bound zero.
 
-use crate::scalar::real::{Mask, Real, elementary_functions, real_of_two_parts};
+use crate::scalar::{
+    functions::elementary_functions,
+    real::{Mask, Real, real_of_two_parts},
+};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The rounding error of an operation, relative to its result: half of this, and the other half for the roundings of

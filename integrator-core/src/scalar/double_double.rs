@@ -9,8 +9,9 @@ use crate::scalar::{
     elementary::Elementary,
     exact::{fast_two_sum, two_product, two_sum},
     fma::Fused,
+    functions::elementary_functions,
     instruction_set::enter_fused_or_baseline,
-    real::{Kernel, Real, compared, elementary_functions, real_of_two_parts},
+    real::{Kernel, Real, compared, real_of_two_parts},
 };
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -10,9 +10,9 @@ mod in_memory;
 mod side_by_side;
 
 use crate::scalar::{
-    functions::fast_functions,
+    functions::elementary_functions,
     implicit::{Image, Implicit},
-    real::{Kernel, Mask, Real, elementary_functions},
+    real::{Kernel, Mask, Real},
     simd::lanes::Lanes,
 };
 use core::{
@@ -181,133 +181,9 @@ impl<F: Real, const N: usize, const ROW: bool, const SENSITIVE: bool> SubAssign 
     }
 }
 
-/// The value of a function of one argument at `x`, and its slope there.
-macro_rules! value_and_slope {
-    (sqrt $x:ident) => {{
-        let value = $x.sqrt();
-        (value, F::of(0.5) / value)
-    }};
-    (cbrt $x:ident) => {{
-        let value = $x.cbrt();
-        (value, F::of(1.0) / (F::of(3.0) * value * value))
-    }};
-    (exp $x:ident) => {{
-        let value = $x.exp();
-        (value, value)
-    }};
-    (exp2 $x:ident) => {{
-        let value = $x.exp2();
-        (value, F::of(LN_2) * value)
-    }};
-    (exp_m1 $x:ident) => {
-        ($x.exp_m1(), $x.exp())
-    };
-    (ln $x:ident) => {
-        ($x.ln(), F::of(1.0) / $x)
-    };
-    (ln_1p $x:ident) => {
-        ($x.ln_1p(), F::of(1.0) / (F::of(1.0) + $x))
-    };
-    (log2 $x:ident) => {
-        ($x.log2(), F::of(1.0) / (F::of(LN_2) * $x))
-    };
-    (log10 $x:ident) => {
-        ($x.log10(), F::of(1.0) / (F::of(LN_10) * $x))
-    };
-    (sin $x:ident) => {
-        $x.sin_cos()
-    };
-    (cos $x:ident) => {{
-        let (sine, cosine) = $x.sin_cos();
-        (cosine, -sine)
-    }};
-    (tan $x:ident) => {{
-        let value = $x.tan();
-        (value, value.fma(value, F::of(1.0)))
-    }};
-    (asin $x:ident) => {
-        ($x.asin(), F::of(1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)).sqrt())
-    };
-    (acos $x:ident) => {
-        ($x.acos(), F::of(-1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)).sqrt())
-    };
-    (atan $x:ident) => {
-        ($x.atan(), F::of(1.0) / $x.fma($x, F::of(1.0)))
-    };
-    (sinh $x:ident) => {
-        ($x.sinh(), $x.cosh())
-    };
-    (cosh $x:ident) => {
-        ($x.cosh(), $x.sinh())
-    };
-    // sinh / cosh is inf / inf from 711 on; 1 - tanh² has no such end.
-    (tanh $x:ident) => {{
-        let value = $x.tanh();
-        (value, F::of(1.0) - value * value)
-    }};
-    (asinh $x:ident) => {
-        ($x.asinh(), F::of(1.0) / $x.hypot(F::of(1.0)))
-    };
-    (acosh $x:ident) => {
-        ($x.acosh(), F::of(1.0) / (($x - F::of(1.0)) * ($x + F::of(1.0))).sqrt())
-    };
-    (atanh $x:ident) => {
-        ($x.atanh(), F::of(1.0) / ((F::of(1.0) - $x) * (F::of(1.0) + $x)))
-    };
-    (abs $x:ident) => {
-        ($x.abs(), $x.signum())
-    };
-    // Steps have the slope zero wherever they have one: signum, floor, ceil, trunc, round, round_ties_even.
-    ($step:ident $x:ident) => {
-        ($x.$step(), F::of(0.0))
-    };
-}
-
-/// A function of two arguments.
-macro_rules! binary {
-    // d(xʸ) = y·x^(y-1) dx + xʸ·ln x dy; a constant exponent must not meet the logarithm of a negative base.
-    (powf $x:ident $y:ident) => {{
-        let (base, exponent, zero) = ($x.value, $y.value, F::of(0.0));
-        let value = base.powf(exponent);
-        let by_base = exponent * base.powf(exponent - F::of(1.0));
-        let by_base = F::select(exponent.equal(zero), zero, by_base);
-        if $y.is_constant() {
-            return dual!(value, direction => product(by_base, $x.along[direction]));
-        }
-        let by_exponent = value * base.ln();
-        dual!(value, direction => by_base.fma($x.along[direction], product(by_exponent, $y.along[direction])))
-    }};
-    // d atan2(y, x) = (x dy - y dx) / (x² + y²), divided by the hypotenuse twice so that no square overflows.
-    (atan2 $y:ident $x:ident) => {{
-        let radius = $y.value.hypot($x.value);
-        let slopes = ($x.value / radius / radius, -($y.value / radius / radius));
-        Self::chain_of_two($y, $x, $y.value.atan2($x.value), slopes.0, slopes.1)
-    }};
-    (hypot $x:ident $y:ident) => {{
-        let radius = $x.value.hypot($y.value);
-        Self::chain_of_two($x, $y, radius, $x.value / radius, $y.value / radius)
-    }};
-    // x - n y, with the whole number n that stays the same nearby.
-    (remainder $x:ident $y:ident) => {{
-        let whole = ($x.value / $y.value).trunc();
-        dual!($x.value.remainder($y.value), direction => {
-            $x.along[direction] - product(whole, $y.along[direction])
-        })
-    }};
-    // As in std, a NaN gives way to the other argument; the derivatives go with the value.
-    (min $x:ident $y:ident) => {{
-        let is_x = $x.value.less_or_equal($y.value).or($y.value.equal($y.value).not());
-        Self::select_along($x.value.min($y.value), is_x, $x, $y)
-    }};
-    (max $x:ident $y:ident) => {{
-        let is_x = $y.value.less_or_equal($x.value).or($y.value.equal($y.value).not());
-        Self::select_along($x.value.max($y.value), is_x, $x, $y)
-    }};
-}
-
 /// The faster functions of `Real`: their values, with slopes that need not be fast.
 macro_rules! fast_dual {
-    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+    (unary: $($unary:ident $precise:ident)*; binary: $($binary:ident $other:ident)*;) => {
         $(
             #[inline]
             fn $unary(self) -> Self {
@@ -325,8 +201,9 @@ macro_rules! fast_dual {
 
 macro_rules! dual_real {
     (
-        $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty;
-        unary: $($unary:ident)*; binary: $($binary:ident)*;
+        { $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty; }
+        unary { $($unary:ident($x:ident) { value: $value:tt; slope: $value_and_slope:expr; $($more:tt)* })* }
+        binary { $($binary:ident($a:ident, $b:ident) { value: $value_of_two:tt; dual: $dual:expr; $($more_of_two:tt)* })* }
     ) => {
         impl<F: Real, const N: usize, const SENSITIVE: bool> Real for Dual<F, N, $is_row, SENSITIVE> {
             const LANES: usize = F::LANES * (1 + N);
@@ -461,7 +338,7 @@ macro_rules! dual_real {
                 let (sine, cosine) = self.value.sin_cos();
                 (self.chain(sine, cosine), self.chain(cosine, -sine))
             }
-            fast_functions!(fast_dual);
+            elementary_functions!(fast ones of fast_dual!);
             #[inline(always)]
             fn finite(self) -> bool {
                 let mut finite = self.value.finite();
@@ -489,15 +366,16 @@ macro_rules! dual_real {
             $(
                 #[inline]
                 fn $unary(self) -> Self {
-                    let x = self.value;
-                    let (value, slope) = value_and_slope!($unary x);
+                    let $x = self.value;
+                    let (value, slope) = $value_and_slope;
                     dual!(value, direction => product(slope, self.along[direction]))
                 }
             )*
             $(
                 #[inline]
                 fn $binary(self, other: Self) -> Self {
-                    binary!($binary self other)
+                    let ($a, $b) = (self, other);
+                    $dual
                 }
             )*
             #[inline(always)]
@@ -507,12 +385,12 @@ macro_rules! dual_real {
         }
     };
 }
-elementary_functions!(dual_real! {
+elementary_functions!(rows of dual_real! {
     false,
     Block = Dual<F::Block, N, true, SENSITIVE>,
     Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>;
 });
-elementary_functions!(dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
+elementary_functions!(rows of dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
 
 #[cfg(test)]
 mod tests {
@@ -536,7 +414,7 @@ mod tests {
                 vec![$({
                     let name = stringify!($unary);
                     let x = if name == "acosh" { 1.7 } else { 0.6 };
-                    (name, Real::$unary(new(x, 2.0)), f64::$unary(x), quotient(f64::$unary, x))
+                    (name, Real::$unary(new(x, 2.0)), Elementary::$unary(x), quotient(Elementary::$unary, x))
                 }),*]
             }
             /// Every binary function, both arguments moving.

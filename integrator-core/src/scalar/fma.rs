@@ -2,9 +2,9 @@
 
 use crate::scalar::{
     elementary::Elementary,
-    functions::{self, fast_functions, fast_kernels, kernel},
+    functions::{self, elementary_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
-    real::{Kernel, Real, compared, elementary_functions},
+    real::{Kernel, Real, compared},
     simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
 use core::{
@@ -197,7 +197,7 @@ macro_rules! fused_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
-            fast_functions!(fast_kernels);
+            elementary_functions!(fast ones of fast_kernels!);
             #[inline(always)]
             fn finite(self) -> bool {
                 self.0.is_finite()

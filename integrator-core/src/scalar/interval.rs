@@ -6,7 +6,8 @@
 
 use crate::scalar::{
     exact::two_sum,
-    real::{Mask, Real, elementary_functions, real_of_two_parts},
+    functions::elementary_functions,
+    real::{Mask, Real, real_of_two_parts},
 };
 use core::{
     f64::consts::PI,
@@ -236,98 +237,36 @@ impl Div for Interval {
     }
 }
 
-/// A function of one argument.
+macro_rules! enclose {
+    (
+        {}
+        $($kind:ident { $($name:ident($($x:ident),*) {
+            value: $value:tt; $form:ident: $derivative:expr; bounds: $bounds:expr; $($more:tt)*
+        })* })*
+    ) => {
+        /// Bounds of every function.
+        mod enclosures {
+            use super::*;
+
+            $($(
+                pub(super) fn $name($($x: Interval),*) -> Interval {
+                    $bounds
+                }
+            )*)*
+        }
+    };
+}
+elementary_functions!(rows of enclose! {});
+
 macro_rules! unary {
-    (sin $x:ident) => {
-        $x.wave(<f64 as Real>::sin)
-    };
-    (cos $x:ident) => {
-        $x.wave(<f64 as Real>::cos)
-    };
-    (tan $x:ident) => {
-        $x.tangent()
-    };
-    (abs $x:ident) => {
-        $x.magnitudes()
-    };
-    (cosh $x:ident) => {
-        $x.magnitudes().increasing(<f64 as Real>::cosh, ALL, POSITIVE)
-    };
-    (sqrt $x:ident) => {
-        $x.increasing(<f64 as Real>::sqrt, POSITIVE, POSITIVE)
-    };
-    (acos $x:ident) => {
-        (-$x).increasing(|x| <f64 as Real>::acos(-x), UNIT, ALL)
-    };
-    (asin $x:ident) => {
-        $x.increasing(<f64 as Real>::asin, UNIT, ALL)
-    };
-    (atanh $x:ident) => {
-        $x.increasing(<f64 as Real>::atanh, UNIT, ALL)
-    };
-    (acosh $x:ident) => {
-        $x.increasing(<f64 as Real>::acosh, [1.0, f64::INFINITY], POSITIVE)
-    };
-    (ln $x:ident) => {
-        $x.increasing(<f64 as Real>::ln, POSITIVE, ALL)
-    };
-    (log2 $x:ident) => {
-        $x.increasing(<f64 as Real>::log2, POSITIVE, ALL)
-    };
-    (log10 $x:ident) => {
-        $x.increasing(<f64 as Real>::log10, POSITIVE, ALL)
-    };
-    (ln_1p $x:ident) => {
-        $x.increasing(<f64 as Real>::ln_1p, [-1.0, f64::INFINITY], ALL)
-    };
-    (exp $x:ident) => {
-        $x.increasing(<f64 as Real>::exp, ALL, POSITIVE)
-    };
-    (exp2 $x:ident) => {
-        $x.increasing(<f64 as Real>::exp2, ALL, POSITIVE)
-    };
-    (signum $x:ident) => {
-        if $x.contains(0.0) { Self::new(-1.0, 1.0) } else { $x.whole(<f64 as Real>::signum) }
-    };
-    (floor $x:ident) => {
-        $x.whole(<f64 as Real>::floor)
-    };
-    (ceil $x:ident) => {
-        $x.whole(<f64 as Real>::ceil)
-    };
-    (trunc $x:ident) => {
-        $x.whole(<f64 as Real>::trunc)
-    };
-    (round $x:ident) => {
-        $x.whole(<f64 as Real>::round)
-    };
-    (round_ties_even $x:ident) => {
-        $x.whole(<f64 as Real>::round_ties_even)
-    };
-    // cbrt, exp_m1, atan, sinh, tanh, asinh
-    ($function:ident $x:ident) => {
-        $x.increasing(<f64 as Real>::$function, ALL, ALL)
+    ($function:ident $x:expr) => {
+        enclosures::$function($x)
     };
 }
 
-/// A function of two arguments.
 macro_rules! binary {
-    (powf $x:ident, $y:ident) => {
-        $x.power($y)
-    };
-    (atan2 $x:ident, $y:ident) => {
-        $x.angle($y)
-    };
-    (hypot $x:ident, $y:ident) => {{
-        let (x, y) = ($x.magnitudes(), $y.magnitudes());
-        Self::of_function(Real::hypot(x.low, y.low), Real::hypot(x.high, y.high), POSITIVE)
-    }};
-    (remainder $x:ident, $y:ident) => {
-        $x.modulo($y)
-    };
-    // min, max
-    ($function:ident $x:ident, $y:ident) => {
-        Self::new(f64::$function($x.low, $y.low), f64::$function($x.high, $y.high))
+    ($function:ident $x:expr, $y:expr) => {
+        enclosures::$function($x, $y)
     };
 }
 

@@ -2,7 +2,7 @@
 
 use crate::scalar::{
     elementary::Elementary,
-    functions::{self, fast_functions, fast_kernels, kernel},
+    functions::{self, elementary_functions, fast_kernels, kernel},
     implicit::{Image, Implicit},
     simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
@@ -57,22 +57,8 @@ impl Mask for bool {
     }
 }
 
-/// Calls back with the elementary functions that the language of H knows beside the arithmetic operators: the one list
-/// from which trait, implementations and tests are written. Methods are named as in `std`.
-macro_rules! elementary_functions {
-    ($callback:ident! { $($context:tt)* }) => {
-        $callback! {
-            $($context)*
-            unary: sqrt cbrt exp exp2 exp_m1 ln ln_1p log2 log10 sin cos tan asin acos atan
-                   sinh cosh tanh asinh acosh atanh abs signum floor ceil trunc round round_ties_even;
-            binary: powf atan2 hypot min max remainder;
-        }
-    };
-}
-pub(crate) use elementary_functions;
-
 macro_rules! declare_fast {
-    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+    (unary: $($unary:ident $precise:ident)*; binary: $($binary:ident $other:ident)*;) => {
         $(
             #[doc = concat!("`", stringify!($precise), "` within 4 ulp, where that is faster.")]
             #[inline(always)]
@@ -198,7 +184,7 @@ macro_rules! declare_real {
             }
             /// Sine and cosine of one argument.
             fn sin_cos(self) -> (Self, Self);
-            fast_functions!(declare_fast);
+            elementary_functions!(fast ones of declare_fast!);
             /// Whether all lanes are finite.
             fn finite(self) -> bool;
             /// The mask of the lanes that are less than those of `other`.
@@ -344,7 +330,7 @@ macro_rules! plain_real {
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
             }
-            fast_functions!(fast_kernels);
+            elementary_functions!(fast ones of fast_kernels!);
             #[inline(always)]
             fn finite(self) -> bool {
                 self.is_finite()

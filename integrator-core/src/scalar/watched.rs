@@ -3,7 +3,10 @@
 //! In: a state. Out: what code does in `f64` at it, and a list of the sides that its comparisons took, in their order.
 //! Always true: values are those of `f64`; between two lists that are alike up to some place, the same comparisons stand.
 
-use crate::scalar::real::{Real, elementary_functions, real_of_two_parts};
+use crate::scalar::{
+    functions::elementary_functions,
+    real::{Real, real_of_two_parts},
+};
 use core::{
     cell::RefCell,
     ops::{Add, Div, Mul, Neg, Sub},

@@ -14,6 +14,7 @@ mod fast_tangent;
 mod logarithm;
 mod power;
 mod sine;
+mod table;
 #[cfg(test)]
 mod tests;
 
@@ -21,66 +22,34 @@ pub(crate) use bits::Bits;
 
 use crate::scalar::real::Mask;
 
-/// A function: its kernel, or `$otherwise` where it has none.
-macro_rules! kernel {
-    (sin $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::sin($x)
-    };
-    (cos $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::cos($x)
-    };
-    (tan $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::tan($x)
-    };
-    (exp $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::exp($x)
-    };
-    (ln $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::ln($x)
-    };
-    (tanh $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::tanh($x)
-    };
-    (atan $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::atan($x)
-    };
-    (asin $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::asin($x)
-    };
-    (acos $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::acos($x)
-    };
-    (cbrt $x:expr; $otherwise:expr) => {
-        crate::scalar::functions::cbrt($x)
-    };
-    (atan2 $x:expr, $y:expr; $otherwise:expr) => {
-        crate::scalar::functions::atan2($x, $y)
-    };
-    (powf $x:expr, $y:expr; $otherwise:expr) => {
-        crate::scalar::functions::powf($x, $y)
-    };
-    ($function:ident $x:expr $(, $y:expr)?; $otherwise:expr) => {
-        $otherwise
-    };
-}
-pub(crate) use kernel;
+pub(crate) use table::elementary_functions;
 
-/// Calls back with the functions that have a kernel of less precision beside that of full precision, which are those
-/// that gain by it: the one list, in pairs of the two names.
-macro_rules! fast_functions {
-    ($callback:ident) => {
-        $callback! {
-            unary: fast_sin sin, fast_cos cos, fast_tan tan, fast_exp exp, fast_ln ln, fast_tanh tanh, fast_atan atan,
-                   fast_asin asin, fast_acos acos, fast_cbrt cbrt;
-            binary: fast_atan2 atan2;
+macro_rules! define_kernel {
+    (
+        { $d:tt }
+        $($kind:ident { $($name:ident $arguments:tt {
+            value: $value:tt; $form:ident: $derivative:expr; bounds: $bounds:expr; $(kernel: $kernel:ident $($more:tt)*)?
+        })* })*
+    ) => {
+        /// A function: its kernel, or `otherwise` where it has none.
+        macro_rules! kernel {
+            $($($(
+                ($name $d($d x:expr),*; $d otherwise:expr) => {
+                    $crate::scalar::functions::$kernel($d($d x),*)
+                };
+            )?)*)*
+            ($d name:ident $d($d x:expr),*; $d otherwise:expr) => {
+                $d otherwise
+            };
         }
+        pub(crate) use kernel;
     };
 }
-pub(crate) use fast_functions;
+elementary_functions!(rows of define_kernel! { $ });
 
 /// The methods of `Real` for these, where a number has the bits that kernels handle.
 macro_rules! fast_kernels {
-    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+    (unary: $($unary:ident $precise:ident)*; binary: $($binary:ident $other:ident)*;) => {
         $(
             #[cfg_attr(not(debug_assertions), inline(always))]
             fn $unary(self) -> Self {

@@ -4,8 +4,8 @@
 //! vector registers of the instruction set that the scalar is made for.
 
 use crate::scalar::{
-    functions::fast_functions,
-    real::{Kernel, Mask, Real, elementary_functions},
+    functions::elementary_functions,
+    real::{Kernel, Mask, Real},
 };
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -153,7 +153,7 @@ impl<F: Real, const N: usize> SubAssign for Lanes<F, N> {
 }
 
 macro_rules! fast_lanes {
-    (unary: $($unary:ident $precise:ident),*; binary: $($binary:ident $other:ident),*;) => {
+    (unary: $($unary:ident $precise:ident)*; binary: $($binary:ident $other:ident)*;) => {
         $(
             #[inline(always)]
             fn $unary(self) -> Self {
@@ -242,7 +242,7 @@ macro_rules! lanes_real {
                 each::<N>(|part| (sines.0[part], cosines.0[part]) = self.0[part].sin_cos());
                 (sines, cosines)
             }
-            fast_functions!(fast_lanes);
+            elementary_functions!(fast ones of fast_lanes!);
             #[inline(always)]
             fn finite(self) -> bool {
                 let mut finite = true;

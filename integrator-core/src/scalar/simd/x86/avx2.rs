@@ -1,10 +1,7 @@
 //! The registers of AVX2 and FMA, of 256 bits.
 
 use super::{bits::bits, real::vector};
-use crate::scalar::{
-    fma::Fma,
-    real::{Mask, elementary_functions},
-};
+use crate::scalar::{fma::Fma, functions::elementary_functions, real::Mask};
 use core::arch::x86_64::{
     __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_alignr_epi8,
     _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps,

@@ -1,11 +1,7 @@
 //! The registers of AVX-512, of 512 bits.
 
 use super::{bits::bits, real::vector};
-use crate::scalar::{
-    fma::Avx512,
-    real::{Mask, elementary_functions},
-    simd::block::PICKED,
-};
+use crate::scalar::{fma::Avx512, functions::elementary_functions, real::Mask, simd::block::PICKED};
 use core::arch::x86_64::{
     __m512, __m512d, __mmask8, __mmask16, _mm512_add_epi32, _mm512_add_epi64, _mm512_add_pd, _mm512_add_ps,
     _mm512_alignr_epi32, _mm512_alignr_epi64, _mm512_and_pd, _mm512_and_ps, _mm512_andnot_pd, _mm512_andnot_ps,

@@ -28,7 +28,7 @@ macro_rules! unary {
         ($x + $vector(half)).trunc()
     }};
     ($function:ident $x:expr, $vector:ident of $scalar:ident, $sqrt:ident $andnot:ident $splat:ident $xor:ident $to_whole:ident) => {
-        crate::scalar::functions::kernel!($function $x; $vector::of_lanes($x.lanes().map($scalar::$function)))
+        crate::scalar::functions::kernel!($function $x; $vector::of_lanes($x.lanes().map(<$scalar as Elementary>::$function)))
     };
 }
 pub(super) use unary;
@@ -59,7 +59,7 @@ macro_rules! vector {
             use crate::scalar::{
                 elementary::Elementary,
                 fma::{Fused, Instructions},
-                functions::{fast_functions, fast_kernels},
+                functions::{elementary_functions, fast_kernels},
                 real::{Kernel, Real},
                 simd::{
                     block::{Block, PICKED},
@@ -169,7 +169,7 @@ macro_rules! vector {
                 fn sin_cos(self) -> (Self, Self) {
                     crate::scalar::functions::sin_cos(self)
                 }
-                fast_functions!(fast_kernels);
+                elementary_functions!(fast ones of fast_kernels!);
                 #[inline(always)]
                 fn finite(self) -> bool {
                     // x - x is zero for a finite x and NaN for others.
