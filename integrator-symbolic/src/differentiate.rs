@@ -365,7 +365,7 @@ impl Sweep {
             }
             Node::Unary(function, a) if self.depends[a.position()] => {
                 let Some(slope) = graph.slope(function, a, id) else { return };
-                if function.is_of_square()
+                if function.row().of_square
                     && let Some(distance) = distance(graph, a)
                 {
                     // Both are zero where the distance is, and the quotient is one.

@@ -83,6 +83,11 @@ pub fn known_functions() -> impl Iterator<Item = &'static str> {
     model::known_functions()
 }
 
+/// Returns the names of the functions that device code may call, with the bits of the processor.
+pub fn device_functions() -> impl Iterator<Item = &'static str> {
+    emit::device_functions()
+}
+
 /// Returns the proved properties of the compositions that a `composition!` block declares.
 ///
 /// # Errors

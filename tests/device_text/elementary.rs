@@ -69,6 +69,15 @@ fn is_left_to_library(name: &str, x: f64, y: f64, is_single: bool) -> bool {
 /// The most units in the last place that two maths libraries are apart.
 const LIBRARIES: f64 = 4.0;
 
+/// Every function that device code may call.
+#[test]
+fn every_function_of_devices_is_compared() {
+    let compared: Vec<&str> = values::<f64>(0.5, 0.5).into_iter().map(|(name, _)| name).collect();
+    for name in integrator_symbolic::device_functions() {
+        assert!(compared.contains(&name), "`{name}`");
+    }
+}
+
 /// Holds every function at every argument against the kernels with fused multiply-add.
 pub(crate) fn compare(program: &Path) {
     (0..count().div_ceil(BATCH)).for_each(|batch| compare_at(program, &arguments(batch)));

@@ -8,7 +8,7 @@ use integrator_core::{
     __private::{Coefficients, Layout, Recurrences, Table},
     Coords, System,
 };
-use std::{array, collections::BTreeSet, fs, path::Path};
+use std::array;
 
 /// Up to which order coefficients are compared.
 const ORDER: usize = 20;
@@ -77,27 +77,6 @@ fn the_reference_knows_the_same_systems() {
     let mut names = [rows::ROWS, splits::ROWS].concat();
     names.sort_unstable();
     assert_eq!(reference::names(), names);
-}
-
-/// The names in the table of elementary functions, as the generator's source has them.
-fn functions() -> BTreeSet<String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-symbolic/src/graph/function.rs");
-    let source = fs::read_to_string(path).expect("text");
-    let table = source.split_once("const TABLE").and_then(|(_, rest)| rest.split_once("\n];")).expect("the table").0;
-    let rows = ["unary(\"", "binary(\"", "name: \""].iter().flat_map(|row| table.split(row).skip(1));
-    rows.filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect()
-}
-
-#[test]
-fn every_elementary_function_has_a_row_of_its_name() {
-    let functions = functions();
-    assert!(functions.contains("sin") && functions.contains("hypot"), "the rows are found: {functions:?}");
-    let rows = include_str!("rows.rs");
-    for function in functions {
-        let row = rows.lines().find(|line| line.trim_start().starts_with(&format!("{function} [")));
-        let row = row.unwrap_or_else(|| panic!("no row is called `{function}`"));
-        assert!(row.contains(&format!(".{function}(")), "the row does not call the function: {row}");
-    }
 }
 
 #[test]

@@ -37,7 +37,7 @@ impl Limits {
         match graph.node(id) {
             Node::Power(base, halves) if halves < 0 => self.far_from(graph, base),
             Node::Power(base, 1) => self.under_root(graph, base, 0.5),
-            Node::Unary(function, base) if function.levels_off() => self.far_from(graph, base),
+            Node::Unary(function, base) if function.row().levels_off => self.far_from(graph, base),
             Node::Unary(function, base) if function.name() == "exp" && graph.falls(base) => self.far_from(graph, base),
             Node::Unary(function, base) if function.name() == "cbrt" => self.under_root(graph, base, 1.0 / 3.0),
             // Of any exponent: where it is negative, the value is infinite as well.

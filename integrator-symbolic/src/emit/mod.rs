@@ -29,7 +29,7 @@ pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
 };
-pub(crate) use printer::names::Names;
+pub(crate) use printer::{cuda::device_functions, names::Names};
 use printer::{block::Emitter, fields::Fields, function::Body};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};

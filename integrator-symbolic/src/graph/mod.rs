@@ -420,7 +420,7 @@ impl Graph {
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
             total_of_any: self.is_total_by_itself(node),
-            grows: matches!(node, Node::Unary(function, _) if function.overflows()),
+            grows: matches!(node, Node::Unary(function, _) if function.row().overflows),
             access: self.own_access(node),
             beside_sums: self.own_access(node),
             read_in: self.read_in(node, loops),

@@ -18,44 +18,150 @@ pub(crate) struct Bounded {
     pub(crate) error: f64,
 }
 
+/// The arguments that random systems call a function with.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Arguments {
+    Any,
+    /// Between -1 and 1.
+    Bounded,
+    /// Above zero.
+    Positive,
+    /// Between -½ and ½.
+    Inner,
+    /// Above one, which no random number is known to be.
+    Beyond,
+}
+
 /// A function of one argument: its value, and its slope as a number with a bound of its own.
 pub(crate) struct Elementary {
     pub(crate) name: &'static str,
+    pub(crate) arguments: Arguments,
     pub(crate) value: fn(f64) -> f64,
     pub(crate) slope: fn(Bounded) -> Bounded,
 }
 
 /// All functions of one argument but those with a jump or a kink.
 pub(crate) const ELEMENTARY: &[Elementary] = &[
-    Elementary { name: "sin", value: f64::sin, slope: |x| x.bounded_slope(f64::cos) },
-    Elementary { name: "cos", value: f64::cos, slope: |x| -x.bounded_slope(f64::sin) },
-    Elementary { name: "tan", value: f64::tan, slope: |x| x.bounded_slope(f64::cos).square().recip() },
-    Elementary { name: "asin", value: f64::asin, slope: |x| one_minus_square(x).sqrt().recip() },
-    Elementary { name: "acos", value: f64::acos, slope: |x| -one_minus_square(x).sqrt().recip() },
-    Elementary { name: "atan", value: f64::atan, slope: |x| (x.square() + 1.0.into()).recip() },
-    Elementary { name: "sinh", value: f64::sinh, slope: |x| (x.exp() + (-x).exp()) * 0.5.into() },
-    Elementary { name: "cosh", value: f64::cosh, slope: |x| (x.exp() - (-x).exp()) * 0.5.into() },
-    Elementary { name: "tanh", value: f64::tanh, slope: |x| ((x.exp() + (-x).exp()) * 0.5.into()).square().recip() },
-    Elementary { name: "asinh", value: f64::asinh, slope: |x| (x.square() + 1.0.into()).sqrt().recip() },
-    Elementary { name: "acosh", value: f64::acosh, slope: |x| (-one_minus_square(x)).sqrt().recip() },
-    Elementary { name: "atanh", value: f64::atanh, slope: |x| one_minus_square(x).recip() },
-    Elementary { name: "exp", value: f64::exp, slope: Bounded::exp },
+    Elementary { name: "sin", arguments: Arguments::Any, value: f64::sin, slope: |x| x.bounded_slope(f64::cos) },
+    Elementary { name: "cos", arguments: Arguments::Any, value: f64::cos, slope: |x| -x.bounded_slope(f64::sin) },
+    Elementary {
+        name: "tan",
+        arguments: Arguments::Bounded,
+        value: f64::tan,
+        slope: |x| x.bounded_slope(f64::cos).square().recip(),
+    },
+    Elementary {
+        name: "asin",
+        arguments: Arguments::Inner,
+        value: f64::asin,
+        slope: |x| one_minus_square(x).sqrt().recip(),
+    },
+    Elementary {
+        name: "acos",
+        arguments: Arguments::Inner,
+        value: f64::acos,
+        slope: |x| -one_minus_square(x).sqrt().recip(),
+    },
+    Elementary {
+        name: "atan",
+        arguments: Arguments::Any,
+        value: f64::atan,
+        slope: |x| (x.square() + 1.0.into()).recip(),
+    },
+    Elementary {
+        name: "sinh",
+        arguments: Arguments::Bounded,
+        value: f64::sinh,
+        slope: |x| (x.exp() + (-x).exp()) * 0.5.into(),
+    },
+    Elementary {
+        name: "cosh",
+        arguments: Arguments::Bounded,
+        value: f64::cosh,
+        slope: |x| (x.exp() - (-x).exp()) * 0.5.into(),
+    },
+    Elementary {
+        name: "tanh",
+        arguments: Arguments::Any,
+        value: f64::tanh,
+        slope: |x| ((x.exp() + (-x).exp()) * 0.5.into()).square().recip(),
+    },
+    Elementary {
+        name: "asinh",
+        arguments: Arguments::Any,
+        value: f64::asinh,
+        slope: |x| (x.square() + 1.0.into()).sqrt().recip(),
+    },
+    Elementary {
+        name: "acosh",
+        arguments: Arguments::Beyond,
+        value: f64::acosh,
+        slope: |x| (-one_minus_square(x)).sqrt().recip(),
+    },
+    Elementary {
+        name: "atanh",
+        arguments: Arguments::Inner,
+        value: f64::atanh,
+        slope: |x| one_minus_square(x).recip(),
+    },
+    Elementary { name: "exp", arguments: Arguments::Bounded, value: f64::exp, slope: Bounded::exp },
     Elementary {
         name: "exp2",
+        arguments: Arguments::Bounded,
         value: f64::exp2,
         slope: |x| (x * std::f64::consts::LN_2.into()).exp() * std::f64::consts::LN_2.into(),
     },
-    Elementary { name: "exp_m1", value: f64::exp_m1, slope: Bounded::exp },
-    Elementary { name: "ln", value: f64::ln, slope: Bounded::recip },
-    Elementary { name: "ln_1p", value: f64::ln_1p, slope: |x| (x + 1.0.into()).recip() },
-    Elementary { name: "log2", value: f64::log2, slope: |x| (x * std::f64::consts::LN_2.into()).recip() },
-    Elementary { name: "log10", value: f64::log10, slope: |x| (x * std::f64::consts::LN_10.into()).recip() },
-    Elementary { name: "sqrt", value: f64::sqrt, slope: |x| (x.sqrt() * 2.0.into()).recip() },
-    Elementary { name: "cbrt", value: f64::cbrt, slope: |x| (x.abs().ln() * (-2.0 / 3.0).into()).exp() / 3.0.into() },
-    Elementary { name: "recip", value: f64::recip, slope: |x| -x.square().recip() },
-    Elementary { name: "to_radians", value: f64::to_radians, slope: |_| (std::f64::consts::PI / 180.0).into() },
-    Elementary { name: "to_degrees", value: f64::to_degrees, slope: |_| (180.0 / std::f64::consts::PI).into() },
+    Elementary { name: "exp_m1", arguments: Arguments::Bounded, value: f64::exp_m1, slope: Bounded::exp },
+    Elementary { name: "ln", arguments: Arguments::Positive, value: f64::ln, slope: Bounded::recip },
+    Elementary {
+        name: "ln_1p",
+        arguments: Arguments::Positive,
+        value: f64::ln_1p,
+        slope: |x| (x + 1.0.into()).recip(),
+    },
+    Elementary {
+        name: "log2",
+        arguments: Arguments::Positive,
+        value: f64::log2,
+        slope: |x| (x * std::f64::consts::LN_2.into()).recip(),
+    },
+    Elementary {
+        name: "log10",
+        arguments: Arguments::Positive,
+        value: f64::log10,
+        slope: |x| (x * std::f64::consts::LN_10.into()).recip(),
+    },
+    Elementary {
+        name: "sqrt",
+        arguments: Arguments::Positive,
+        value: f64::sqrt,
+        slope: |x| (x.sqrt() * 2.0.into()).recip(),
+    },
+    Elementary {
+        name: "cbrt",
+        arguments: Arguments::Positive,
+        value: f64::cbrt,
+        slope: |x| (x.abs().ln() * (-2.0 / 3.0).into()).exp() / 3.0.into(),
+    },
+    Elementary { name: "recip", arguments: Arguments::Positive, value: f64::recip, slope: |x| -x.square().recip() },
+    Elementary {
+        name: "to_radians",
+        arguments: Arguments::Any,
+        value: f64::to_radians,
+        slope: |_| (std::f64::consts::PI / 180.0).into(),
+    },
+    Elementary {
+        name: "to_degrees",
+        arguments: Arguments::Bounded,
+        value: f64::to_degrees,
+        slope: |_| (180.0 / std::f64::consts::PI).into(),
+    },
 ];
+
+/// The names of the functions with these arguments.
+pub(crate) fn functions_of(arguments: Arguments) -> Vec<&'static str> {
+    ELEMENTARY.iter().filter(|row| row.arguments == arguments).map(|row| row.name).collect()
+}
 
 fn one_minus_square(x: Bounded) -> Bounded {
     (Bounded::from(1.0) - x) * (Bounded::from(1.0) + x)

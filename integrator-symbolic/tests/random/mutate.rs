@@ -1,6 +1,6 @@
 //! Changes of a text that leave it Rust: operators, numbers, bounds, conditions, functions and adaptors.
 
-use crate::choice::Choices;
+use crate::{bounded::ELEMENTARY, choice::Choices};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
@@ -123,12 +123,9 @@ fn range(tokens: &[TokenTree], place: usize, _: &mut Choices) -> Changed {
 
 fn function(tokens: &[TokenTree], place: usize, choices: &mut Choices) -> Changed {
     let TokenTree::Ident(name) = &tokens[place] else { return None };
-    let alike: [&[&str]; 4] = [
-        &["sin", "cos", "tan", "exp", "sqrt", "abs", "atan", "tanh", "ln_1p", "recip", "signum"],
-        &["min", "max", "hypot", "atan2"],
-        &["windows", "chunks_exact"],
-        &["skip", "take", "step_by"],
-    ];
+    let of_one: Vec<&str> = ELEMENTARY.iter().map(|row| row.name).chain(["abs", "signum"]).collect();
+    let alike: [&[&str]; 4] =
+        [&of_one, &["min", "max", "hypot", "atan2"], &["windows", "chunks_exact"], &["skip", "take", "step_by"]];
     let known = alike.into_iter().find(|names| names.iter().any(|known| name == known))?;
     let other = format_ident!("{}", choices.of(known));
     (other != *name).then(|| (1, quote!(#other)))

@@ -26,7 +26,7 @@ use crate::{
     stencil::Stencil,
     syntax::Functions,
 };
-use functions::KNOWN;
+pub(crate) use functions::device_functions;
 use identifier::identifier;
 use proc_macro2::Ident;
 pub(crate) use reads::{Read, Reads};
@@ -327,7 +327,7 @@ impl Cuda<'_, '_> {
         if let Some(name) = self.reads.native(row.name) {
             return self.call(&name, arguments);
         }
-        if !KNOWN.contains(&row.name) {
+        if device_functions().all(|known| known != row.name) {
             let name = row.name;
             let obstacle = format!(
                 "`gpu` has no kernel for `{name}`, which H or one of its derivatives calls\nhelp: use other \

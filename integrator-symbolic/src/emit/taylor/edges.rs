@@ -140,10 +140,10 @@ impl Walk {
             _ if graph.is_prepared(id) => false,
             Node::Compare(..) => graph.is_edge_of_motion(id),
             Node::Power(a, _) => is_root(graph.node(id)) && self.kinked.contains(&a),
-            Node::Unary(function, a) => graph.moves(a) && is_piecewise(function.name()),
+            Node::Unary(function, a) => graph.moves(a) && function.row().piecewise,
             Node::Binary(function, a, b) => {
                 self.kinked.contains(&a) && is_power(function)
-                    || is_piecewise(function.name()) && (graph.moves(a) || graph.moves(b))
+                    || function.row().piecewise && (graph.moves(a) || graph.moves(b))
             }
             _ => false,
         }
@@ -216,23 +216,4 @@ impl Walk {
             self.found.push(store);
         }
     }
-}
-
-/// Whether a function has pieces: a kink, a jump or a cut.
-fn is_piecewise(name: &str) -> bool {
-    let names = [
-        "abs",
-        "signum",
-        "floor",
-        "ceil",
-        "trunc",
-        "round",
-        "round_ties_even",
-        "remainder",
-        "min",
-        "max",
-        "hypot",
-        "atan2",
-    ];
-    names.contains(&name)
 }

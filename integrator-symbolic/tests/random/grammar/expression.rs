@@ -1,6 +1,7 @@
 //! Numbers, conditions, and what is only there behind a guard.
 
 use super::{Grammar, PARTS, Scope, Signature};
+use crate::bounded::{Arguments, functions_of};
 
 impl Grammar {
     /// How many coordinates there are, as text.
@@ -196,19 +197,19 @@ impl Grammar {
     }
 
     fn function_of(&mut self, scope: &Scope, depth: usize) -> String {
-        let everywhere = ["sin", "cos", "atan", "tanh", "asinh", "abs", "signum", "to_radians"];
+        let everywhere = [functions_of(Arguments::Any), vec!["abs", "signum"]].concat();
         match self.choices.below(16) {
             0..=3 => format!("({}).{}()", self.number(scope, depth), self.choices.of(&everywhere)),
             4 => {
-                let name = self.choices.of(&["exp", "exp2", "exp_m1", "sinh", "cosh", "tan", "to_degrees"]);
+                let name = self.choices.of(&functions_of(Arguments::Bounded));
                 format!("{}.{name}()", self.bounded(scope, depth))
             }
             5 | 6 => {
-                let name = self.choices.of(&["sqrt", "ln", "log2", "log10", "recip", "cbrt", "ln_1p"]);
+                let name = self.choices.of(&functions_of(Arguments::Positive));
                 format!("{}.{name}()", self.positive(scope, depth))
             }
             7 => {
-                let name = self.choices.of(&["asin", "acos", "atanh"]);
+                let name = self.choices.of(&functions_of(Arguments::Inner));
                 format!("(0.5 * {}).{name}()", self.bounded(scope, depth))
             }
             8 if PARTS.integers && !scope.indices.is_empty() && self.choices.percent(30) => {

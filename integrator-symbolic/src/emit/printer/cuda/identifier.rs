@@ -1,6 +1,6 @@
 //! The user's names as valid C++ identifiers.
 
-use super::functions::KNOWN;
+use super::functions::device_functions;
 use proc_macro2::Ident;
 
 /// A name of the user's as C++ may have it; two names stay two.
@@ -27,7 +27,8 @@ fn is_taken(name: &str) -> bool {
             .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|letter| letter.is_ascii_digit()))
     });
     let is_reserved = name.starts_with('_') || !name.bytes().any(|letter| letter.is_ascii_lowercase());
-    let is_function = KNOWN.contains(&name) || ["fast_", "library_"].iter().any(|start| name.starts_with(start));
+    let is_function = device_functions().any(|known| known == name)
+        || ["fast_", "library_"].iter().any(|start| name.starts_with(start));
     is_numbered || is_reserved || is_function || TAKEN.contains(&name)
 }
 

@@ -1,6 +1,6 @@
 //! The data that lines of device code read besides the state, and the functions that they call.
 
-use super::{functions::NATIVE, identifier::identifier};
+use super::{functions::native_functions, identifier::identifier};
 use crate::{
     emit::printer::fields::Content,
     graph::{ParameterId, index::LoopSet},
@@ -54,6 +54,7 @@ impl Reads {
 
     /// The name of a function where the device's own is requested, if it has one.
     pub(super) fn native(&self, name: &str) -> Option<String> {
-        (self.functions == DeviceFunctions::Native && NATIVE.contains(&name)).then(|| format!("library_{name}"))
+        (self.functions == DeviceFunctions::Native && native_functions().any(|known| known == name))
+            .then(|| format!("library_{name}"))
     }
 }
