@@ -33,7 +33,7 @@ use errors::Errors;
 use fragments::without_groups;
 pub use graph::Tally;
 use graph::exact::Exact;
-use model::Model;
+use model::{Model, Split};
 use proc_macro2::TokenStream;
 use quote::quote;
 pub use report::{Flow, Place, Report};
@@ -242,7 +242,7 @@ fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
     }
     let function = |name: &str| input.function(name).or_else(|| input.function("hamiltonian"));
     match emit::judged(coordinates, model, &emit::Names::new(input)) {
-        Ok(jacobi) => model.jacobi = Some(jacobi),
+        Ok(jacobi) => model.split = Split::Jacobi(jacobi),
         Err(emit::Obstacle::Shape(message)) => {
             if let Some(function) = function("potential") {
                 errors.at(&function.sig.inputs, message);

@@ -14,7 +14,7 @@ mod taylor;
 use crate::{
     differentiate::{Contribution, gradient},
     graph::{NodeId, Part},
-    model::{Length, Model},
+    model::{Length, Model, Split},
     pattern::{Pattern, recognise},
     scheme::{Class, InPlace},
     syntax::{Compose, Gpu, Input},
@@ -29,8 +29,8 @@ pub(crate) use flow::{
     form::forms,
     jacobi::{KEPLER_PARTS, Obstacle, judged},
 };
-pub(crate) use printer::{cuda::device_functions, names::Names};
 use printer::{block::Emitter, fields::Fields, function::Body};
+pub(crate) use printer::{cuda::device_functions, names::Names};
 use proc_macro2::TokenStream;
 use prose::{Formulas, motion_documentation};
 pub(crate) use prose::{equations, parts, ranges};
@@ -44,7 +44,7 @@ use taylor::{
 
 /// What in a sequence requests a quadratic `T` that this Hamiltonian does not have: the message for it.
 pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
-    if model.paired {
+    if let Split::Pair = model.split {
         return refusal_of_pairs(sequence);
     }
     if model.flows() > 2 {
@@ -186,25 +186,25 @@ impl<'i> Stepper<'i> {
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-        let flows = match (emitter.model.coupling, emitter.model.is_separable()) {
-            (Some(coupling), _) => Flows::of_copies(&mut emitter, coupling),
-            (None, _) if emitter.model.unsplit => Flows::none(),
-            (None, true) => Flows::of(&mut emitter, &kinetic, &potential, &pattern),
-            (None, false) => Flows::of_parts(&mut emitter),
+        let flows = match emitter.model.split {
+            Split::Copies(coupling) => Flows::of_copies(&mut emitter, coupling),
+            Split::Whole => Flows::none(),
+            _ if emitter.model.is_separable() => Flows::of(&mut emitter, &kinetic, &potential, &pattern),
+            _ => Flows::of_parts(&mut emitter),
         };
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
-        let has_field = !emitter.model.is_separable() || emitter.model.jacobi.is_some();
+        let has_field = !emitter.model.is_separable() || emitter.model.jacobi().is_some();
         let field = has_field.then(|| field::function(&mut emitter));
         let energies = ["kinetic", "potential"].into_iter().zip(stated_energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
         let invariants = invariants::items(&flows, &mut emitter);
         let taylor = input.taylor.map(|_| series(&mut emitter, stated_energies, [&kinetic, &potential], &pattern));
-        let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi.is_none();
+        let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi().is_none();
         let transformed =
             is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
         let rate = emitter.model.rate.take().filter(|_| is_plain);
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
-        let of_jacobi = emitter.model.jacobi.map(|jacobi| jacobi::constants(jacobi, &mut emitter));
+        let of_jacobi = emitter.model.jacobi().map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         // The reason was reported before.
         let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions).ok();
         let device = input.gpu.as_ref().and_then(text);
@@ -382,24 +382,24 @@ fn series(
 
 /// The names of parts, and that these are no `T` and `V`.
 fn named_parts(model: &Model) -> Option<TokenStream> {
-    if model.coupling.is_some() {
-        return Some(quote! {
-            const PARTS: &'static [&'static str] = &["hamiltonian", "hamiltonian of the copy", "coupling"];
-            const SEPARABLE: bool = false;
-            const COPIES: bool = true;
-        });
-    }
-    if model.unsplit {
-        return Some(quote! {
-            const PARTS: &'static [&'static str] = &[];
-            const SEPARABLE: bool = false;
-        });
-    }
-    let mut names: Vec<_> = model.parts.iter().map(|part| part.name.to_string()).collect();
-    if model.jacobi.is_some() {
-        names = KEPLER_PARTS.map(str::to_owned).into();
-    }
-    let separable = (!model.is_separable() || model.jacobi.is_some()).then(|| {
+    let names: Vec<_> = match model.split {
+        Split::Copies(_) => {
+            return Some(quote! {
+                const PARTS: &'static [&'static str] = &["hamiltonian", "hamiltonian of the copy", "coupling"];
+                const SEPARABLE: bool = false;
+                const COPIES: bool = true;
+            });
+        }
+        Split::Whole => {
+            return Some(quote! {
+                const PARTS: &'static [&'static str] = &[];
+                const SEPARABLE: bool = false;
+            });
+        }
+        Split::Jacobi(_) => KEPLER_PARTS.map(str::to_owned).into(),
+        _ => model.parts.iter().map(|part| part.name.to_string()).collect(),
+    };
+    let separable = (!model.is_separable() || model.jacobi().is_some()).then(|| {
         quote!(
             const SEPARABLE: bool = false;
         )
@@ -410,7 +410,7 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
             const TANGENT_ERROR: f64 = 128.0;
         )
     });
-    let paired = model.paired.then(|| {
+    let paired = matches!(model.split, Split::Pair).then(|| {
         quote!(
             const PAIRED: bool = true;
         )
@@ -422,19 +422,19 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
 /// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
 /// there are more, or fewer.
 fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
-    if model.unsplit {
+    if let Split::Whole = model.split {
         let runtime = &names.runtime;
         return Some(quote!(
             fn visit_compositions(_visitor: &mut impl #runtime::Visitor<Self>) {}
         ));
     }
     // Who names two parts may well have made the second one small.
-    let are_two = model.jacobi.is_some() || model.parts.len() == 2;
+    let are_two = model.jacobi().is_some() || model.parts.len() == 2;
     let visit = match model {
         Model { quadratic: true, .. } if are_two => quote!(visit_two_parts_quadratic),
         Model { quadratic: true, .. } => quote!(visit_quadratic),
         _ if are_two => quote!(visit_two_parts),
-        Model { paired: true, .. } => quote!(visit_pairs),
+        Model { split: Split::Pair, .. } => quote!(visit_pairs),
         model if model.flows() > 2 => quote!(visit_many_parts),
         _ => return None,
     };
@@ -468,10 +468,11 @@ fn coordinates(model: &Model, names: &Names) -> TokenStream {
 /// The composition's type, and its declaration where it was written in place.
 fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>) {
     let (root, runtime) = (&input.root, &names.runtime);
+    let is_whole = matches!(model.split, Split::Whole);
     match &input.compose {
-        None if model.unsplit => (quote!(#runtime::ImplicitMidpoint), None),
+        None if is_whole => (quote!(#runtime::ImplicitMidpoint), None),
         None => (quote!(#runtime::Verlet), None),
-        Some(Compose::Named(path)) if model.unsplit => {
+        Some(Compose::Named(path)) if is_whole => {
             let held = quote_spanned! {path.span()=>
                 const _: fn() = || {
                     fn takes_whole<Method: #runtime::TakesWhole>() {}
@@ -485,7 +486,10 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
             let parts = model.flows();
             // The compiler knows what the path names.
             let held = parts > 2 && input.item.generics.params.is_empty();
-            let admits = if model.paired { quote!(admits_pairs::<#path>()) } else { quote!(admits::<#path>(#parts)) };
+            let admits = match model.split {
+                Split::Pair => quote!(admits_pairs::<#path>()),
+                _ => quote!(admits::<#path>(#parts)),
+            };
             let check = quote_spanned!(path.span()=> const _: () = #runtime::#admits;);
             (quote!(#path), held.then_some(check))
         }

@@ -116,13 +116,7 @@ pub(crate) struct Model {
     pub(crate) invariants: Vec<Invariant>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
-    /// Whether all of these after the first one are one part of a composition: a symmetric pair.
-    pub(crate) paired: bool,
-    /// How tightly two copies of the state are coupled, each of which moves by what H says of the other; `None` where the
-    /// state has no copy.
-    pub(crate) coupling: Option<NodeId>,
-    /// Whether H stays in one piece, which no composition integrates.
-    pub(crate) unsplit: bool,
+    pub(crate) split: Split,
     pub(crate) shape: Shape,
     /// How many numbers, points or planes the coordinates are, and how many components a point or a plane has.
     pub(crate) lengths: Vec<IndexId>,
@@ -136,8 +130,6 @@ pub(crate) struct Model {
     pub(crate) externals: Vec<Method>,
     /// The parameters that derivatives are taken by, in the order of the annotation.
     pub(crate) sensitive: Vec<ParameterId>,
-    /// What Jacobi coordinates are made with, where the motion is in these.
-    pub(crate) jacobi: Option<Jacobi>,
     /// Where values stand that are added up, as far as messages request it.
     places: HashMap<NodeId, TokenStream>,
     /// Whether `T = ½ pᵀ M⁻¹ p` with a constant `M`, or what the first part has of `p` beside linear terms.
@@ -148,6 +140,23 @@ pub(crate) struct Model {
     pub(crate) functions: Functions,
     /// How the user's functions are called; nothing where one of them is missing or a mistake.
     pub(crate) called: Option<Called>,
+}
+
+/// The flows that a composition composes.
+#[derive(Clone, Copy)]
+pub(crate) enum Split {
+    /// Those of `T` and `V`.
+    Energies,
+    /// Those of the Kepler motions and of the interaction, in Jacobi coordinates.
+    Jacobi(Jacobi),
+    /// Those of the parts that have names.
+    Parts,
+    /// Those of the first part and of a symmetric pair, which all others are.
+    Pair,
+    /// Those of two copies of the state, each of which moves by the H of the other, and of their coupling.
+    Copies(NodeId),
+    /// None: H stays in one piece.
+    Whole,
 }
 
 /// What Jacobi coordinates of bodies are made with: numbers of each body, as nodes inside the loop over all bodies.
@@ -216,7 +225,7 @@ impl Model {
     /// the first at most quadratic in p with a constant mass matrix.
     fn has_constant_mass(&self) -> bool {
         match &self.parts[..] {
-            [] if self.coupling.is_none() && !self.unsplit => {}
+            [] if !self.is_mixed() => {}
             [_, ExactPart { form: Exact::OfPositions, .. }] => {}
             _ => return false,
         }
@@ -225,17 +234,29 @@ impl Model {
 
     /// How many parts a composition composes.
     pub(crate) fn flows(&self) -> usize {
-        match self {
-            Self { unsplit: true, .. } => 0,
-            Self { coupling: Some(_), .. } => 3,
+        match self.split {
+            Split::Whole => 0,
+            Split::Copies(_) => 3,
             _ => self.parts.len().max(2),
+        }
+    }
+
+    /// Whether one function of positions and momenta moves the state.
+    pub(crate) fn is_mixed(&self) -> bool {
+        matches!(self.split, Split::Copies(_) | Split::Whole)
+    }
+
+    /// What Jacobi coordinates are made with, where the motion is in these.
+    pub(crate) fn jacobi(&self) -> Option<Jacobi> {
+        match self.split {
+            Split::Jacobi(jacobi) => Some(jacobi),
+            _ => None,
         }
     }
 
     /// Whether H is `T(p) + V(q)`, in this order and whatever the two are called.
     pub(crate) fn is_separable(&self) -> bool {
-        self.coupling.is_none()
-            && !self.unsplit
+        !self.is_mixed()
             && matches!(
                 &self.parts[..],
                 [] | [ExactPart { form: Exact::OfMomenta, .. }, ExactPart { form: Exact::OfPositions, .. }]
@@ -249,26 +270,25 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let whole = input.function("hamiltonian").filter(|_| !is_separate);
     let mut reader = Reader::new(input, errors);
     reader.check_flows();
-    let mut coupling = None;
-    let (energies, parts, shape, called) = if let Some(stated) = &input.coupling {
-        let (energies, node, shape, called) = reader.doubled(stated, whole)?;
-        coupling = Some(node);
-        (energies, Vec::new(), shape, called)
+    let (energies, split, parts, shape, called) = if let Some(stated) = &input.coupling {
+        let (energies, coupling, shape, called) = reader.doubled(stated, whole)?;
+        (energies, Split::Copies(coupling), Vec::new(), shape, called)
     } else if let Some(at) = input.unsplit {
         let (energies, shape, called) = reader.unsplit(at, whole)?;
-        (energies, Vec::new(), shape, called)
+        (energies, Split::Whole, Vec::new(), shape, called)
     } else if !input.split.is_empty() && input.coordinates.is_none() {
         let (parts, shape, called) = match sorted(input) {
             Some(function) => reader.sorted_parts(function)?,
             None => reader.named_parts()?,
         };
-        (reader.first_and_others(&parts), parts, shape, called)
+        let split = if input.paired.is_some() { Split::Pair } else { Split::Parts };
+        (reader.first_and_others(&parts), split, parts, shape, called)
     } else {
         let (energies, shape, called) = match whole {
             Some(function) => reader.whole(function)?,
             None => reader.separate()?,
         };
-        (energies, Vec::new(), shape, called)
+        (energies, Split::Energies, Vec::new(), shape, called)
     };
     let lengths = reader.lengths(&shape);
     let extents = shape.extents().map(|length| reader.length(length)).collect();
@@ -298,9 +318,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         rate,
         invariants,
         parts,
-        paired: input.paired.is_some(),
-        coupling,
-        unsplit: input.unsplit.is_some(),
+        split,
         shape,
         lengths,
         extents,
@@ -308,7 +326,6 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         running,
         externals,
         sensitive,
-        jacobi: None,
         places: addends,
         quadratic: false,
         autonomous,
@@ -341,9 +358,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         rate: None,
         invariants: Vec::new(),
         parts: Vec::new(),
-        paired: false,
-        coupling: None,
-        unsplit: false,
+        split: Split::Energies,
         shape,
         lengths,
         extents,
@@ -351,7 +366,6 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         running: HashMap::new(),
         externals: Vec::new(),
         sensitive: Vec::new(),
-        jacobi: None,
         places: HashMap::new(),
         quadratic: true,
         autonomous: true,

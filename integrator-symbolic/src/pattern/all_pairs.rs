@@ -61,7 +61,7 @@ impl AllPairs {
         Texts::new(&mut model.parameters, &mut model.running).name_in_place(bodies, pair[0], &pair);
 
         let few = model.shape.length.literal().is_some_and(|length| length < LISTED_FROM);
-        let cutoff = match few || model.jacobi.is_some() {
+        let cutoff = match few || model.jacobi().is_some() {
             true => None,
             false => cutoff(&mut model.graph, energy, pair, bodies, dimension),
         };

@@ -50,7 +50,7 @@ impl Constants {
     pub(crate) fn of(mut emitter: Emitter<'_>) -> Self {
         let (fields, names) = (std::mem::take(&mut emitter.fields), emitter.names);
         let mut prepared =
-            Self { pieces: Pieces::of(&fields, emitter.model.jacobi.is_some(), names), ..Self::default() };
+            Self { pieces: Pieces::of(&fields, emitter.model.jacobi().is_some(), names), ..Self::default() };
         if let asked @ 1.. = emitter.model.sensitive.len() {
             prepared.slopes = vec![TokenStream::new(); asked + 1];
         }

@@ -16,7 +16,7 @@ use crate::{
         names::Names,
     },
     graph::{Part, exact::Exact},
-    model::{Length, Model},
+    model::{Length, Model, Split},
     pattern::{
         Pattern, lowered,
         stores::{Pass, passes, stores},
@@ -104,7 +104,7 @@ impl DeviceText {
             constants += lengths.iter().product::<u64>();
         }
         let (count, brackets, at) = (shape.count(), shape.brackets(), shape.at("i"));
-        let (parts, paired) = (emitter.model.flows(), emitter.model.paired);
+        let (parts, paired) = (emitter.model.flows(), matches!(emitter.model.split, Split::Pair));
         let mut text = format!(
             "struct System {{\n\
              static constexpr int COORDINATES = {count};\n\
@@ -220,14 +220,11 @@ impl Shape {
 fn check_parts(model: &Model) -> Result<(), String> {
     let refused =
         |what: &str| Err(format!("`gpu` does not support {what}\nnote: devices integrate drifts, kicks and shears"));
-    if model.coupling.is_some() {
-        return refused("`split = symmetric`, which evolves two copies of the state");
-    }
-    if model.unsplit {
-        return refused("H in one piece, `split = none`");
-    }
-    if model.jacobi.is_some() {
-        return refused("Jacobi coordinates");
+    match model.split {
+        Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
+        Split::Whole => return refused("H in one piece, `split = none`"),
+        Split::Jacobi(_) => return refused("Jacobi coordinates"),
+        Split::Energies | Split::Parts | Split::Pair => {}
     }
     for part in &model.parts {
         match part.form {

@@ -21,7 +21,7 @@ use quote::quote;
 /// `grad V`, and the inverse mass matrix makes positions of these. Where the first part is `T` alone, a drift by 1 from
 /// the origin does that.
 pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStream {
-    let in_jacobi = emitter.model.jacobi.is_some();
+    let in_jacobi = emitter.model.jacobi().is_some();
     let potential = gradient(&mut emitter.model.graph, emitter.model.potential, Part::Position);
     let product = hessian_product(&mut emitter.model.graph, &potential, Part::Position);
     let product = stores(emitter.model, &product, Sink::Collect);
@@ -70,7 +70,7 @@ pub(crate) fn functions(emitter: &mut Emitter<'_>, many_body: bool) -> TokenStre
 
 /// The lines that give `bent` the inverse mass matrix times the momenta of `force`.
 fn velocity(emitter: &mut Emitter<'_>) -> TokenStream {
-    if emitter.model.jacobi.is_some() {
+    if emitter.model.jacobi().is_some() {
         return jacobi::velocity();
     }
     if emitter.model.is_separable() {

@@ -77,7 +77,7 @@ impl Flows {
                 (None, [drift, Flow::of(emitter, potential, Part::Position, force.as_ref())])
             }
         };
-        let in_jacobi = emitter.model.jacobi.is_some();
+        let in_jacobi = emitter.model.jacobi().is_some();
         if in_jacobi {
             (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
         }

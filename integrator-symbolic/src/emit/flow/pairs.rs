@@ -248,7 +248,7 @@ impl Writer<'_, '_> {
         let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
         let s = &self.sizes[1];
         // The rows of bodies in Jacobi coordinates begin with the one that leads.
-        let leading = self.emitter.model.jacobi.filter(|_| !fields.is_empty()).map(|jacobi| {
+        let leading = self.emitter.model.jacobi().filter(|_| !fields.is_empty()).map(|jacobi| {
             let (runtime, parameters) = (&self.emitter.names.runtime, &self.emitter.model.parameters);
             let leading = self.emitter.fields.integer(parameters, jacobi.leading);
             quote!(let #argument = #runtime::body_at(self.#leading, #argument);)

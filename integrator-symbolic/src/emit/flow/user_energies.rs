@@ -13,7 +13,7 @@ pub(crate) fn function(input: &Input, model: &Model, names: &Names) -> TokenStre
     let runtime = &names.runtime;
     let stated = match &model.called {
         // The parts that move are not those that the user wrote.
-        Some(Called::Separate([kinetic, potential])) if model.jacobi.is_some() => quote! {
+        Some(Called::Separate([kinetic, potential])) if model.jacobi().is_some() => quote! {
             #runtime::StatedEnergy::Whole(Self::kinetic(#(#kinetic),*) + Self::potential(#(#potential),*))
         },
         Some(Called::Separate([kinetic, potential])) => quote! {

@@ -9,7 +9,7 @@ use crate::{
         Comparison, Element, Fold, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    model::{Called, Model},
+    model::{Called, Model, Split},
     program::is_direct,
 };
 use formula::{Formula, Kind, Tie};
@@ -34,7 +34,7 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
 /// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
     let parts = match model.called {
-        Some(Called::Whole(_)) if model.coupling.is_some() || model.unsplit => vec![("H".to_owned(), model.kinetic)],
+        Some(Called::Whole(_)) if model.is_mixed() => vec![("H".to_owned(), model.kinetic)],
         Some(Called::Whole(_)) if model.parts.is_empty() => {
             vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
         }
@@ -45,7 +45,7 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
     };
     let formulas = Formulas::of(model);
     let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
-    let pair = model.paired.then(|| match &model.parts[..] {
+    let pair = matches!(model.split, Split::Pair).then(|| match &model.parts[..] {
         [first, others @ ..] => {
             let others: Vec<_> = others.iter().map(|part| part.name.to_string()).collect();
             format!("H = {} + ({})", first.name, others.join(" + "))
@@ -67,18 +67,15 @@ pub(crate) fn motion_documentation(
     potential: &[Contribution],
 ) -> TokenStream {
     let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
-    let class = if model.coupling.is_some() {
-        " Two copies of the state are coupled, each of which moves by what H says of the other."
-    } else if model.unsplit {
-        " H is in one piece, for methods that take the whole of its field."
-    } else if model.paired {
-        " Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair."
-    } else if !model.is_separable() {
-        " Each part has an exact flow."
-    } else if model.quadratic {
-        " `T` is quadratic in the momenta, with a constant mass matrix."
-    } else {
-        " `T` is not quadratic in the momenta with a constant mass matrix."
+    let class = match model.split {
+        Split::Copies(_) => " Two copies of the state are coupled, each of which moves by what H says of the other.",
+        Split::Whole => " H is in one piece, for methods that take the whole of its field.",
+        Split::Pair => {
+            " Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair."
+        }
+        _ if !model.is_separable() => " Each part has an exact flow.",
+        _ if model.quadratic => " `T` is quadratic in the momenta, with a constant mass matrix.",
+        _ => " `T` is not quadratic in the momenta with a constant mass matrix.",
     };
     let functions = match model.called {
         Some(Called::Whole(_)) => "`hamiltonian`".to_owned(),
