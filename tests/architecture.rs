@@ -34,23 +34,27 @@ const SYMBOLIC: MayKnow = (
         ("syntax", &["errors", "scheme"]),
         ("model", &["errors", "graph", "limits", "spelling", "syntax"]),
         ("pattern", &["differentiate", "graph", "lower", "model", "pairs", "program", "stencil"]),
+        ("prose", &["differentiate", "graph", "model", "program"]),
+        ("judge", &["errors", "graph", "model", "pairs", "pattern", "prose", "scheme", "syntax"]),
         (
             "emit",
             &[
                 "differentiate",
                 "stencil",
                 "graph",
+                "judge",
                 "lower",
                 "model",
                 "pairs",
                 "pattern",
                 "program",
+                "prose",
                 "scheme",
                 "syntax",
                 "taylor",
             ],
         ),
-        ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "pattern", "syntax"]),
+        ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "pattern", "prose", "syntax"]),
     ],
 );
 
@@ -59,10 +63,9 @@ const EMIT: MayKnow = (
     "integrator-symbolic/src/emit",
     &[
         ("fingerprint", &[]),
-        ("prose", &[]),
         ("printer", &[]),
         ("read_by_methods", &["printer"]),
-        ("flow", &["printer", "prose", "read_by_methods"]),
+        ("flow", &["printer", "read_by_methods"]),
         ("taylor", &["printer"]),
     ],
 );

@@ -5,7 +5,8 @@
 //! tokens -> Sequence -> Scheme -> tokens                                    composition!
 //! ```
 //!
-//! Each arrow is a module. Errors arise before or in the model, or before or in the proof of a scheme, and not later.
+//! Each arrow is a module. Errors arise up to the judgement of the model or the proof of a scheme. Of later steps, only
+//! code for devices can fail.
 //! All functions return for every input, report all mistakes together, and generate the same code for the same input.
 //! [`report`], [`declared`] and [`sequence`] return what the macros derive and prove, for tools that show it.
 #![forbid(unsafe_code)]
@@ -15,12 +16,14 @@ mod emit;
 mod errors;
 mod fragments;
 mod graph;
+mod judge;
 mod limits;
 mod lower;
 mod model;
 mod pairs;
 mod pattern;
 mod program;
+mod prose;
 mod report;
 mod scheme;
 mod spelling;
@@ -32,8 +35,7 @@ pub use emit::Form;
 use errors::Errors;
 use fragments::without_groups;
 pub use graph::Tally;
-use graph::exact::Exact;
-use model::{Model, Split};
+use model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
 pub use report::{Flow, Place, Report};
@@ -73,6 +75,11 @@ pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> 
     let mut errors = Errors::default();
     let report = read(arguments, item, &mut errors).and_then(|input| {
         let model = valid_model(&input, &mut errors)?;
+        if input.gpu.is_some() {
+            // Printers add to the graph that they print, so they get one of their own.
+            let printed = valid_model(&input, &mut errors)?;
+            check_device(&input, emit::stepper(&input, printed).1, &mut errors);
+        }
         Some(report::report(&input, model))
     });
     outcome(report, errors)
@@ -122,11 +129,15 @@ fn outcome<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
     let mut input = read(arguments, item, errors)?;
     if let Some(model) = valid_model(&input, errors) {
-        return Some(emit::stepper(&input, model));
+        let (stepper, obstacle) = emit::stepper(&input, model);
+        check_device(&input, obstacle, errors);
+        if errors.is_empty() {
+            return Some(stepper);
+        }
     }
     // A sequence in place may be the mistake. A name is kept, so that rustc checks it against the stub.
     input.compose = input.compose.filter(|compose| matches!(compose, Compose::Named(_)));
-    model::stub(&input).map(|model| emit::stepper(&input, model))
+    model::stub(&input).map(|model| emit::stepper(&input, model).0)
 }
 
 /// The input, unless it is so deep that nothing may recurse over it.
@@ -141,144 +152,18 @@ fn read(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Optio
 
 /// The model of an input without mistakes.
 fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
-    let mut model = model::model(input, errors);
-    match &mut model {
-        Some(model) => {
-            check_coordinates(input, model, errors);
-            check_composition(input, model, errors);
-            check_taylor(input, model, errors);
-            check_taylor_of_folds(input, model, errors);
-            check_sensitive(input, model, errors);
-            if errors.is_empty() {
-                check_device(input, errors);
-            }
-        }
-        None if errors.is_empty() => {
-            errors.at(
-                &input.item.self_ty,
-                "the macro failed on this impl without a reason\nhelp: please report it as a bug",
-            );
-        }
-        None => {}
+    let model = model::model(input, errors);
+    if model.is_none() && errors.is_empty() {
+        errors
+            .at(&input.item.self_ty, "the macro failed on this impl without a reason\nhelp: please report it as a bug");
     }
-    model.filter(|_| errors.is_empty())
+    let model = judge::judged(input, model?, errors);
+    Some(model).filter(|_| errors.is_empty())
 }
 
-/// Rejects loops that join items by another operation than addition, which have no recurrence of Taylor coefficients.
-fn check_taylor_of_folds(input: &Input, model: &Model, errors: &mut Errors) {
-    let energies = [model.kinetic, model.potential];
-    if let (Some(span), Some(fold)) = (input.taylor, model.graph.first_fold(energies)) {
-        let message = format!(
-            "`taylor` does not support a {} over any number of items\nhelp: write it over at most 16 items whose \
-             number is a literal, or leave out `taylor`",
-            fold.noun()
-        );
-        errors.at_span(span, message);
-    }
-}
-
-/// A method with a stated derivative has only this one, and a series requires derivatives of every order.
-fn check_taylor(input: &Input, model: &Model, errors: &mut Errors) {
-    if let (Some(span), Some(name)) = (input.taylor, model.externals.first()) {
-        let message = format!(
-            "`taylor` does not support `{name}`, which has a stated derivative\nhelp: write it in the language of H, \
-             or leave out `taylor`\nnote: a Taylor series requires derivatives of every order"
-        );
-        errors.at_span(span, message);
-    }
-}
-
-/// Rejects derivatives by parameters that exact flows solve with, instead of reading them.
-fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
-    let Some(first) = input.sensitive.first() else { return };
-    if let Some(coordinates) = &input.coordinates {
-        let message = "Jacobi coordinates do not support `sensitive`\nhelp: leave out `coordinates` and `split`, or \
-                       `sensitive`\nnote: the coordinates depend on the masses";
-        errors.at(&coordinates.name, message);
-    }
-    if input.coupling.is_some() {
-        let message = "`split = symmetric` does not support `sensitive`\nhelp: write `split = none` with `compose = \
-                       GaussLegendre4`, or leave out `sensitive`\nnote: two coupled copies of the state have no \
-                       tangent map";
-        errors.at(first, message);
-    }
-    for (name, parameter) in input.sensitive.iter().zip(&model.sensitive) {
-        let part = model.parts.iter().find(|part| {
-            matches!(part.form, Exact::Quadratic(_) | Exact::Kepler(_))
-                && model.graph.reads_parameter(part.energy, *parameter)
-        });
-        if let Some(part) = part {
-            let message = format!(
-                "the exact flow of `{}` has no derivative with respect to `self.{name}`\nhelp: split H into T(p) and \
-                 V(q), or write `split = none`",
-                part.name
-            );
-            errors.at(name, message);
-        }
-    }
-}
-
-/// Reports why there is no device code, if it is requested. This prints a second model, since a printer adds to its
-/// graph.
-fn check_device(input: &Input, errors: &mut Errors) {
-    let Some(gpu) = &input.gpu else { return };
-    let Some(mut model) = model::model(input, &mut Errors::default()) else { return };
-    check_coordinates(input, &mut model, &mut Errors::default());
-    if let Some(obstacle) = emit::no_device_text(input, gpu, model) {
+/// Reports why there is no device code, if it is requested.
+fn check_device(input: &Input, obstacle: Option<String>, errors: &mut Errors) {
+    if let (Some(gpu), Some(obstacle)) = (&input.gpu, obstacle) {
         errors.at_span(gpu.span, obstacle);
-    }
-}
-
-/// The coordinates of the motion have to fit the Hamiltonian.
-fn check_coordinates(input: &Input, model: &mut Model, errors: &mut Errors) {
-    let Some(coordinates) = &input.coordinates else { return };
-    let named = input.split.iter().zip(emit::KEPLER_PARTS).find(|(name, part)| name != part).map(|(name, _)| name);
-    if named.is_some() || input.split.len() != emit::KEPLER_PARTS.len() {
-        let wrong = named.or(input.split.get(2)).unwrap_or(&coordinates.name);
-        let message = "Jacobi coordinates require the parts `kepler` and `interaction`\nhelp: write `split = kepler + \
-                       interaction`\nnote: these are the Kepler motion of each body and the rest of V";
-        errors.at(wrong, message);
-        return;
-    }
-    let function = |name: &str| input.function(name).or_else(|| input.function("hamiltonian"));
-    match emit::judged(coordinates, model, &emit::Names::new(input)) {
-        Ok(jacobi) => model.split = Split::Jacobi(jacobi),
-        Err(emit::Obstacle::Shape(message)) => {
-            if let Some(function) = function("potential") {
-                errors.at(&function.sig.inputs, message);
-            }
-        }
-        Err(emit::Obstacle::Kinetic(message)) => {
-            if let Some(function) = function("kinetic") {
-                errors.at(&function.sig.ident, message);
-            }
-        }
-        Err(emit::Obstacle::Potential(message)) => {
-            if let Some(function) = function("potential") {
-                errors.at(&function.sig.ident, message);
-            }
-        }
-        Err(emit::Obstacle::Softening(softening)) => {
-            let message = "Jacobi coordinates do not support a softened distance of two bodies\nhelp: leave out the \
-                           softening, or `coordinates` and `split`\nnote: Kepler's equation solves the potential `-G \
-                           m[i] m[j] / r`";
-            match (model.place_of(softening), function("potential")) {
-                (Some(place), _) => errors.at(place, message),
-                (None, Some(function)) => errors.at(&function.sig.ident, message),
-                (None, None) => {}
-            }
-        }
-    }
-}
-
-/// Checks a sequence in place against this Hamiltonian; rustc checks a named one.
-fn check_composition(input: &Input, model: &Model, errors: &mut Errors) {
-    if let Some(Compose::InPlace(sequence, span)) = &input.compose
-        && let Some(refusal) = emit::refusal(sequence, model)
-    {
-        match sequence.gradient() {
-            Some(gradient) => errors.at(gradient, refusal),
-            None => errors.at_span(*span, refusal),
-        }
     }
 }

@@ -7,6 +7,7 @@ use crate::{
     lower::lower,
     model::{Model, Split},
     pattern::recognise,
+    prose,
     syntax::{Compose, Input},
 };
 use quote::ToTokens;
@@ -115,8 +116,8 @@ impl fmt::Display for Flow {
 /// What is derived from `input`, whose model is known to make sense.
 pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     let [kinetic, potential] = emit::gradients(&mut model);
-    let parts = emit::parts(&model);
-    let equations = emit::equations(&mut model, &kinetic, &potential);
+    let parts = prose::parts(&model);
+    let equations = prose::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
     let energies = vec![model.kinetic, model.potential];
     let all = [&values[..], &energies].concat();
@@ -173,7 +174,7 @@ fn places(model: &mut Model, gradient: &[Contribution]) -> Vec<Place> {
     }
     let mut places: Vec<_> = by_loops.into_iter().collect();
     places.sort_by_key(|(loops, _)| loops.iter().collect::<Vec<_>>());
-    let place = |(loops, operations): (LoopSet, Tally)| Place { loops: emit::ranges(model, loops), operations };
+    let place = |(loops, operations): (LoopSet, Tally)| Place { loops: prose::ranges(model, loops), operations };
     places.into_iter().map(place).collect()
 }
 

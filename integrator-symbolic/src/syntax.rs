@@ -4,6 +4,7 @@
 
 mod device;
 mod method;
+pub(crate) mod names;
 
 use crate::{errors::Errors, scheme::InPlace};
 use device::gpu_of;

@@ -1,39 +1,35 @@
 //! The stepper as Rust code.
 //!
 //! In: a valid model. Out: the implementation of the runtime's `Hamiltonian`, in a separate scope. Always true: nothing
-//! here fails; the same model gives the same tokens; the code contains only paths of the user, of `::core`, and of the
+//! here fails but the code for devices; the same model gives the same tokens; the code contains only paths of the user, of `::core`, and of the
 //! runtime's private API.
 
 mod fingerprint;
 mod flow;
 mod printer;
-mod prose;
 mod read_by_methods;
 mod taylor;
 
 use crate::{
     differentiate::{Contribution, gradient},
     graph::{NodeId, Part},
+    judge::coordinates::KEPLER_PARTS,
     model::{Length, Model, Split},
     pattern::{Pattern, recognise},
-    scheme::{Class, InPlace},
-    syntax::{Compose, Gpu, Input},
+    prose::motion_documentation,
+    scheme::Class,
+    syntax::{Compose, Gpu, Input, names::Names},
 };
 use fingerprint::fingerprint;
 pub use flow::form::Form;
+pub(crate) use flow::form::forms;
 use flow::{
     Flows, constants::Constants, device::DeviceText, field, force_gradient, invariants, jacobi, pieces::Pieces,
     transformed, user_energies,
 };
-pub(crate) use flow::{
-    form::forms,
-    jacobi::{KEPLER_PARTS, Obstacle, judged},
-};
+pub(crate) use printer::cuda::device_functions;
 use printer::{block::Emitter, fields::Fields, function::Body};
-pub(crate) use printer::{cuda::device_functions, names::Names};
 use proc_macro2::TokenStream;
-use prose::{Formulas, motion_documentation};
-pub(crate) use prose::{equations, parts, ranges};
 use quote::{quote, quote_spanned};
 use read_by_methods::ReadByMethods;
 use syn::spanned::Spanned;
@@ -41,69 +37,6 @@ use taylor::{
     edges,
     orders::{Orders, orders},
 };
-
-/// What in a sequence requests a quadratic `T` that this Hamiltonian does not have: the message for it.
-pub(crate) fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
-    if let Split::Pair = model.split {
-        return refusal_of_pairs(sequence);
-    }
-    if model.flows() > 2 {
-        return refusal_of_many_parts(sequence);
-    }
-    if model.quadratic {
-        return None;
-    }
-    let term = Formulas::of(model).not_quadratic(model.kinetic);
-    let proof = sequence.proof();
-    match proof.general {
-        None => Some(format!(
-            "a force-gradient kick requires T = ½ pᵀ M⁻¹ p, but T has the term `{term}`\nhelp: use only kicks `V(b)`"
-        )),
-        Some(general) if general.order < proof.quadratic.order => Some(format!(
-            "this sequence has order {} only if T is quadratic in p with constant masses, but T has the term \
-             `{term}`\nhelp: use a composition for general T, such as `Yoshida4`\nnote: for this T the order of the \
-             sequence is {}",
-            proof.quadratic.order, general.order
-        )),
-        Some(_) => None,
-    }
-}
-
-/// The same where there are more than two parts.
-fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
-    let proof = sequence.proof();
-    let without = "use a composition of general class without a processor, such as `Yoshida4`";
-    match proof.general {
-        _ if sequence.is_processed() => Some(format!("a processor supports exactly two parts of H\nhelp: {without}")),
-        None => Some(format!("a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), in two parts\nhelp: {without}")),
-        Some(general) if general.order < proof.quadratic.order => Some(format!(
-            "this sequence has order {} only for H = ½ pᵀ M⁻¹ p + V(q), and order {} for other parts\nhelp: {without}",
-            proof.quadratic.order, general.order
-        )),
-        Some(_) => None,
-    }
-}
-
-/// The same where the last part is a pair of parts.
-fn refusal_of_pairs(sequence: &InPlace) -> Option<String> {
-    let such = "help: use a composition such as `Abah1064`, `Verlet` or `Yoshida4`";
-    match sequence.proof().general {
-        None => Some(format!(
-            "a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), without a pair of parts in parentheses\n{such}"
-        )),
-        Some(_) if sequence.merges_kicks() => Some(
-            "this sequence begins and ends with a kick, which a pair of parts in parentheses does not support\nhelp: \
-             begin with a drift\nnote: two kicks in a row do not merge into one if the kicked part is a pair of parts"
-                .to_owned(),
-        ),
-        Some(general) if !sequence.keeps_pairs() => Some(format!(
-            "this sequence does not have order {} with a pair of parts in parentheses\n{such}\nnote: such a pair has \
-             an error in the third power of each kick, and these errors do not cancel here",
-            general.order
-        )),
-        Some(_) => None,
-    }
-}
 
 /// The gradient of H by the momenta and by the positions.
 pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
@@ -119,20 +52,11 @@ fn gradients_of(model: &mut Model, [kinetic, potential]: [NodeId; 2]) -> [Vec<Co
     by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
 }
 
-/// What keeps this Hamiltonian from having text for devices, if anything does.
-pub(crate) fn no_device_text(input: &Input, gpu: &Gpu, mut model: Model) -> Option<String> {
-    model.choose_in_the_middle();
-    let gradients = gradients(&mut model);
-    let gradients = gradients.each_ref().map(|gradient| &gradient[..]);
-    let pattern = recognise(&mut model, gradients);
-    let names = Names::new(input);
-    let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-    DeviceText::of(&mut emitter, gradients, &pattern, gpu.functions).err()
-}
-
-/// The implementation of `Hamiltonian` for the annotated type.
-pub(crate) fn stepper(input: &Input, model: Model) -> TokenStream {
-    Stepper::of(input, model).tokens()
+/// The implementation of `Hamiltonian` for the annotated type, and what keeps it from having code for devices, if anything
+/// does and this is requested.
+pub(crate) fn stepper(input: &Input, model: Model) -> (TokenStream, Option<String>) {
+    let (stepper, obstacle) = Stepper::of(input, model);
+    (stepper.tokens(), obstacle)
 }
 
 /// What is emitted for a Hamiltonian, each part by the module that knows it.
@@ -173,7 +97,7 @@ struct Stepper<'i> {
 }
 
 impl<'i> Stepper<'i> {
-    fn of(input: &'i Input, mut model: Model) -> Self {
+    fn of(input: &'i Input, mut model: Model) -> (Self, Option<String>) {
         let stated_energies = [model.kinetic, model.potential];
         model.choose_in_the_middle();
         let [kinetic, potential] = gradients(&mut model);
@@ -205,12 +129,15 @@ impl<'i> Stepper<'i> {
         let rate = emitter.model.rate.take().filter(|_| is_plain);
         let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
         let of_jacobi = emitter.model.jacobi().map(|jacobi| jacobi::constants(jacobi, &mut emitter));
-        // The reason was reported before.
-        let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions).ok();
-        let device = input.gpu.as_ref().and_then(text);
+        let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions);
+        let (device, obstacle) = match input.gpu.as_ref().map(text) {
+            None => (None, None),
+            Some(Ok(text)) => (Some(text), None),
+            Some(Err(obstacle)) => (None, Some(obstacle)),
+        };
         let read = ReadByMethods::of(input, emitter.model, &names);
         let constants = Constants::of(emitter).with_read(read.as_ref(), &names);
-        Self {
+        let stepper = Self {
             called: read.map(|read| read.text),
             input,
             documentation,
@@ -232,7 +159,8 @@ impl<'i> Stepper<'i> {
             of_jacobi,
             device,
             names,
-        }
+        };
+        (stepper, obstacle)
     }
 
     fn tokens(&self) -> TokenStream {

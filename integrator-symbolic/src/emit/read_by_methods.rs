@@ -4,7 +4,7 @@
 //! impl that they call. Always true: an overlooked field would let a checkpoint resume with another value of it. If a
 //! method cannot be analysed, it hence counts as reading the whole system.
 
-use super::printer::names::Names;
+use crate::syntax::names::Names;
 use crate::{model::Model, syntax::Input};
 use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use quote::{ToTokens, quote};

@@ -9,9 +9,7 @@ use crate::{
             fields::{Content, Fields},
             frame::Frame,
             function::Body,
-            names::Names,
         },
-        prose::{self, Formulas},
         read_by_methods::ReadByMethods,
     },
     graph::{
@@ -21,6 +19,8 @@ use crate::{
     lower::lower,
     model::{Length, Model},
     program::Program,
+    prose::{self, Formulas},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};

@@ -13,7 +13,6 @@ use crate::{
     emit::printer::{
         block::Emitter,
         cuda::{Lines, Read, Reads, Within, evaluate},
-        names::Names,
     },
     graph::{Part, exact::Exact},
     model::{Length, Model, Split},
@@ -22,7 +21,7 @@ use crate::{
         stores::{Pass, passes, stores},
     },
     program::{Sink, is_protected},
-    syntax::DeviceFunctions,
+    syntax::{DeviceFunctions, names::Names},
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -7,10 +7,11 @@
 use super::{jacobi, through_buffer};
 use crate::{
     differentiate::{gradient, hessian_product},
-    emit::printer::{block::Emitter, frame::Frame, function::Lines, names::Names},
+    emit::printer::{block::Emitter, frame::Frame, function::Lines},
     graph::Part,
     pattern::stores::stores,
     program::Sink,
+    syntax::names::Names,
 };
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -3,11 +3,11 @@
 use super::Flows;
 use crate::{
     differentiate::Contribution,
-    emit::printer::{block::Emitter, fields::Fields, names::Names},
+    emit::printer::{block::Emitter, fields::Fields},
     model::Model,
     pattern::{Pattern, all_pairs::LISTED_FROM},
     stencil::Lattice,
-    syntax::Input,
+    syntax::{Input, names::Names},
 };
 use std::fmt;
 

@@ -1,11 +1,12 @@
 //! Rust code for flows of lattices: the computation of each site from its neighbourhood, over which the runtime sweeps.
 
 use crate::{
-    emit::printer::{block::Emitter, frame::Frame, function::Body, names::Names, sites::contributions},
+    emit::printer::{block::Emitter, frame::Frame, function::Body, sites::contributions},
     graph::{Part, Scope},
     pattern::lowered,
     program::{Sink, Store},
     stencil::{Direction, Lattice, Stencil},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -26,7 +26,6 @@ use crate::{
         frame::Frame,
         function::{Body, Lines},
         lists::has_list_sums,
-        names::Names,
     },
     graph::{Graph, NodeId, Part, exact::Exact},
     model::{ExactPart, Length, Shape},
@@ -36,6 +35,7 @@ use crate::{
     },
     program::Store,
     stencil::Stencil,
+    syntax::names::Names,
 };
 use lattice::Sweep;
 use pairs::ManyBody;

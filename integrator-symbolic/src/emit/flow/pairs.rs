@@ -5,13 +5,13 @@ use crate::{
     emit::printer::{
         block::Emitter,
         function::{Body, Lines},
-        names::Names,
     },
     graph::{Part, index::LoopId},
     pattern::{
         all_pairs::{AllPairs, LISTED_FROM, Listed},
         bodies::{Constants, OfBodies},
     },
+    syntax::names::Names,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -1,6 +1,7 @@
 //! Code for a Hamiltonian with pieces in time: how flows find the middle of the step.
 
-use crate::emit::printer::{fields::Fields, names::Names};
+use crate::emit::printer::fields::Fields;
+use crate::syntax::names::Names;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -4,11 +4,12 @@
 use super::Flow;
 use crate::{
     differentiate::{Contribution, gradient},
-    emit::printer::{block::Emitter, expression::Printer, frame::Frame, function::Body, names::Names},
+    emit::printer::{block::Emitter, expression::Printer, frame::Frame, function::Body},
     graph::{NodeId, Part, Scope},
     model::Model,
     pattern::stores::lower_roots,
     program::{Program, Sink, Store},
+    syntax::names::Names,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

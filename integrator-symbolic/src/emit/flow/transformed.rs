@@ -14,11 +14,11 @@ use crate::{
         block::Emitter,
         frame::Frame,
         function::{Body, Lines},
-        names::Names,
     },
     graph::{Graph, Node, NodeId, Part},
     pattern::stores::{Pass, lower_roots, passes, stores},
     program::{Sink, Store, is_direct},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;

@@ -1,9 +1,9 @@
 //! The user's own functions, which the runtime compares with the generated code.
 
 use crate::{
-    emit::printer::names::Names,
     model::{Called, ExactPart, Model},
     syntax::Input,
+    syntax::names::Names,
 };
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -5,7 +5,6 @@ use super::{
     fields::Fields,
     frame::Frame,
     function::Lines,
-    names::Names,
 };
 use crate::{
     graph::{
@@ -14,6 +13,7 @@ use crate::{
     },
     model::{Length, Model},
     program::{Constraints, Item, Program, Sink, Store, lists::is_over_list, results::Results, schedule_with},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};

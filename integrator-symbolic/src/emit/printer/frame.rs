@@ -4,7 +4,6 @@ use super::{
     expression::{Dialect, Printer},
     fields::Fields,
     interleaved::InterleavedIndices,
-    names::Names,
 };
 use crate::{
     graph::{
@@ -13,6 +12,7 @@ use crate::{
     },
     model::{Model, is_leaf},
     stencil::Stencil,
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};

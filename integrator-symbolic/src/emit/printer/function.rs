@@ -1,7 +1,7 @@
 //! The signatures of generated functions: unused arguments begin with an underscore.
 
-use super::names::Names;
 use crate::program::Program;
+use crate::syntax::names::Names;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 

@@ -8,7 +8,6 @@ use super::{
     frame::Frame,
     function::Body,
     index::part_name,
-    names::Names,
 };
 use crate::{
     graph::{
@@ -17,6 +16,7 @@ use crate::{
     },
     model::{Model, Parameter, is_field},
     program::{Item, Program, lists::ListSum, results::Results},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};

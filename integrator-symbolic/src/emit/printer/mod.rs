@@ -10,5 +10,4 @@ pub(super) mod function;
 pub(super) mod index;
 pub(super) mod interleaved;
 pub(super) mod lists;
-pub(super) mod names;
 pub(super) mod sites;

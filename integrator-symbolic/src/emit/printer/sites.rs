@@ -1,12 +1,13 @@
 //! The values that sites of a lattice read from their neighbourhood, and the contributions that they pass on.
 
-use super::{expression::Printer, fields::Fields, frame::Frame, names::Names};
+use super::{expression::Printer, fields::Fields, frame::Frame};
 use crate::{
     graph::{
         Element,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     stencil::{Extent, Stencil},
+    syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};

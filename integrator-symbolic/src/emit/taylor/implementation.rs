@@ -1,7 +1,8 @@
 //! The items of an implementation of `Recurrences`.
 
 use super::tape::{self, Tape, per_body};
-use crate::emit::printer::{function::Body, names::Names};
+use crate::emit::printer::function::Body;
+use crate::syntax::names::Names;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     differentiate::Contribution,
-    emit::printer::{fields::Fields, frame::Frame, interleaved::InterleavedIndices, names::Names},
+    emit::printer::{fields::Fields, frame::Frame, interleaved::InterleavedIndices},
     graph::{
         Element, Part,
         index::{Index, LoopId},
@@ -18,6 +18,7 @@ use crate::{
     model::Model,
     program::{Item, Program, Sink, nest::Nest},
     stencil::{Addend, Ends, Line, Stencil},
+    syntax::names::Names,
     taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Literal, TokenStream};

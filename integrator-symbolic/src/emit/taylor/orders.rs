@@ -19,12 +19,12 @@ use crate::{
     differentiate::Contribution,
     emit::printer::{
         expression::Printer, fields::Fields, frame::Frame, function::Body, interleaved::InterleavedIndices,
-        names::Names,
     },
     graph::{Graph, Node, NodeId},
     model::{Model, is_leaf},
     program::{Constraints, Item, Program, Sink, Store, results::Results, schedule_with},
     stencil::Stencil,
+    syntax::names::Names,
     taylor::{Recurrences, inverse_masses},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};

@@ -2,7 +2,7 @@
 //!
 //! Values outside of all loops are adjacent; a value inside of a loop has one entry per iteration.
 
-use crate::emit::printer::names::Names;
+use crate::syntax::names::Names;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
