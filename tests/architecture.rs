@@ -108,13 +108,38 @@ const CORE: MayKnow = (
     ],
 );
 
+/// The files and folders of `check`.
+const CHECK: MayKnow = (
+    "integrator-core/src/check",
+    &[
+        ("error", &[]),
+        ("start", &[]),
+        ("modified", &[]),
+        ("statistics", &["start"]),
+        ("oracle", &["start", "statistics"]),
+        ("property", &["modified", "oracle", "start", "statistics"]),
+        ("certificate", &["property"]),
+        ("choose", &["oracle", "property", "start", "statistics"]),
+        ("measurable", &["oracle", "property", "start", "statistics"]),
+        ("shortfall", &["certificate", "error", "property"]),
+        ("certify", &["certificate", "measurable", "oracle", "property", "shortfall", "start", "statistics"]),
+    ],
+);
+
+/// The folders of `layout`.
+const LAYOUT: MayKnow = ("integrator-core/src/layout", &[("lattice", &[]), ("lists", &[]), ("bodies", &["lattice"])]);
+
+/// The folders of `methods`.
+const METHODS: MayKnow =
+    ("integrator-core/src/methods", &[("implicit", &[]), ("pace", &[]), ("taylor", &[]), ("reference", &["implicit"])]);
+
+/// All of them.
+const ORDERS: [MayKnow; 6] = [SYMBOLIC, EMIT, CORE, CHECK, LAYOUT, METHODS];
+
 /// The circles of more than three files: where they are, and how many files they have. None may grow, and no new one may arise.
-const LARGE_CIRCLES: [(&str, &str, usize); 7] = [
-    ("integrator-symbolic/src", "emit", 7),
+const LARGE_CIRCLES: [(&str, &str, usize); 4] = [
+    ("integrator-symbolic/src", "emit", 4),
     ("integrator-symbolic/src", "model", 26),
-    ("integrator-symbolic/src", "scheme", 14),
-    ("integrator-core/src", "check", 9),
-    ("integrator-core/src", "ensemble", 5),
     ("integrator-core/src", "scalar", 9),
     ("integrator-core/src", "trajectory", 13),
 ];
@@ -147,16 +172,7 @@ fn imports_are_found() {
     let found: Vec<_> = paths(text, &["a".to_owned(), "own".to_owned()]).iter().map(|path| path.join("::")).collect();
     assert_eq!(
         found,
-        [
-            "errors::Errors",
-            "graph::Graph",
-            "graph::index::Index",
-            "graph::index::Loop",
-            "",
-            "",
-            "model::Model",
-            "a::b::C"
-        ]
+        ["errors::Errors", "graph::Graph", "graph::index::Index", "graph::index::Loop", "model::Model", "a::b::C"]
     );
 }
 
@@ -196,7 +212,7 @@ fn taken(text: &str, under: &str) -> Vec<String> {
 /// Arrows between modules point one way: a module knows what its arrow comes from, never what it leads to.
 #[test]
 fn modules_import_only_earlier_modules() {
-    for (source, modules) in [SYMBOLIC, EMIT, CORE] {
+    for (source, modules) in ORDERS {
         let (source, folder) =
             source.split_once("/src/").map_or((source, None), |(name, folder)| (name, Some(folder.to_owned())));
         let source = root().join(source.trim_end_matches("/src")).join("src");
@@ -237,7 +253,7 @@ fn circles_of_imports_are_small() {
 
 #[test]
 fn every_module_has_its_row() {
-    for (source, modules) in [SYMBOLIC, EMIT, CORE] {
+    for (source, modules) in ORDERS {
         for entry in fs::read_dir(root().join(source)).expect("a folder").map(|entry| entry.expect("an entry").path()) {
             let name = entry.file_stem().expect("a name").to_string_lossy().into_owned();
             assert!(

@@ -111,12 +111,9 @@ fn grouped(text: &str) -> Vec<String> {
             '{' => groups.push(path.clone()),
             ',' | '}' => {
                 renamed = false;
-                // Otherwise a group ended before.
-                if !path.ends_with(':') {
-                    found.push(path);
-                }
-                let Some(group) = groups.last() else { return found };
-                path = group.clone();
+                found.push(std::mem::take(&mut path));
+                let Some(group) = groups.last() else { break };
+                path.clone_from(group);
                 if character == '}' {
                     groups.pop();
                 }
@@ -131,6 +128,8 @@ fn grouped(text: &str) -> Vec<String> {
         }
     }
     found.push(path);
+    // What follows a group is no path.
+    found.retain(|path| !path.is_empty() && !path.ends_with(':'));
     found
 }
 

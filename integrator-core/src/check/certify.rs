@@ -8,9 +8,10 @@ use crate::{
         oracle::exact::Steps,
         property::{
             agreement::{Visited, agreement},
+            energies::{Energies, gradient_tolerance},
             energy::EnergyDrift,
             flow_laws::{Broken, FlowErrors, flow_errors},
-            gradient::{Energies, error_at, gradient_tolerance},
+            gradient::error_at,
             invariants::{InvariantDrift, Strayed, bracket, scale},
             jumps::Jump,
             local_order::{OrderAlong, UNITS, order_along},
@@ -183,8 +184,8 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     };
     let agreement = match states.as_ref().map(|states| agreement(subject.measured.stated(), states)) {
         Ok(Ok(outcome)) => findings.judge("the agreement with your own functions", outcome, |_| None),
-        Ok(Err(misread)) => {
-            findings.0.extend(misread);
+        Ok(Err(disagreements)) => {
+            findings.0.extend(disagreements.into_iter().map(Shortfall::of));
             None
         }
         Err(reason) => findings.judge("the agreement with your own functions", Err(reason.clone()), |_| None),

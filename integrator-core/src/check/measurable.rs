@@ -7,8 +7,8 @@ use crate::{
         oracle::exact::{Stepper, Steps},
         property::{
             agreement::Stated,
+            energies::Energies,
             energy::{EnergyDrift, energy_drift},
-            gradient::Energies,
             invariants::{Strayed, strayed},
             jumps::{Jump, jump_between},
             reversibility::{RoundTrip, round_trip},

@@ -4,7 +4,7 @@ use crate::{
     check::{
         certificate::{Certificate, Orders, SecondPart},
         error::CheckError,
-        property::{energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
+        property::{agreement::Disagreement, energy::EnergyDrift, flow_laws::FlowLaw, invariants::InvariantDrift},
     },
     error::{Error, Misread, Number, debug_as_display},
 };
@@ -283,6 +283,17 @@ fn list(names: &[&str]) -> String {
         [] => String::new(),
         [name] => (*name).to_owned(),
         [names @ .., last] => format!("{} and {last}", names.join(", ")),
+    }
+}
+
+impl Shortfall {
+    pub(crate) fn of(disagreement: Disagreement) -> Self {
+        match disagreement {
+            Disagreement::Misread(misread) => Self::Misread(misread),
+            Disagreement::Derivative { function, order, stated, generated, tolerance, time, state } => {
+                Self::Derivative { function, order, stated, generated, tolerance, time, state }
+            }
+        }
     }
 }
 

@@ -4,10 +4,7 @@
 //! last motion repeats the last of them. So the work of a member ends when it diverges or leaves.
 
 #[cfg(feature = "checkpoint")]
-use crate::{
-    ensemble::members::Finished,
-    trajectory::motions::{Form, load_from},
-};
+use crate::trajectory::motions::{Form, load_from};
 use crate::{
     ensemble::request::{AdvanceRequest, Ended},
     error::{Divergence, Error},
@@ -22,6 +19,16 @@ use crate::{
     },
 };
 use std::ops::Range;
+
+/// The end of a failed or finished member.
+#[cfg(feature = "checkpoint")]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+pub(crate) struct Finished {
+    /// The number of steps that the member has taken.
+    pub(crate) steps: u64,
+    /// The time at its last step.
+    pub(crate) time: f64,
+}
 
 /// The states of members, by their numbers in the ensemble.
 pub(crate) type States<'s> = dyn (Fn(usize) -> &'s dyn Point) + 's;

@@ -6,12 +6,7 @@
 //! ```
 
 use crate::{
-    ensemble::{
-        Ensemble,
-        in_lanes::ResumableInLanes,
-        lane_scalars::LaneScalars,
-        members::{Finished, refusal},
-    },
+    ensemble::{Ensemble, batch::Finished, in_lanes::ResumableInLanes, lane_scalars::LaneScalars, members::refusal},
     error::Error,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
     system::System,

@@ -2,10 +2,7 @@
 //! how they come back, and what it says of steps that it does not take itself.
 
 use crate::{
-    ensemble::{
-        Ensemble,
-        members::{Finished, of_member},
-    },
+    ensemble::{Ensemble, batch::Finished, members::of_member},
     error::{Divergence, Error},
     state::{clock::Clock, coords::Coords, flat::flat, phase::Phase, point::shaped},
     trajectory::{motions::Form, run::Run},

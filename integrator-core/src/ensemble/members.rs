@@ -1,12 +1,12 @@
 //! The members of an ensemble, whatever they are: dealt out to batches that threads take in turns.
 
 #[cfg(feature = "checkpoint")]
-use crate::trajectory::motions::Form;
+use crate::{ensemble::batch::Finished, trajectory::motions::Form};
 use crate::{
     ensemble::{
         batch::{Batch, States},
+        between::Between,
         energies::EnergiesOfMembers,
-        physical_time::Between,
         request::{AdvanceRequest, Ended},
     },
     error::{Error, Lost},
@@ -19,16 +19,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// From how many updates of a coordinate on, all members together, other threads are started: that takes some ten
 /// microseconds each, in which one thread does about this number.
 const WORTH_A_THREAD: u64 = 1 << 17;
-
-/// The end of a failed or finished member.
-#[cfg(feature = "checkpoint")]
-#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
-pub(crate) struct Finished {
-    /// The number of steps that the member has taken.
-    pub(crate) steps: u64,
-    /// The time at its last step.
-    pub(crate) time: f64,
-}
 
 /// All members of an ensemble.
 pub(crate) struct Members {

@@ -5,6 +5,7 @@
 
 pub(crate) mod batch;
 pub(crate) mod batches;
+mod between;
 #[cfg(feature = "checkpoint")]
 #[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
 pub(crate) mod checkpoint;

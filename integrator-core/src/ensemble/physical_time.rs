@@ -8,15 +8,12 @@ use crate::{
     ensemble::{
         Ensemble,
         batch::Finish,
+        between::{Between, Shown},
         energies::EnergiesOfMembers,
         members::{Members, of_member},
     },
     error::{Divergence, Error, Lost},
-    state::{
-        coords::Coords,
-        phase::Phase,
-        point::{Point, shaped},
-    },
+    state::{coords::Coords, phase::Phase, point::shaped},
     system::{
         energy::{Energies, Parts},
         motion::Found,
@@ -39,35 +36,6 @@ use std::{
 
 /// Reading a member takes about as long as this number of steps.
 const STEPS_OF_A_LOOK: u64 = 8;
-
-/// The states that an ensemble shows between its steps, without the type of the coordinates, so that it is compiled
-/// once.
-pub(crate) struct Between {
-    pub(crate) time: f64,
-    /// The state of each member that is shown, if the member is in progress.
-    members: Vec<Option<Shown>>,
-}
-
-/// A member between two steps of its own.
-struct Shown {
-    state: Box<dyn Point>,
-    /// The run of the member alone, where it has taken more steps than all have together.
-    ahead: Option<Box<dyn Any + Send + Sync>>,
-}
-
-impl Between {
-    fn shown(&self, member: usize) -> Option<&Shown> {
-        self.members.get(member)?.as_ref()
-    }
-
-    pub(crate) fn state(&self, member: usize) -> Option<&dyn Point> {
-        Some(&*self.shown(member)?.state)
-    }
-
-    fn ahead<C: Coords>(&self, member: usize) -> Option<&Run<C>> {
-        self.shown(member)?.ahead.as_deref()?.downcast_ref()
-    }
-}
 
 /// The outcome of a member that went alone to a time.
 enum Outcome {

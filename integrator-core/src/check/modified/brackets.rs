@@ -9,7 +9,6 @@
 
 use super::series::{Bracket, HIGHEST};
 use crate::{
-    check::property::gradient::Part,
     hamiltonian::Hamiltonian,
     scalar::{dual::Dual, real::Real},
     state::{
@@ -17,7 +16,7 @@ use crate::{
         flat::{Flat, shaped},
         phase::Phase,
     },
-    system::motion::Motion,
+    system::{motion::Motion, user_energies::Function as Part},
 };
 use std::{array, sync::Arc};
 

@@ -7,9 +7,9 @@
 use crate::{
     check::{
         property::{
-            agreement::SAFETY,
-            gradient::{Part, gradient_tolerance},
+            energies::{Part, gradient_tolerance},
             part_flows::{Flow, Flows},
+            slope::SAFETY,
         },
         statistics::{
             points::{numbers, origin},

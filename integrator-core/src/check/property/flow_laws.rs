@@ -14,10 +14,10 @@ use crate::{
         CheckError,
         oracle::tangent::{Carry, matrix},
         property::{
-            agreement::{KNOWN, SAFETY, Slope, slope_of},
             course::Course,
-            gradient::{Differentiable, Part, gradient_tolerance},
+            energies::{Part, gradient_tolerance, slopes},
             part_flows::{Flow, Flows},
+            slope::{KNOWN, SAFETY, Slope, slope_of},
             symplecticity::{Defect, defect_of},
         },
         statistics::points::{coordinate, numbers, origin},
@@ -415,17 +415,6 @@ impl Derivative {
         let beyond = self.error() - SAFETY * self.slope.uncertainty;
         ratio(if beyond <= 0.0 { 0.0 } else { beyond }, self.size())
     }
-}
-
-/// The derivatives of an energy by all coordinates, positions first, by duals.
-pub(crate) fn slopes(system: &(impl Differentiable + ?Sized), part: Part, point: &Flat, time: f64) -> Vec<f64> {
-    let still = origin(point);
-    let slope = |index: usize| {
-        let mut along = still.clone();
-        *coordinate(&mut along, index) = 1.0;
-        system.energy(part, point, Some(&along), time)
-    };
-    (0..2 * point.q.len()).map(slope).collect()
 }
 
 /// The vector field of an energy with these derivatives.

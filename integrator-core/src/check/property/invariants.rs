@@ -5,10 +5,7 @@
 //! generated code. The deviation during a run is measured but not judged, since a step conserves only what each of its
 //! flows conserves.
 
-use super::{
-    flow_laws::slopes,
-    gradient::{Differentiable, Part},
-};
+use super::energies::{Differentiable, Part, slopes};
 use crate::{
     check::{
         CheckError,

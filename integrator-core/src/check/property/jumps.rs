@@ -8,8 +8,8 @@
 use crate::{
     check::{
         property::{
-            agreement::SAFETY,
-            gradient::{Differentiable, Part},
+            energies::{Differentiable, Part},
+            slope::SAFETY,
         },
         statistics::{points::numbers, quadrature},
     },

@@ -3,6 +3,7 @@
 pub(crate) mod agreement;
 pub(crate) mod branches;
 mod course;
+pub(crate) mod energies;
 pub(crate) mod energy;
 pub(crate) mod flow_laws;
 pub(crate) mod global_error;
@@ -15,6 +16,7 @@ pub(crate) mod order;
 pub(crate) mod part_flows;
 pub(crate) mod reversibility;
 pub(crate) mod shadow;
+mod slope;
 pub(crate) mod smallness;
 pub(crate) mod stability;
 pub(crate) mod symplecticity;

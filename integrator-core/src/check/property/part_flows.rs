@@ -3,7 +3,7 @@
 //! Always true: they move a state of the system in its own layout, by the flows that a run calls.
 
 use crate::{
-    check::property::gradient::{Differentiable, Energies},
+    check::property::energies::{Differentiable, Energies},
     hamiltonian::Hamiltonian,
     scalar::{dual::Dual, real::Real},
     state::{

@@ -8,8 +8,7 @@
 use crate::{
     check::property::{
         agreement::Visited,
-        flow_laws::slopes,
-        gradient::{Differentiable, Part},
+        energies::{Differentiable, Part, slopes},
     },
     scalar::tolerance::{length, ratio},
 };

@@ -8,7 +8,10 @@
 use crate::{
     check::{
         CheckError,
-        property::gradient::{Differentiable, Energies, Gradient, Part},
+        property::{
+            energies::{Differentiable, Energies, Part},
+            gradient::Gradient,
+        },
         start::{IntoStart, Start},
         statistics::{
             points::{begin, coordinate, origin, run},

@@ -3,9 +3,9 @@
 
 use super::{
     accumulation::Accumulation,
-    orders::{Source, Writer},
     orders_per_call::{OrdersPerCall, clock_read},
     tape::{self, Iterations, Record, list},
+    writer::{Source, Writer},
 };
 use crate::{
     emit::printer::{fields::Fields, function::Body},

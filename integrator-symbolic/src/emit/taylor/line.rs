@@ -4,9 +4,10 @@
 use super::{
     accumulation::Accumulation,
     kernel::{Kernel, iteration, nest_context},
-    orders::{Orders, Source, Writer, constraints, finished, program},
+    orders::{Orders, constraints, finished, program},
     orders_per_call::OrdersPerCall,
     tape::{Iterations, Record, list},
+    writer::{Source, Writer},
 };
 use crate::{
     differentiate::Contribution,

@@ -12,3 +12,4 @@ mod recurrence;
 mod second_order;
 mod tape;
 mod unrolled;
+mod writer;

@@ -5,7 +5,7 @@
 
 use super::{
     accumulation::{Accumulation, declare_derivatives, derivative},
-    orders::Writer,
+    writer::Writer,
 };
 use crate::{
     emit::printer::{fields::Fields, function::Body},

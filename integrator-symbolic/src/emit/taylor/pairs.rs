@@ -5,9 +5,9 @@
 //! of coordinates are read from their rows.
 
 use super::{
-    orders::Writer,
     recurrence::{Factor, Known, Products, Series, Weight},
     tape::Kept,
+    writer::Writer,
 };
 use crate::{
     emit::printer::fields::Fields,

@@ -7,7 +7,7 @@
 //!
 //! Sums run from the middle outwards, so they begin with coefficients that were computed long before.
 
-use super::{edges::touches_zero, orders::Writer, tape::Kept};
+use super::{edges::touches_zero, tape::Kept, writer::Writer};
 use crate::{
     emit::printer::fields::Fields,
     graph::{Node, NodeId},

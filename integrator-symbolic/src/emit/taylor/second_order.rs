@@ -3,8 +3,8 @@
 
 use super::{
     accumulation::{Accumulation, declare_derivatives, derivative},
-    orders::Writer,
     orders_per_call::clock,
+    writer::Writer,
 };
 use crate::{
     differentiate::Contribution,

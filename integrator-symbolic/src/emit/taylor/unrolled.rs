@@ -7,10 +7,10 @@
 
 use super::{
     accumulation::Accumulation,
-    orders::Writer,
     pairs::Sums,
     recurrence::{Chained, Factor, Known, Products, Series, Sum, Weight, minus},
     tape::Kept,
+    writer::Writer,
 };
 use crate::{
     emit::printer::fields::Fields,
