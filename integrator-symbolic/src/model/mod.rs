@@ -3,57 +3,15 @@
 //! In: the annotated impl. Out: a [`Model`], or errors for every mistake. Always true: the energies are nodes of one
 //! arena, helper methods are inlined, loops are sums, names are resolved; later phases only receive valid data.
 //!
-//! The functions are interpreted on symbols: a variable contains a [`value::Value`], and an assignment replaces it.
+//! The functions are interpreted on symbols: a variable contains a [`Value`], and an assignment replaces it.
 
-mod adaptor;
-mod arm;
-mod bits;
-mod branch;
-mod call;
-mod closure;
-mod constant;
-mod cure;
-mod doubled;
-mod early_return;
-mod elementary;
-mod escape;
-mod expression;
-mod external;
-pub(crate) mod factors;
-mod fill;
-mod flatten;
-mod guard;
-pub(crate) mod integer;
-mod invariant;
-mod join;
-mod joint;
-mod operator;
-mod own_flow;
-mod parameter_text;
-mod parts;
-mod passed_over;
-mod pattern;
-mod prepared;
-mod presence;
-mod ragged;
-mod range;
-mod reach;
-mod repeat;
-mod running_index;
-mod scatter;
-mod sensitive;
-mod sensitive_lists;
-mod sequence;
-mod shape;
-mod sign;
-mod sorted_parts;
-mod statement;
-mod text;
-mod total;
-mod types;
-mod unsplit;
-mod value;
-mod whole;
+mod code;
+mod control;
+mod expressions;
+mod loops;
+pub(crate) mod parameters;
+mod system;
+pub(crate) mod values;
 
 use crate::{
     errors::Errors,
@@ -64,28 +22,28 @@ use crate::{
     },
     syntax::{Functions, Input},
 };
-use arm::Arm;
-pub(crate) use elementary::known_functions;
-pub(crate) use external::{Method, strip};
-use guard::Condition;
-pub(crate) use invariant::Invariant;
-pub(crate) use parameter_text::Texts;
-pub(crate) use parts::ExactPart;
-use parts::part_shape;
-pub(crate) use prepared::{is_constant, is_field, is_leaf};
+pub(crate) use code::sensitive_lists::without_lists;
+pub(crate) use code::shape::{Length, Shape};
+use code::shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
+use code::sign::is_never_negative;
+use control::arm::Arm;
+pub(crate) use expressions::elementary::known_functions;
+pub(crate) use parameters::parameter_text::Texts;
+pub(crate) use parameters::prepared::{is_constant, is_field, is_leaf};
+use parameters::running_index::with_indices;
+use parameters::text::standing_alone;
+pub(crate) use parameters::text::with_own_self;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use running_index::with_indices;
-pub(crate) use sensitive_lists::without_lists;
-pub(crate) use shape::{Length, Shape};
-use shape::{Signature, WholeSignature, mismatch, signature, whole_signature};
-use sign::is_never_negative;
-use sorted_parts::sorted;
 use std::collections::HashMap;
 use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
-use text::standing_alone;
-pub(crate) use text::with_own_self;
-use value::{Opaque, Value, View};
+pub(crate) use system::external::{Method, strip};
+pub(crate) use system::invariant::Invariant;
+pub(crate) use system::parts::ExactPart;
+use system::parts::part_shape;
+use system::sorted_parts::sorted;
+use values::guard::Condition;
+use values::value::{Opaque, Value, View};
 
 /// An expression of parameters that is evaluated once per run.
 pub(crate) struct Parameter {
@@ -405,7 +363,7 @@ const NOT_SEPARABLE: &str = "this term mixes q and p, so H is not separable into
                              symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only";
 
 /// A variable.
-struct Binding {
+pub(crate) struct Binding {
     value: Value,
     /// Whether it was declared with `mut`.
     mutable: bool,
@@ -415,23 +373,23 @@ struct Binding {
 
 /// A place in the list of variables.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-struct BindingId(usize);
+pub(crate) struct BindingId(usize);
 
 /// A variable, or an element of an array that is one.
 #[derive(Clone, PartialEq, Eq)]
-struct Target {
+pub(crate) struct Target {
     id: BindingId,
     at: Vec<usize>,
 }
 
 /// A loop that is being read, with what its body adds to variables from outside.
-struct Frame {
+pub(crate) struct Frame {
     by: LoopId,
     sums: Vec<(Target, NodeId)>,
 }
 
 /// The state of reading.
-struct Reader<'i> {
+pub(crate) struct Reader<'i> {
     input: &'i Input,
     errors: &'i mut Errors,
     graph: Graph,
@@ -517,8 +475,8 @@ impl<'i> Reader<'i> {
         let functions = [(Part::Momentum, "kinetic"), (Part::Position, "potential")].map(|(part, name)| {
             let function = input.function(name);
             if function.is_none() {
-                let letter = shape::usual_name(part);
-                let near = parts::is_it(input, name);
+                let letter = code::shape::usual_name(part);
+                let near = system::parts::is_it(input, name);
                 let message = format!(
                     "the impl lacks `fn {name}(&self, {letter}: [f64; N]) -> f64`, one of the two parts of H{near}"
                 );
@@ -649,7 +607,7 @@ impl<'i> Reader<'i> {
             return;
         }
         if reads.is_empty() {
-            let letter = shape::usual_name(part);
+            let letter = code::shape::usual_name(part);
             let message = format!(
                 "`{name}` takes only `{letter}` as coordinates, since H = T(p) + V(q)\nhelp: remove this argument"
             );

@@ -8,7 +8,7 @@ use crate::{
         function::{Function, LEAST},
         index::{IndexId, LoopId, LoopSet},
     },
-    model::{Method, Parameter, integer::number_literal, is_field},
+    model::{Method, Parameter, is_field, values::integer::number_literal},
     program::root_cubed,
     syntax::Functions,
 };

@@ -12,9 +12,9 @@ use crate::{
         index::{Index, IndexId, LoopId},
     },
     model::{
-        Length, Shape,
-        integer::{operand, operation, receiver, signed_operation},
-        is_constant,
+        Length, Shape, is_constant,
+        parameters::text::operand,
+        values::integer::{operation, receiver, signed_operation},
     },
 };
 use proc_macro2::{Ident, Literal, TokenStream};

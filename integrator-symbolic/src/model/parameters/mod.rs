@@ -1,0 +1,9 @@
+//! Expressions of parameters: their tokens, and the loops and conditions around them.
+
+pub(crate) mod factors;
+pub(crate) mod parameter_text;
+pub(crate) mod prepared;
+pub(crate) mod presence;
+pub(crate) mod ragged;
+pub(crate) mod running_index;
+pub(crate) mod text;

@@ -1,0 +1,229 @@
+//! The source of the user's parameter expressions, rewritten for other indices.
+
+use crate::graph::{
+    Graph, ParameterId,
+    index::{LoopId, LoopSet},
+    rename::{Parameters, Place, Renaming},
+};
+use crate::model::{
+    Parameter,
+    parameters::{
+        factors::factors,
+        running_index::{loop_of, mentions, running_index, with_indices},
+    },
+};
+use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
+
+/// The texts of a model, and what the indices in them are called.
+pub(crate) struct Texts<'m> {
+    parameters: &'m mut Vec<Parameter>,
+    running: &'m mut HashMap<LoopId, Ident>,
+    /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
+    known: HashMap<(LoopSet, String), ParameterId>,
+}
+
+impl Parameters for Texts<'_> {
+    fn rename(&mut self, graph: &mut Graph, id: ParameterId, renaming: Renaming) -> Option<ParameterId> {
+        let loops = graph.loops.of_parameter(id);
+        if renaming.keeps(loops) {
+            return Some(id);
+        }
+        let text = self.text(id);
+        if !is_plain(&text) {
+            return None;
+        }
+        let text = with_indices(&text, &|by| match renaming.of(by) {
+            Place::Loop(to) => Some(running_index(to).into()),
+            Place::Number(value) => Some(Literal::u64_unsuffixed(value).into()),
+        });
+        let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| match renaming.of(by) {
+            Place::Loop(to) => set.union(LoopSet::of(to)),
+            Place::Number(_) => set,
+        });
+        Some(self.id(graph, text, loops))
+    }
+
+    fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)> {
+        let factors = factors(self.text(id));
+        if factors.len() < 2 {
+            return vec![(id, 1)];
+        }
+        let loops = graph.loops.of_parameter(id);
+        let mut of = |(text, exponent): (TokenStream, i32)| {
+            let own = loops.iter().filter(|by| mentions(&text, *by));
+            let own = own.fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(by)));
+            (self.id(graph, text, own), exponent)
+        };
+        factors.into_iter().map(&mut of).collect()
+    }
+
+    fn bare(&mut self, graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
+        let text = without_guard(self.text(id));
+        let (negative, text) = match without_sign(text.clone()) {
+            Some(positive) => (true, positive),
+            None => (false, text),
+        };
+        (negative, self.id(graph, text, graph.loops.of_parameter(id)))
+    }
+
+    fn indicator(&mut self, graph: &mut Graph, by: LoopId, is_zero: bool) -> Option<ParameterId> {
+        let comparison = if is_zero { quote!(==) } else { quote!(!=) };
+        Some(self.of_index(graph, by, |index| quote!(((#index #comparison 0) as u8 as f64))))
+    }
+
+    fn behind_first(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId) -> Option<ParameterId> {
+        let (text, index) = (self.text(id), running_index(by));
+        let behind = TokenTree::Group(Group::new(Delimiter::Parenthesis, quote!(#index.max(1))));
+        let text = is_plain(&text).then(|| with_indices(&text, &|other| (other == by).then(|| behind.clone())))?;
+        Some(self.id(graph, text, graph.loops.of_parameter(id)))
+    }
+
+    fn name_if_new(&mut self, new: LoopId, like: LoopId) {
+        if !self.running.contains_key(&new) {
+            self.name(new, like);
+        }
+    }
+
+    fn name(&mut self, new: LoopId, like: LoopId) {
+        let base = self.running.get(&like).cloned().unwrap_or_else(|| format_ident!("k"));
+        let free = self.free(&base);
+        self.running.insert(new, free);
+    }
+}
+
+impl<'m> Texts<'m> {
+    pub(crate) fn new(parameters: &'m mut Vec<Parameter>, running: &'m mut HashMap<LoopId, Ident>) -> Self {
+        Self { parameters, running, known: HashMap::new() }
+    }
+
+    /// Names the index of a loop that takes the place of others, one of which it is `like`: apart from those of all loops that
+    /// stay, since any of these may be inside of it from now on.
+    pub(crate) fn name_in_place(&mut self, by: LoopId, like: LoopId, replaced: &[LoopId]) {
+        let base = self.running.get(&by).or_else(|| self.running.get(&like)).cloned();
+        let base = base.unwrap_or_else(|| format_ident!("k"));
+        let mut others = self.running.iter().filter(|(other, _)| **other != by && !replaced.contains(other));
+        let name = if others.any(|(_, name)| *name == base) { self.free(&base) } else { base };
+        self.running.insert(by, name);
+    }
+
+    /// A name like another one that no index of a loop has and no text mentions.
+    fn free(&self, base: &Ident) -> Ident {
+        let is_taken = |name: &Ident| {
+            let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
+            self.running.values().any(|known| known == name) || texts.any(|text| mentions_name(text, name))
+        };
+        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
+        free.unwrap_or_else(|| base.clone())
+    }
+
+    fn text(&self, id: ParameterId) -> TokenStream {
+        self.parameters[id.0 as usize].text.clone()
+    }
+
+    /// The item of a list with the index of a loop.
+    pub(crate) fn item(&mut self, graph: &mut Graph, list: &TokenStream, by: LoopId) -> ParameterId {
+        self.of_index(graph, by, |index| quote!(#list[#index]))
+    }
+
+    /// A parameter that follows from the index of a loop.
+    pub(crate) fn of_index(
+        &mut self,
+        graph: &mut Graph,
+        by: LoopId,
+        text: impl FnOnce(Ident) -> TokenStream,
+    ) -> ParameterId {
+        self.id(graph, text(running_index(by)), LoopSet::of(by))
+    }
+
+    /// A parameter that is the same for all indices.
+    pub(crate) fn fixed(&mut self, graph: &mut Graph, text: TokenStream) -> ParameterId {
+        self.id(graph, text, LoopSet::EMPTY)
+    }
+
+    /// Shows a parameter of the macro's own to people as if the system had a field of this name.
+    pub(crate) fn call(&mut self, id: ParameterId, name: &str) {
+        let name = format_ident!("{name}");
+        self.parameters[id.0 as usize].own = quote!(self.#name);
+    }
+
+    /// The parameter with this text, new or known.
+    fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
+        if self.known.is_empty() {
+            let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
+            let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());
+            self.known = parameters.map(|(id, parameter)| (key(id, parameter), id)).collect();
+        }
+        *self.known.entry((loops, text.to_string())).or_insert_with(|| {
+            let made = ParameterId(self.parameters.len() as u32);
+            self.parameters.push(Parameter { own: text.clone(), text });
+            graph.loops.declare_parameter(made, loops);
+            made
+        })
+    }
+}
+
+/// Whether a text mentions a variable.
+fn mentions_name(text: &TokenStream, name: &Ident) -> bool {
+    text.clone().into_iter().any(|token| match token {
+        TokenTree::Ident(ident) => ident == *name,
+        TokenTree::Group(group) => mentions_name(&group.stream(), name),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+    })
+}
+
+/// The text after a minus sign in front of a product.
+fn without_sign(text: TokenStream) -> Option<TokenStream> {
+    let tokens: Vec<TokenTree> = text.into_iter().collect();
+    match &tokens[..] {
+        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Parenthesis => without_sign(group.stream()),
+        [TokenTree::Punct(mark), product @ ..] if mark.as_char() == '-' => {
+            let in_product = |token: &TokenTree| match token {
+                TokenTree::Punct(mark) => matches!(mark.as_char(), '*' | '/' | '.' | ':'),
+                TokenTree::Ident(name) => name != "as",
+                TokenTree::Group(_) | TokenTree::Literal(_) => true,
+            };
+            (!product.is_empty() && product.iter().all(in_product)).then(|| product.iter().cloned().collect())
+        }
+        _ => None,
+    }
+}
+
+/// A text without the condition around it, if that only selects a body by its index.
+fn without_guard(text: TokenStream) -> TokenStream {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    let [TokenTree::Group(group)] = &tokens[..] else { return text };
+    let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
+    match &tokens[..] {
+        [
+            TokenTree::Ident(choice),
+            condition @ ..,
+            TokenTree::Group(guarded),
+            TokenTree::Ident(_),
+            TokenTree::Group(_),
+        ] if choice == "if" && asks_for_indices(&condition.iter().cloned().collect()) => guarded.stream(),
+        _ => text,
+    }
+}
+
+/// Whether a condition is one of indices of loops and of the number of bodies alone.
+fn asks_for_indices(condition: &TokenStream) -> bool {
+    condition.clone().into_iter().all(|token| match token {
+        TokenTree::Ident(name) => {
+            let known = ["length", "saturating_sub", "any", "usize"];
+            known.iter().any(|known| name == known) || loop_of(&name).is_some()
+        }
+        TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && asks_for_indices(&group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => true,
+    })
+}
+
+/// Whether a text is an expression without closures and blocks.
+fn is_plain(text: &TokenStream) -> bool {
+    text.clone().into_iter().all(|token| match token {
+        TokenTree::Punct(mark) => mark.as_char() != '|',
+        TokenTree::Group(group) => group.delimiter() != Delimiter::Brace && is_plain(&group.stream()),
+        TokenTree::Ident(_) | TokenTree::Literal(_) => true,
+    })
+}
