@@ -42,121 +42,42 @@ pub(crate) struct Elementary {
 
 /// All functions of one argument but those with a jump or a kink.
 pub(crate) const ELEMENTARY: &[Elementary] = &[
-    Elementary { name: "sin", arguments: Arguments::Any, value: f64::sin, slope: |x| x.bounded_slope(f64::cos) },
-    Elementary { name: "cos", arguments: Arguments::Any, value: f64::cos, slope: |x| -x.bounded_slope(f64::sin) },
-    Elementary {
-        name: "tan",
-        arguments: Arguments::Bounded,
-        value: f64::tan,
-        slope: |x| x.bounded_slope(f64::cos).square().recip(),
-    },
-    Elementary {
-        name: "asin",
-        arguments: Arguments::Inner,
-        value: f64::asin,
-        slope: |x| one_minus_square(x).sqrt().recip(),
-    },
-    Elementary {
-        name: "acos",
-        arguments: Arguments::Inner,
-        value: f64::acos,
-        slope: |x| -one_minus_square(x).sqrt().recip(),
-    },
-    Elementary {
-        name: "atan",
-        arguments: Arguments::Any,
-        value: f64::atan,
-        slope: |x| (x.square() + 1.0.into()).recip(),
-    },
-    Elementary {
-        name: "sinh",
-        arguments: Arguments::Bounded,
-        value: f64::sinh,
-        slope: |x| (x.exp() + (-x).exp()) * 0.5.into(),
-    },
-    Elementary {
-        name: "cosh",
-        arguments: Arguments::Bounded,
-        value: f64::cosh,
-        slope: |x| (x.exp() - (-x).exp()) * 0.5.into(),
-    },
-    Elementary {
-        name: "tanh",
-        arguments: Arguments::Any,
-        value: f64::tanh,
-        slope: |x| ((x.exp() + (-x).exp()) * 0.5.into()).square().recip(),
-    },
-    Elementary {
-        name: "asinh",
-        arguments: Arguments::Any,
-        value: f64::asinh,
-        slope: |x| (x.square() + 1.0.into()).sqrt().recip(),
-    },
-    Elementary {
-        name: "acosh",
-        arguments: Arguments::Beyond,
-        value: f64::acosh,
-        slope: |x| (-one_minus_square(x)).sqrt().recip(),
-    },
-    Elementary {
-        name: "atanh",
-        arguments: Arguments::Inner,
-        value: f64::atanh,
-        slope: |x| one_minus_square(x).recip(),
-    },
-    Elementary { name: "exp", arguments: Arguments::Bounded, value: f64::exp, slope: Bounded::exp },
-    Elementary {
-        name: "exp2",
-        arguments: Arguments::Bounded,
-        value: f64::exp2,
-        slope: |x| (x * std::f64::consts::LN_2.into()).exp() * std::f64::consts::LN_2.into(),
-    },
-    Elementary { name: "exp_m1", arguments: Arguments::Bounded, value: f64::exp_m1, slope: Bounded::exp },
-    Elementary { name: "ln", arguments: Arguments::Positive, value: f64::ln, slope: Bounded::recip },
-    Elementary {
-        name: "ln_1p",
-        arguments: Arguments::Positive,
-        value: f64::ln_1p,
-        slope: |x| (x + 1.0.into()).recip(),
-    },
-    Elementary {
-        name: "log2",
-        arguments: Arguments::Positive,
-        value: f64::log2,
-        slope: |x| (x * std::f64::consts::LN_2.into()).recip(),
-    },
-    Elementary {
-        name: "log10",
-        arguments: Arguments::Positive,
-        value: f64::log10,
-        slope: |x| (x * std::f64::consts::LN_10.into()).recip(),
-    },
-    Elementary {
-        name: "sqrt",
-        arguments: Arguments::Positive,
-        value: f64::sqrt,
-        slope: |x| (x.sqrt() * 2.0.into()).recip(),
-    },
-    Elementary {
-        name: "cbrt",
-        arguments: Arguments::Positive,
-        value: f64::cbrt,
-        slope: |x| (x.abs().ln() * (-2.0 / 3.0).into()).exp() / 3.0.into(),
-    },
-    Elementary { name: "recip", arguments: Arguments::Positive, value: f64::recip, slope: |x| -x.square().recip() },
-    Elementary {
-        name: "to_radians",
-        arguments: Arguments::Any,
-        value: f64::to_radians,
-        slope: |_| (std::f64::consts::PI / 180.0).into(),
-    },
-    Elementary {
-        name: "to_degrees",
-        arguments: Arguments::Bounded,
-        value: f64::to_degrees,
-        slope: |_| (180.0 / std::f64::consts::PI).into(),
-    },
+    row("sin", Arguments::Any, f64::sin, |x| x.bounded_slope(f64::cos)),
+    row("cos", Arguments::Any, f64::cos, |x| -x.bounded_slope(f64::sin)),
+    row("tan", Arguments::Bounded, f64::tan, |x| x.bounded_slope(f64::cos).square().recip()),
+    row("asin", Arguments::Inner, f64::asin, |x| one_minus_square(x).sqrt().recip()),
+    row("acos", Arguments::Inner, f64::acos, |x| -one_minus_square(x).sqrt().recip()),
+    row("atan", Arguments::Any, f64::atan, |x| (x.square() + 1.0.into()).recip()),
+    row("sinh", Arguments::Bounded, f64::sinh, |x| (x.exp() + (-x).exp()) * 0.5.into()),
+    row("cosh", Arguments::Bounded, f64::cosh, |x| (x.exp() - (-x).exp()) * 0.5.into()),
+    row("tanh", Arguments::Any, f64::tanh, |x| ((x.exp() + (-x).exp()) * 0.5.into()).square().recip()),
+    row("asinh", Arguments::Any, f64::asinh, |x| (x.square() + 1.0.into()).sqrt().recip()),
+    row("acosh", Arguments::Beyond, f64::acosh, |x| (-one_minus_square(x)).sqrt().recip()),
+    row("atanh", Arguments::Inner, f64::atanh, |x| one_minus_square(x).recip()),
+    row("exp", Arguments::Bounded, f64::exp, Bounded::exp),
+    row("exp2", Arguments::Bounded, f64::exp2, |x| {
+        (x * std::f64::consts::LN_2.into()).exp() * std::f64::consts::LN_2.into()
+    }),
+    row("exp_m1", Arguments::Bounded, f64::exp_m1, Bounded::exp),
+    row("ln", Arguments::Positive, f64::ln, Bounded::recip),
+    row("ln_1p", Arguments::Positive, f64::ln_1p, |x| (x + 1.0.into()).recip()),
+    row("log2", Arguments::Positive, f64::log2, |x| (x * std::f64::consts::LN_2.into()).recip()),
+    row("log10", Arguments::Positive, f64::log10, |x| (x * std::f64::consts::LN_10.into()).recip()),
+    row("sqrt", Arguments::Positive, f64::sqrt, |x| (x.sqrt() * 2.0.into()).recip()),
+    row("cbrt", Arguments::Positive, f64::cbrt, |x| (x.abs().ln() * (-2.0 / 3.0).into()).exp() / 3.0.into()),
+    row("recip", Arguments::Positive, f64::recip, |x| -x.square().recip()),
+    row("to_radians", Arguments::Any, f64::to_radians, |_| (std::f64::consts::PI / 180.0).into()),
+    row("to_degrees", Arguments::Bounded, f64::to_degrees, |_| (180.0 / std::f64::consts::PI).into()),
 ];
+
+const fn row(
+    name: &'static str,
+    arguments: Arguments,
+    value: fn(f64) -> f64,
+    slope: fn(Bounded) -> Bounded,
+) -> Elementary {
+    Elementary { name, arguments, value, slope }
+}
 
 /// The names of the functions with these arguments.
 pub(crate) fn functions_of(arguments: Arguments) -> Vec<&'static str> {
