@@ -1,4 +1,4 @@
-//! Benchmarks a force evaluation inside every composition, relative to `Verlet`: `cargo bench -p integrator --bench
+//! Benchmarks a force evaluation inside every composition, relative to `Verlet`: `cargo bench -p integrator-bench --bench
 //! compositions`.
 //!
 //! A run loops over a static table of stages, so a step of 35 stages should cost 35 times a step of `Verlet`. The last lines,

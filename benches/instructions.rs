@@ -1,4 +1,4 @@
-//! Counts instructions per step and compares them with `benches/instruction_counts.csv`: `cargo bench -p integrator --bench
+//! Counts instructions per step and compares them with `benches/instruction_counts.csv`: `cargo bench -p integrator-bench --bench
 //! instructions`.
 //!
 //! The program runs itself under callgrind with two numbers of steps; the difference is the cost of the steps alone. Callgrind
@@ -143,7 +143,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         println!("SKIPPED: instructions are counted on x86-64 with Valgrind, and one of the two is missing");
         return Ok(ExitCode::SUCCESS);
     }
-    let kept = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/benches/instruction_counts.csv"));
+    let kept = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/instruction_counts.csv"));
     let holds = check(&kept)?;
     if !holds {
         println!("Some steps take over 2 % more instructions. If that is meant: `.ci/bless counts`");

@@ -1,4 +1,4 @@
-//! Benchmarks a stage along Kepler orbits, generated and hand-written: `cargo bench -p integrator --bench kepler`.
+//! Benchmarks a stage along Kepler orbits, generated and hand-written: `cargo bench -p integrator-bench --bench kepler`.
 //!
 //! The system is the outer planets orbiting a fixed star, with a weak spring as the second part, by `Verlet`. A step is one
 //! solution of Kepler's equation for five planets and little else. The last line, `ratio_kepler=`, is the generated time

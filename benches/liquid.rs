@@ -1,4 +1,4 @@
-//! Benchmarks liquid argon in a periodic box, from a thousand atoms on: `cargo bench -p integrator --bench liquid`.
+//! Benchmarks liquid argon in a periodic box, from a thousand atoms on: `cargo bench -p integrator-bench --bench liquid`.
 //!
 //! The generated stepper recognises the cutoff. It is compared with hand-written neighbour lists for AVX-512. Times are per
 //! atom and step, lists included; rates count the pairs within the cutoff at this density. The last lines are times divided by

@@ -1,4 +1,4 @@
-//! Benchmarks a random molecule of bonds, angles and dihedrals in lists: `cargo bench -p integrator --bench molecule`.
+//! Benchmarks a random molecule of bonds, angles and dihedrals in lists: `cargo bench -p integrator-bench --bench molecule`.
 //!
 //! The generated stepper, which recognises the lists, is compared with a hand-written one for the same instructions. That one
 //! gathers the atoms of a vector of terms, computes their forces in lanes, and scatters them. Times are per step, divided by

@@ -1,4 +1,4 @@
-//! Benchmarks the CPU time to a position error by splittings of the same Hamiltonian: `cargo bench -p integrator --bench
+//! Benchmarks the CPU time to a position error by splittings of the same Hamiltonian: `cargo bench -p integrator-bench --bench
 //! splitting`.
 //!
 //! The systems are:

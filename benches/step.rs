@@ -1,4 +1,4 @@
-//! Benchmarks a step, generated and hand-written: `cargo bench -p integrator --bench step`.
+//! Benchmarks a step, generated and hand-written: `cargo bench -p integrator-bench --bench step`.
 //!
 //! Small systems use `Verlet` and two long compositions, large ones `Verlet`. The hand-written steppers are plain safe Rust
 //! and, where that is not the limit, vectors of `std::arch`. Both use the same instructions as the generated code. The last

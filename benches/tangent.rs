@@ -1,4 +1,4 @@
-//! Benchmarks a step with deviation vectors: `cargo bench -p integrator --bench tangent`.
+//! Benchmarks a step with deviation vectors: `cargo bench -p integrator-bench --bench tangent`.
 //!
 //! Runs with one and with four vectors are compared with the run alone. The run with one vector is also compared with a
 //! hand-written stepper that evolves a state and a vector, with the same instructions. The last lines are medians over

@@ -1,4 +1,4 @@
-//! Benchmarks Taylor's method, generated and hand-written: `cargo bench -p integrator --bench taylor`.
+//! Benchmarks Taylor's method, generated and hand-written: `cargo bench -p integrator-bench --bench taylor`.
 //!
 //! Both sides use the same orders and tolerances, compensated states and the same rule for steps, so they take the same steps
 //! with the same errors. A row has the milliseconds of both for the whole span of the problem (medians of interleaved rounds),

@@ -1,4 +1,4 @@
-//! Measures the energy drift of Taylor runs: `cargo bench -p integrator --bench taylor_drift`.
+//! Measures the energy drift of Taylor runs: `cargo bench -p integrator-bench --bench taylor_drift`.
 //!
 //! Two dozen trajectories each of the pendulum, the Hénon–Heiles system and a Kepler orbit are integrated for 10^5 times 2π,
 //! divided by the environment variable `DRIFT_DIVISOR`. Each kind of initial state and tolerance has a line with four numbers:

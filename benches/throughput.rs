@@ -1,4 +1,4 @@
-//! Benchmarks the throughput of ensembles, chains, lattices and many bodies: `cargo bench -p integrator --bench throughput`.
+//! Benchmarks the throughput of ensembles, chains, lattices and many bodies: `cargo bench -p integrator-bench --bench throughput`.
 //!
 //! Ensembles are compared with hand-written groups of vectors, whose sine has the same accuracy. Chains are compared with two
 //! plain loops and with time-skewed tiles, and bodies with tiles that use the third law. The last lines are rates divided by

@@ -1,4 +1,4 @@
-//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator --bench work_precision`.
+//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator-bench --bench work_precision`.
 //!
 //! The other crates belong to the workspace member `benches/peers` and to a feature that is off by default, so tests and builds
 //! do not compile them. This program calls cargo for that member.

@@ -1,14 +1,7 @@
 //! Crossings of a section: where closed forms say they are, to the order of the composition, and without a trace in the
 //! run.
 
-use integrator_core::{
-    Method,
-    prelude::*,
-    reference::{
-        AdamsBashforthMoulton4, BackwardEuler, Bdf, DormandPrince8, ForwardEuler, ImplicitMidpoint, RungeKutta4,
-        StaggeredLeapfrog,
-    },
-};
+use integrator_core::{Method, prelude::*};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 struct Oscillator;
@@ -119,22 +112,13 @@ fn the_times_of_crossings_have_the_order_of_the_composition() {
 
 /// Methods that are no compositions shorten their steps as well.
 #[test]
-fn the_times_of_crossings_have_the_order_of_any_method() {
-    for (order, errors) in [
-        // Of first order in the amplitude, but these turn by atan h in a step, which is h but for h³/3.
-        (2.0, [0.01, 0.005].map(|h| error(ForwardEuler, h))),
-        (2.0, [0.01, 0.005].map(|h| error(BackwardEuler, h))),
-        (2.0, [0.1, 0.05].map(|h| error(ImplicitMidpoint, h))),
-        (2.0, [0.1, 0.05].map(|h| error(StaggeredLeapfrog, h))),
-        (4.0, [0.1, 0.05].map(|h| error(RungeKutta4, h))),
-        (4.0, [0.05, 0.025].map(|h| error(AdamsBashforthMoulton4, h))),
-    ] {
+fn the_times_of_crossings_have_the_order_of_implicit_methods() {
+    for (order, errors) in
+        [(2.0, [0.1, 0.05].map(|h| error(ImplicitMidpoint, h))), (4.0, [0.2, 0.1].map(|h| error(GaussLegendre4, h)))]
+    {
         let observed = (errors[0] / errors[1]).log2();
         assert!((observed - order).abs() < 0.25, "{observed} for {order}: {errors:?}");
     }
-    // Within its tolerance, for four quarters of a period.
-    let adaptive = [error(DormandPrince8 { tolerance: 1e-10 }, 0.5), error(Bdf { tolerance: 1e-8 }, 0.5)];
-    assert!(adaptive[0] < 1e-8 && adaptive[1] < 1e-5, "{adaptive:?}");
 }
 
 /// A quarter of the period of a pendulum of amplitude `a` is `K(sin(a/2))`, half of π over an arithmetic-geometric

@@ -181,10 +181,10 @@ fn listed(names: &BTreeSet<String>) -> String {
 fn public_items() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("integrator-core/src");
     let root = file(&source.join("lib.rs"));
-    let [check, output, reference, taylor] = ["check", "output", "methods/reference", "methods/taylor"]
-        .map(|module| exported(&file(&source.join(module).join("mod.rs"))));
+    let [check, output, taylor] =
+        ["check", "output", "methods/taylor"].map(|module| exported(&file(&source.join(module).join("mod.rs"))));
     let mut names = exported(&root);
-    names.extend(check.iter().chain(&output).chain(&reference).chain(&taylor).cloned());
+    names.extend(check.iter().chain(&output).chain(&taylor).cloned());
     let mut found: Vec<(String, Item)> = items(&source).iter().filter_map(|item| seen(item, &names)).collect();
     // Heads of impls after the item that they belong to, in the order of their text.
     found.sort_by_cached_key(|(name, item)| {
@@ -193,12 +193,11 @@ fn public_items() {
     let items = found.into_iter().map(|(_, item)| item).collect();
     let shown = prettyplease::unparse(&syn::File { shebang: None, frontmatter: None, attrs: Vec::new(), items });
     let text = format!(
-        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\noutput:\n{}\nreference:\n{}\ntaylor:\n{}\nitems:\n\n{shown}",
+        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\noutput:\n{}\ntaylor:\n{}\nitems:\n\n{shown}",
         listed(&compositions(&self::items(&source.join("composition/catalogue")))),
         listed(&exported(&inside(&root, "prelude"))),
         listed(&check),
         listed(&output),
-        listed(&reference),
         listed(&taylor),
     );
     assert_kept(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/public_items.txt"), &text);

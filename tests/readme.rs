@@ -14,8 +14,18 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// The crates, by the ends of their names.
-const CRATES: [&str; 8] = ["cli", "core", "gpu", "laboratory", "macros", "mpi", "plot", "symbolic"];
+/// The folders of the crates.
+const CRATES: [&str; 9] = [
+    "extras/integrator-laboratory",
+    "extras/integrator-plot",
+    "extras/integrator-reference",
+    "integrator-cli",
+    "integrator-core",
+    "integrator-gpu",
+    "integrator-macros",
+    "integrator-mpi",
+    "integrator-symbolic",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -36,7 +46,7 @@ fn pages_in(folder: &str) -> Vec<PathBuf> {
 /// Every document that is written for readers.
 fn pages() -> Vec<PathBuf> {
     let folders = ["", "docs", "docs/contributing", "docs/guide/src"].map(str::to_owned).to_vec();
-    let folders = folders.into_iter().chain(CRATES.map(|name| format!("integrator-{name}")));
+    let folders = folders.into_iter().chain(CRATES.map(str::to_owned));
     let pages: Vec<PathBuf> = folders.flat_map(|folder| pages_in(&folder)).collect();
     assert!(pages.len() > 20, "the pages are found: {pages:?}");
     pages
@@ -106,7 +116,7 @@ fn counts(page: &str, word: &str) -> Vec<usize> {
 
 #[test]
 fn pages_count_the_methods_of_the_laboratory() {
-    let source = text("integrator-laboratory/src/rows.rs");
+    let source = text("extras/integrator-laboratory/src/rows.rs");
     let table = source.split_once("\nrows! {").and_then(|(_, rest)| rest.split_once("\n}")).expect("the table").0;
     let row = |line: &&str| line.starts_with("    ") && line[4..].starts_with(|first: char| first.is_ascii_uppercase());
     let count = table.lines().filter(row).count();
@@ -175,8 +185,8 @@ fn the_readme_alone_says_how_to_depend() {
             let Some((name, value)) = line.split_once(" = ").filter(|(name, _)| name.starts_with("integrator-")) else {
                 continue;
             };
-            let path = format!("{{ path = \"../integrator/{name}\"");
-            assert!(value.starts_with(&path), "{shown}: {line}");
+            let paths = ["", "extras/"].map(|folder| format!("{{ path = \"../integrator/{folder}{name}\""));
+            assert!(paths.iter().any(|path| value.starts_with(path)), "{shown}: {line}");
             found += 1;
         }
         assert!(
@@ -207,9 +217,8 @@ fn long_tests(manifest: &str) -> Vec<String> {
 /// What the command of the README leaves out is run for every change.
 #[test]
 fn the_tests_that_take_longest_are_run_as_well() {
-    let mut expected =
-        [long_tests("Cargo.toml"), long_tests("tests/long/Cargo.toml"), ["cli", "corpus"].map(str::to_owned).to_vec()]
-            .concat();
+    let manifests = ["Cargo.toml", "benches/Cargo.toml", "tests/long/Cargo.toml"];
+    let mut expected = [manifests.map(long_tests).concat(), ["cli", "corpus"].map(str::to_owned).to_vec()].concat();
     expected.sort();
     let script = text(".ci/run");
     let named = script.split_once("long=(").and_then(|(_, rest)| rest.split_once(')')).expect("the list").0;
@@ -408,7 +417,7 @@ fn every_link_leads_somewhere() {
 #[test]
 fn pictures_are_shown_and_have_the_titles_of_the_code() {
     let mut code = text("docs/guide/src/first_hamiltonian.md");
-    for folder in ["benches", "examples", "integrator-gpu/tests", "integrator-laboratory/src"] {
+    for folder in ["benches", "examples", "integrator-gpu/tests", "extras/integrator-laboratory/src"] {
         code.extend(sources(&root().join(folder)).into_iter().map(|(_, text)| text));
     }
     let pages: String = pages().iter().map(text).collect();
@@ -432,10 +441,10 @@ fn pictures_are_shown_and_have_the_titles_of_the_code() {
 /// they draw. Those of the guide are held to their list in `integrator-cli/tests/guide.rs`.
 #[test]
 fn every_program_of_a_page_is_run() {
-    let libraries = ["integrator-core", "integrator-plot"].map(|folder| text(format!("{folder}/src/lib.rs")));
+    let libraries = ["integrator-core", "extras/integrator-plot"].map(|folder| text(format!("{folder}/src/lib.rs")));
     for page in ["", "docs", "docs/contributing"].map(pages_in).concat() {
         if text(&page).contains("\nuse integrator_core::") {
-            let included = format!("include_str!(\"../../{}\")", page.display());
+            let included = format!("../{}\")", page.display());
             assert!(libraries.iter().any(|library| library.contains(&included)), "no library has {included}");
         }
     }

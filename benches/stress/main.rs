@@ -1,4 +1,4 @@
-//! Runs long and hard cases and invalid input: `cargo bench -p integrator --bench stress`.
+//! Runs long and hard cases and invalid input: `cargo bench -p integrator-bench --bench stress`.
 //!
 //! The full bench takes about two hours on two cores. The environment variable `STRESS_DIVISOR=1000` shortens all runs by this
 //! factor; exponents become less certain. Tables and a picture of the growth of rounding errors go to `target/bench`.

@@ -9,12 +9,9 @@
 
 mod systems;
 
-use integrator_core::{
-    Method,
-    prelude::*,
-    reference::{BackwardEuler, ForwardEuler, RungeKutta4},
-};
+use integrator_core::{Method, prelude::*};
 use integrator_plot as plot;
+use integrator_reference::{BackwardEuler, ForwardEuler, RungeKutta4};
 use std::{env, error::Error, path::PathBuf};
 use systems::{DoubleWell, HenonHeiles, Kepler, Pendulum};
 

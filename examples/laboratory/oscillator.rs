@@ -4,13 +4,12 @@
 //! gives `Mⁿ = rⁿ (cos nθ + (M/r − cos θ) sin nθ / sin θ)`.
 
 use crate::systems::Oscillator;
-use integrator_core::{
-    Method,
-    prelude::*,
-    reference::{BackwardEuler, ExplicitMidpoint, ForwardEuler, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog},
-};
+use integrator_core::{Method, prelude::*};
 use integrator_laboratory::{Verdict, colour};
 use integrator_plot::{Axis, Chart, Mark, colour::INK};
+use integrator_reference::{
+    BackwardEuler, ExplicitMidpoint, ForwardEuler, ImplicitMidpoint, RungeKutta4, StaggeredLeapfrog,
+};
 
 /// A step as a matrix that acts on `(q, p)`.
 type Matrix = [[f64; 2]; 2];

@@ -1,9 +1,10 @@
 //! The period of the pendulum against the elliptic integral.
 
 use crate::systems::Pendulum;
-use integrator_core::{Method, prelude::*, reference::RungeKutta4};
+use integrator_core::{Method, prelude::*};
 use integrator_laboratory::{Verdict, colour, plain};
 use integrator_plot::{Axis, Chart, Mark};
+use integrator_reference::RungeKutta4;
 use std::f64::consts::TAU;
 
 /// Initial angle of the pendulum, at rest.

@@ -2,13 +2,10 @@
 //!
 //! Explicit methods must follow the fast motion however little there is of it; implicit ones take steps for the slow one.
 
-use integrator_core::{
-    Method,
-    prelude::*,
-    reference::{BackwardEuler, Bdf, DormandPrince5, GaussLegendre4, ImplicitMidpoint, RungeKutta4},
-};
+use integrator_core::{Method, prelude::*};
 use integrator_laboratory::{Plan, Report, Verdict, colour, plain, write};
 use integrator_plot::{Axis, Chart, Mark, colour::GREY};
+use integrator_reference::{BackwardEuler, Bdf, DormandPrince5, GaussLegendre4, ImplicitMidpoint, RungeKutta4};
 use std::path::Path;
 
 /// `H = |p|²/2 − cos x + ω²y²/2 + x²y`.

@@ -109,11 +109,13 @@ fn every_chapter_is_listed_and_tested() {
     let tests = text(&chapters().join("../../../integrator-core/src/guide.rs"));
     let tested = tests.split("chapters!(").skip(1).filter_map(|rest| rest.split(')').next());
     let mut tested: BTreeSet<String> = tested.flat_map(str::split_whitespace).map(str::to_owned).collect();
-    // A chapter that draws is tested where pictures are.
-    let drawing = text(&chapters().join("../../../integrator-plot/src/lib.rs"));
-    tested.extend(
-        drawing.split("docs/guide/src/").skip(1).filter_map(|rest| rest.split(".md").next()).map(str::to_owned),
-    );
+    // Chapters that draw or use textbook methods are tested where these are.
+    for name in ["plot", "reference"] {
+        let extra = text(&chapters().join(format!("../../../extras/integrator-{name}/src/lib.rs")));
+        tested.extend(
+            extra.split("docs/guide/src/").skip(1).filter_map(|rest| rest.split(".md").next()).map(str::to_owned),
+        );
+    }
     assert_eq!(tested, names());
 }
 

@@ -1,4 +1,5 @@
-//! The chapters of the guide, whose programs are documentation tests. `integrator-plot` tests the chapter that draws.
+//! The chapters of the guide, whose programs are documentation tests. `integrator-plot` tests the chapter that draws, and
+//! `integrator-reference` those on textbook methods.
 
 /// One module for each chapter, with a documentation that is tested.
 macro_rules! chapters {
@@ -16,5 +17,3 @@ chapters!(cookbook introduction orbits_and_chains writing_h parts nonseparable s
 chapters!(choosing splitting generic chaos conserved precision certificates messages for_rebound_users for_accelerators for_samplers);
 #[cfg(feature = "output")]
 chapters!(seeing_and_saving);
-#[cfg(feature = "reference")]
-chapters!(reference_methods for_teachers);

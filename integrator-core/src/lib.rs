@@ -64,8 +64,6 @@
 //!   allocator and the feature `libm`, and use the instructions that every machine of the target has.
 //! - `libm`: elementary functions without `std`.
 //! - `check` (default): certificates and the modules `check` and [`chaos`]. Depends on `std` and nalgebra.
-//! - `reference`: textbook methods for comparison, which are not compositions. Depends on `check` and
-//!   differential-equations.
 //! - `checkpoint`: saves runs as bytes or files. Depends on serde, postcard and crc.
 //! - `output`: writes samples as CSV and NPZ files. Depends on csv, npyz and zip.
 //!
@@ -128,8 +126,6 @@ pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
 pub use methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
-#[cfg(feature = "reference")]
-pub use methods::reference;
 pub use methods::taylor;
 pub use methods::taylor::RecurrencesVisitor;
 pub use scalar::elementary::Elementary;
@@ -226,7 +222,7 @@ pub mod __private {
             lists::{Addend, Read, Term, Terms},
         },
         methods::{
-            implicit::{ImplicitMidpoint, TakesWhole},
+            implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
             pace::{NODES, PlainMotion, Rated, TimeTransformed},
             taylor::{
                 Recurrences, RecurrencesVisitor,
@@ -242,6 +238,7 @@ pub mod __private {
             },
         },
         scalar::{
+            dual::Dual,
             fma::Fused,
             real::{Kernel, Mask, Real},
             simd::{
@@ -251,6 +248,7 @@ pub mod __private {
             },
         },
         state::{
+            clock::Clock,
             coords::Coords,
             digest::Digest,
             precision::{Precision, Slot},
@@ -258,17 +256,21 @@ pub mod __private {
         system::{
             MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy, System,
             by_value::by_value,
+            counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
-            motion::{Motion, Plain, Prepared, Solver, Solving},
+            motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
             sites::{Boundary, Flow, MovedSites, Sites, StencilRadii},
         },
-        trajectory::sensitive::Sensitive,
+        trajectory::{
+            sensitive::Sensitive,
+            step_functions::{Executor, StepFunctions},
+        },
     };
     pub use alloc::{sync::Arc, vec::Vec};
     // Other crates of this repository have ensembles of their own.

@@ -1,4 +1,4 @@
-//! How the energy drifts, over as long as a test may take; `cargo bench -p integrator --bench taylor_drift` takes 10^5
+//! How the energy drifts, over as long as a test may take; `cargo bench -p integrator-bench --bench taylor_drift` takes 10^5
 //! periods.
 
 use crate::runs::{FINE, Kepler, Pendulum, pericentre};

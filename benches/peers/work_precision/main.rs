@@ -1,4 +1,4 @@
-//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator --bench work_precision`.
+//! Benchmarks CPU time against error, compared with other crates: `cargo bench -p integrator-bench --bench work_precision`.
 //!
 //! Each method integrates each of the five problems with decreasing steps or tolerances. A run gives its CPU time, the largest
 //! relative energy error of 256 samples, and the distance of the end from the reference. Times to an error are interpolated

@@ -15,7 +15,7 @@ use crate::{
     label = "neither a composition for this Hamiltonian nor a method with SIMD lanes",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
-    note = "methods of `reference` integrate single trajectories, with `run_with`"
+    note = "methods of `integrator-reference` integrate single trajectories, with `run_with`"
 )]
 pub trait InLanes<H: System>: Method<H> {}
 

@@ -4,8 +4,5 @@
 pub mod implicit;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod pace;
-#[cfg(feature = "reference")]
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub mod reference;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod taylor;

@@ -28,7 +28,7 @@ use core::{
 /// an array of such numbers with one direction is one of pairs, which vectors read whole.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub(crate) struct Dual<F = f64, const N: usize = 1, const ROW: bool = false, const SENSITIVE: bool = false> {
+pub struct Dual<F = f64, const N: usize = 1, const ROW: bool = false, const SENSITIVE: bool = false> {
     value: F,
     along: [F; N],
 }

@@ -13,14 +13,18 @@ use crate::{
 
 /// Time as an integer number of steps: `t0 + n·h`, never an accumulated sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Clock {
-    pub(crate) t0: f64,
-    pub(crate) h: f64,
-    pub(crate) steps: u64,
+pub struct Clock {
+    /// The time of step zero.
+    pub t0: f64,
+    /// The step size.
+    pub h: f64,
+    /// The number of completed steps.
+    pub steps: u64,
 }
 
 impl Clock {
-    pub(crate) fn at(&self, steps: u64) -> f64 {
+    /// Returns the time after this number of steps.
+    pub fn at(&self, steps: u64) -> f64 {
         self.t0 + steps as f64 * self.h
     }
 

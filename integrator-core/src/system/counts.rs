@@ -63,7 +63,7 @@ pub struct Counts {
 
 impl Counts {
     /// Counters of a motion whose steps are the run's.
-    pub(crate) fn of_evaluations(evaluations: u64) -> Self {
+    pub fn of_evaluations(evaluations: u64) -> Self {
         Self { evaluations, own_steps: None }
     }
 

@@ -36,7 +36,7 @@ pub struct Facts {
     /// The smallest `h·ω` at which the step is unstable for a harmonic oscillator, if known.
     pub stability_limit: Option<f64>,
     /// The approximate number of times that a step rounds the state.
-    pub(crate) roundings: usize,
+    pub roundings: usize,
     /// The name of the composition that it is over, where it is none itself.
     pub(crate) over: Option<&'static str>,
     /// The stages of a composition.
@@ -45,7 +45,7 @@ pub struct Facts {
 
 impl Facts {
     /// The facts of a method that claims nothing.
-    pub(crate) const UNCLAIMED: Self = Self {
+    pub const UNCLAIMED: Self = Self {
         name: "",
         order: 0,
         generalised_orders: &[],
@@ -102,7 +102,7 @@ impl<X: Scheme> Described for X {
 /// A method that can integrate `H`.
 ///
 /// These are the compositions that support `H`, implicit methods, methods with step-size control, the methods of the
-/// module `reference`, and [`Taylor`](crate::taylor::Taylor) for a system with `#[hamiltonian(taylor)]`.
+/// crate `integrator-reference`, and [`Taylor`](crate::taylor::Taylor) for a system with `#[hamiltonian(taylor)]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot integrate `{H}`",
     label = "neither a composition nor a method for this Hamiltonian",

@@ -64,7 +64,7 @@ impl<M> Copy for StepFunctions<M> {}
 
 impl<M> StepFunctions<M> {
     /// Returns the step functions of a method whose motions stand at the end of a step whenever they are read.
-    pub(crate) fn of_whole_steps<C: Coords, P>(
+    pub fn of_whole_steps<C: Coords, P>(
         lanes: usize,
         advance: fn(&mut [M], Clock, u64, Option<usize>),
         dense: Option<fn(&mut M, &M, Clock, f64)>,

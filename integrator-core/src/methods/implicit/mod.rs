@@ -55,7 +55,6 @@ macro_rules! implicit {
     )*};
 }
 
-#[cfg(feature = "reference")]
 mod backward;
 pub(crate) mod field;
 #[cfg(feature = "std")]
@@ -66,7 +65,6 @@ mod motion;
 mod newton;
 mod tableau;
 
-#[cfg(feature = "reference")]
 pub use backward::BackwardEuler;
 
 use crate::{

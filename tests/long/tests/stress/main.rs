@@ -1,4 +1,4 @@
-//! The short version of `cargo bench -p integrator --bench stress`.
+//! The short version of `cargo bench -p integrator-bench --bench stress`.
 
 use integrator_bench::problems::HenonHeiles;
 use integrator_core::prelude::*;

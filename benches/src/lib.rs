@@ -1,0 +1,31 @@
+//! Shared code of the benches: systems, hand-written steppers, interleaved timing, tables and pictures.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`problems`], [`starts`] | systems and initial states |
+//! | [`by_hand`] | hand-written steppers, over the vectors of `vector`, `x86`, `functions`, reached through `enter` |
+//! | [`plan`] | a composition as numbers, for hand-written steppers |
+//! | [`race`] | interleaved computations, medians and ratios |
+//! | [`precision`] | work against error |
+//! | [`plot`] | pictures |
+//! | [`table`] | plain tables and CSV |
+//! | [`counts`] | instructions per step, stored and measured |
+
+#![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
+
+pub mod by_hand;
+pub mod counts;
+mod enter;
+pub mod functions;
+pub mod plan;
+pub mod plot;
+pub mod precision;
+pub mod problems;
+pub mod race;
+pub mod starts;
+pub mod table;
+pub mod vector;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+pub use enter::Instructions;

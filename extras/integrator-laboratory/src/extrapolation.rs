@@ -1,0 +1,112 @@
+//! The table of an extrapolation: one long step by finer and finer ones, and their extrapolation to step zero.
+
+use crate::problem::{Problem, distance, numbers};
+use integrator_core::{Coords, prelude::*};
+use integrator_reference::{AnyReference, ForwardEuler, GraggBulirschStoer};
+
+/// Into how many steps of the modified midpoint rule the long one is divided, as Gragg, Bulirsch and Stoer do.
+pub(crate) const DIVISIONS: [u32; 4] = [2, 4, 6, 8];
+
+/// Long steps to a period: for the table, and of half the length, against which its errors are held.
+const COUNTS: [f64; 2] = [16.0, 32.0];
+
+/// Steps of order ten from which the end of the long step is known.
+const REFERENCE: u64 = 64;
+
+/// Errors below this are those of rounding as much as those of the table.
+const ROUNDING: f64 = 1e-13;
+
+/// The table of one long step.
+#[derive(Clone, Debug)]
+pub(crate) struct Extrapolation {
+    /// The long step.
+    pub(crate) step: f64,
+    /// In each row the error of the midpoint steps, then those of what follows from them and from the rows above.
+    pub(crate) errors: Vec<Vec<f64>>,
+    /// The errors for half of the long step, in the same order.
+    pub(crate) halved: Vec<Vec<f64>>,
+    /// The difference of the last entry from a step of Gragg, Bulirsch and Stoer.
+    pub(crate) corner: f64,
+}
+
+impl Extrapolation {
+    /// For each column the exponent of the error of its first entry, less the one that it should have: 3, 5, 7, 9. The error is
+    /// that of a single step, one power above the order. None where the error is that of rounding.
+    pub(crate) fn excess(&self) -> Vec<Option<f64>> {
+        let first = |table: &[Vec<f64>], column: usize| table[column][column];
+        let exponents = (0..self.errors.len()).map(|column| {
+            let (long, half) = (first(&self.errors, column), first(&self.halved, column));
+            (half > ROUNDING).then(|| (long / half).log2() - (2 * column + 3) as f64)
+        });
+        exponents.collect()
+    }
+
+    /// The least of these.
+    pub(crate) fn least_excess(&self) -> Option<f64> {
+        self.excess().into_iter().flatten().reduce(f64::min)
+    }
+}
+
+/// Makes the table; none where a step does not come to an end.
+pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>) -> Option<Extrapolation> {
+    let [step, half] = COUNTS.map(|count| problem.period / count);
+    let (entries, errors) = table(problem, step)?;
+    let (_, halved) = table(problem, half)?;
+    let corner = distance(entries.last()?.last()?, &stepped(problem, GraggBulirschStoer.into(), step)?);
+    Some(Extrapolation { step, errors, halved, corner })
+}
+
+/// Returns the end of one step of a method from the start.
+fn stepped<H: Hamiltonian>(problem: &Problem<'_, H>, method: AnyReference, step: f64) -> Option<Vec<f64>> {
+    let mut run = problem.run(method, &problem.start, step).ok()?;
+    run.advance(1).ok()?;
+    Some(numbers(&run.state()))
+}
+
+/// Rows of states, or of their errors.
+type Rows<Entry> = Vec<Vec<Entry>>;
+
+/// The entries of the table of a step, and their errors.
+fn table<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64) -> Option<(Rows<Vec<f64>>, Rows<f64>)> {
+    let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
+    let mut run = problem.system.run_with(SofroniouSpaletta10, start, step / REFERENCE as f64).ok()?;
+    run.advance(REFERENCE).ok()?;
+    let exact = numbers(&run.state().to_f64());
+    let mut rows: Rows<Vec<f64>> = Vec::new();
+    for (row, division) in DIVISIONS.iter().enumerate() {
+        let mut entries = vec![midpoints(problem, step, *division)?];
+        for column in 1..=row {
+            let ratio = f64::from(*division) / f64::from(DIVISIONS[row - column]);
+            let above = &rows[row - 1][column - 1];
+            let entry = entries[column - 1].iter().zip(above);
+            entries.push(entry.map(|(finer, coarser)| finer + (finer - coarser) / (ratio * ratio - 1.0)).collect());
+        }
+        rows.push(entries);
+    }
+    let errors = rows.iter().map(|row| row.iter().map(|entry| distance(entry, &exact)).collect()).collect();
+    Some((rows, errors))
+}
+
+/// Returns the end of this number of steps of the modified midpoint rule: a step of Euler, then steps across two. Euler
+/// steps evaluate the field.
+fn midpoints<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64, division: u32) -> Option<Vec<f64>> {
+    let h = step / f64::from(division);
+    let added = |state: &[f64], number: u32, h: f64| -> Option<Vec<f64>> {
+        let mut from = problem.start.clone();
+        let (q, p) = state.split_at(problem.freedom());
+        from.q.flat_mut().copy_from_slice(q);
+        from.p.flat_mut().copy_from_slice(p);
+        let run = problem.run(AnyReference::from(ForwardEuler), &from, h).ok()?;
+        let mut run = run.at_time(f64::from(number) * step / f64::from(division));
+        run.advance(1).ok()?;
+        Some(numbers(&run.state()).iter().zip(state).map(|(after, before)| after - before).collect())
+    };
+    let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<_>>();
+    let mut before = numbers(&problem.start);
+    let mut here = sum(&before, &added(&before, 0, h)?);
+    for number in 1..division {
+        let after = sum(&before, &added(&here, number, 2.0 * h)?);
+        before = std::mem::replace(&mut here, after);
+    }
+    Some(here)
+}
