@@ -361,7 +361,7 @@ fn messages_and_doc_comments_use_the_words_of_the_field() {
     let is_test = |path: &Path| path.iter().any(|part| Path::new(part).file_stem().is_some_and(|stem| stem == "tests"));
     let mut texts: Vec<(PathBuf, String)> = Vec::new();
     for name in CRATES {
-        let folder = root().join(format!("integrator-{name}/src"));
+        let folder = root().join(name).join("src");
         let own = sources(&folder).into_iter().filter(|(path, _)| !path.strip_prefix(&folder).is_ok_and(is_test));
         texts.extend(own.map(|(path, text)| (path, shown(&text))));
     }

@@ -217,13 +217,16 @@ fn generated_code_grows_linearly_with_the_source() {
     assert_eq!(faster, [""; 0]);
 }
 
-/// As many pieces may follow each other as there are lines in a table. A test for each kind, so that they run side by side.
+/// A table of 120 lines may be written as pieces that follow each other; `PIECES` asks for longer ones. One test per kind, so that
+/// they run concurrently.
 mod as_many_pieces_as_a_table_has_lines {
     use super::{AXES, TokenStream, along, hamiltonian};
+    use std::env;
 
     fn are_taken(name: &str) {
         let axis = AXES.iter().find(|(known, _)| *known == name).expect("an axis").1;
-        let item: TokenStream = along(axis, 400).parse().expect("tokens");
+        let pieces = env::var("PIECES").ok().and_then(|text| text.parse().ok()).unwrap_or(120);
+        let item: TokenStream = along(axis, pieces).parse().expect("tokens");
         let written = hamiltonian(TokenStream::new(), item).to_string();
         assert!(!written.contains("compile_error"), "{name}");
     }

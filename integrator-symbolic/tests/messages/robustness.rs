@@ -76,7 +76,7 @@ fn cases(count: u32) -> ProptestConfig {
 }
 
 proptest! {
-    #![proptest_config(cases(1_500))]
+    #![proptest_config(cases(500))]
 
     /// Where tokens are lost, doubled, exchanged or replaced, the macro returns the item, and code or messages.
     #[test]
@@ -87,7 +87,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(10_000))]
+    #![proptest_config(cases(3_000))]
 
     /// So it does for bodies that nobody would write.
     #[test]

@@ -109,7 +109,7 @@ fn pretty(system: &System) -> String {
 #[test]
 fn steppers_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(SEEDS, 50) {
+    for seed in seeds(SEEDS, 16) {
         tally.judge(&format!("system {seed}"), &grammar::system(seed));
     }
     tally.assert_without_faults();
@@ -121,7 +121,7 @@ fn steppers_match_the_functions() {
 #[test]
 fn lattices_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(SEEDS, 40) {
+    for seed in seeds(SEEDS, 16) {
         tally.judge(&format!("lattice {seed}"), &grammar::lattice(seed));
     }
     tally.assert_without_faults();
@@ -131,7 +131,7 @@ fn lattices_match_the_functions() {
 #[test]
 fn bodies_in_pairs_match_the_functions() {
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
-    for seed in seeds(SEEDS, 40) {
+    for seed in seeds(SEEDS, 16) {
         tally.judge(&format!("bodies {seed}"), &grammar::pairs(seed));
     }
     tally.assert_without_faults();
@@ -149,7 +149,7 @@ fn steppers_match_the_functions_in_units_of_any_size() {
     ];
     let mut tally = Tally { judges_panics: true, ..Tally::default() };
     for (kind, of_seed) in kinds {
-        for seed in seeds(SEEDS, 40) {
+        for seed in seeds(SEEDS, 16) {
             tally.judge(&format!("{kind} {seed} in units"), &of_seed(seed));
         }
     }
@@ -162,7 +162,7 @@ fn steppers_match_the_functions_in_units_of_any_size() {
 #[test]
 fn steppers_of_changed_systems_match_the_functions() {
     let mut tally = Tally::default();
-    for seed in seeds(SEEDS, 50) {
+    for seed in seeds(SEEDS, 16) {
         let (mut system, mut choices) = (grammar::system(seed), Choices::new(seed));
         for _ in 0..1 + choices.below(3) {
             let mutation = &MUTATIONS[choices.below(MUTATIONS.len())];
