@@ -268,18 +268,22 @@ fn the_first_command_names_an_example() {
     assert!(text("examples/outer_solar_system/main.rs").contains("fn main"));
 }
 
-/// The user documentation of the macro lists every function that can be differentiated.
+/// The documentation of the macro and that of the language list every function that can be differentiated.
 #[test]
 fn every_elementary_function_is_documented() {
-    let page = "integrator-macros/src/hamiltonian.md";
-    let (before, after) = ("as `f64::sin(x)`:", ".\n- Helper methods");
-    let old = text(page);
-    let (start, rest) = old.split_once(before).expect("the list of functions");
-    let (_, end) = rest.split_once(after).expect("its end");
     let names: Vec<String> =
         integrator_symbolic::known_functions().chain(["%"]).map(|name| format!("`{name}`")).collect();
     let lines: Vec<String> = names.chunks(10).map(|names| names.join(", ")).collect();
-    assert_kept(&root().join(page), &format!("{start}{before}\n  {}{after}{end}", lines.join(",\n  ")));
+    for (page, before, after) in [
+        ("integrator-macros/src/hamiltonian.md", "as `f64::sin(x)`:\n  ", ".\n- Helper methods"),
+        ("docs/language.md", "**Methods of `f64`** with a derivative are\n", ".\n\n**Rounding functions**"),
+    ] {
+        let old = text(page);
+        let (start, rest) = old.split_once(before).expect("the list of functions");
+        let (_, end) = rest.split_once(after).expect("its end");
+        let indent = &before[before.rfind('\n').expect("a new line")..];
+        assert_kept(&root().join(page), &format!("{start}{before}{}{after}{end}", lines.join(&format!(",{indent}"))));
+    }
 }
 
 /// Words that the field does not use in this sense, and what it writes.
