@@ -1,6 +1,9 @@
 //! Changes of a text that leave it Rust: operators, numbers, bounds, conditions, functions and adaptors.
 
-use crate::{bounded::ELEMENTARY, choice::Choices};
+use crate::{
+    bounded::{Arguments, functions_of},
+    choice::Choices,
+};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
@@ -123,7 +126,8 @@ fn range(tokens: &[TokenTree], place: usize, _: &mut Choices) -> Changed {
 
 fn function(tokens: &[TokenTree], place: usize, choices: &mut Choices) -> Changed {
     let TokenTree::Ident(name) = &tokens[place] else { return None };
-    let of_one: Vec<&str> = ELEMENTARY.iter().map(|row| row.name).chain(["abs", "signum"]).collect();
+    // Few that are not defined everywhere, so that most values stay numbers.
+    let of_one = [functions_of(Arguments::Any), vec!["abs", "exp", "ln_1p", "recip", "signum", "sqrt", "tan"]].concat();
     let alike: [&[&str]; 4] =
         [&of_one, &["min", "max", "hypot", "atan2"], &["windows", "chunks_exact"], &["skip", "take", "step_by"]];
     let known = alike.into_iter().find(|names| names.iter().any(|known| name == known))?;
