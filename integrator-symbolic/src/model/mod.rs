@@ -1,4 +1,4 @@
-//! The meaning of the user's functions; the last phase that reports mistakes.
+//! The meaning of the user's functions.
 //!
 //! In: the annotated impl. Out: a [`Model`], or errors for every mistake. Always true: the energies are nodes of one
 //! arena, helper methods are inlined, loops are sums, names are resolved; later phases only receive valid data.
