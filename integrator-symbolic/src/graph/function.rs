@@ -2,6 +2,7 @@
 //! its rows. Recurrences of Taylor coefficients follow from the derivative.
 
 use super::{Comparison, Graph, NodeId};
+use Device::{Exact, Kernel, Library};
 
 /// The smallest number whose square is a normal number. The runtime's reals have their own.
 pub(crate) const LEAST: f64 = f64::from_bits((1023 - 511) << 52);
@@ -124,7 +125,8 @@ impl Row {
         Self { piecewise: true, ..self }
     }
 
-    const fn on_devices(self, device: Device) -> Self {
+    /// Has this code on devices.
+    const fn on(self, device: Device) -> Self {
         Self { device, ..self }
     }
 }
@@ -228,11 +230,7 @@ fn or_other_of_nan(graph: &mut Graph, first: NodeId, b: NodeId) -> NodeId {
 ///
 /// Derivatives avoid cancellation: `tanh'` is `1/cosh²`, not `1 - tanh²`; `asin'` has `(1-x)(1+x)` under its root.
 pub(crate) const TABLE: &[Row] = &[
-    unary("sin", f64::sin, [-9.0, 9.0], |g, x, _| g.call("cos", x))
-        .total()
-        .with_fast("fast_sin")
-        .odd()
-        .on_devices(Device::Kernel),
+    unary("sin", f64::sin, [-9.0, 9.0], |g, x, _| g.call("cos", x)).total().with_fast("fast_sin").odd().on(Kernel),
     unary("cos", f64::cos, [-9.0, 9.0], |g, x, _| {
         let sine = g.call("sin", x);
         g.neg(sine)
@@ -241,19 +239,15 @@ pub(crate) const TABLE: &[Row] = &[
     .with_fast("fast_cos")
     .even()
     .of_square()
-    .on_devices(Device::Kernel),
-    unary("tan", f64::tan, [-1.4, 1.4], |g, _, y| one_plus_square(g, y))
-        .total()
-        .with_fast("fast_tan")
-        .odd()
-        .on_devices(Device::Kernel),
+    .on(Kernel),
+    unary("tan", f64::tan, [-1.4, 1.4], |g, _, y| one_plus_square(g, y)).total().with_fast("fast_tan").odd().on(Kernel),
     unary("asin", f64::asin, [-0.9, 0.9], |g, x, _| {
         let square = one_minus_square(g, x);
         g.power(square, -1)
     })
     .with_fast("fast_asin")
     .odd()
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     unary("acos", f64::acos, [-0.9, 0.9], |g, x, _| {
         let square = one_minus_square(g, x);
         let slope = g.power(square, -1);
@@ -261,7 +255,7 @@ pub(crate) const TABLE: &[Row] = &[
     })
     .with_fast("fast_acos")
     .never_negative()
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     unary("atan", f64::atan, [-9.0, 9.0], |g, x, _| {
         let square = one_plus_square(g, x);
         over(g, square)
@@ -270,19 +264,15 @@ pub(crate) const TABLE: &[Row] = &[
     .with_fast("fast_atan")
     .odd()
     .levels_off()
-    .on_devices(Device::Kernel),
-    unary("sinh", f64::sinh, [-3.0, 3.0], |g, x, _| g.call("cosh", x))
-        .total()
-        .odd()
-        .overflows()
-        .on_devices(Device::Library),
+    .on(Kernel),
+    unary("sinh", f64::sinh, [-3.0, 3.0], |g, x, _| g.call("cosh", x)).total().odd().overflows().on(Library),
     unary("cosh", f64::cosh, [-3.0, 3.0], |g, x, _| g.call("sinh", x))
         .total()
         .even()
         .never_negative()
         .overflows()
         .of_square()
-        .on_devices(Device::Library),
+        .on(Library),
     unary("tanh", f64::tanh, [-3.0, 3.0], |g, x, _| {
         let cosine = g.call("cosh", x);
         g.power(cosine, -4)
@@ -291,14 +281,14 @@ pub(crate) const TABLE: &[Row] = &[
     .with_fast("fast_tanh")
     .odd()
     .levels_off()
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     unary("asinh", f64::asinh, [-9.0, 9.0], |g, x, _| {
         let square = one_plus_square(g, x);
         g.power(square, -1)
     })
     .total()
     .odd()
-    .on_devices(Device::Library),
+    .on(Library),
     unary("acosh", f64::acosh, [1.1, 9.0], |g, x, _| {
         let one = g.constant(1.0);
         let (minus, plus) = (g.sub(x, one), g.add(x, one));
@@ -306,19 +296,19 @@ pub(crate) const TABLE: &[Row] = &[
         g.power(square, -1)
     })
     .never_negative()
-    .on_devices(Device::Library),
+    .on(Library),
     unary("atanh", f64::atanh, [-0.9, 0.9], |g, x, _| {
         let square = one_minus_square(g, x);
         over(g, square)
     })
     .odd()
-    .on_devices(Device::Library),
+    .on(Library),
     unary("exp", f64::exp, [-3.0, 3.0], |_, _, y| y)
         .total()
         .with_fast("fast_exp")
         .never_negative()
         .overflows()
-        .on_devices(Device::Kernel),
+        .on(Kernel),
     unary("exp2", f64::exp2, [-3.0, 3.0], |g, _, y| {
         let scale = g.constant(std::f64::consts::LN_2);
         g.mul(scale, y)
@@ -326,35 +316,30 @@ pub(crate) const TABLE: &[Row] = &[
     .total()
     .never_negative()
     .overflows()
-    .on_devices(Device::Library),
-    unary("exp_m1", f64::exp_m1, [-3.0, 3.0], |g, x, _| g.call("exp", x))
-        .total()
-        .overflows()
-        .on_devices(Device::Library),
-    unary("ln", f64::ln, [0.1, 9.0], |g, x, _| over(g, x)).with_fast("fast_ln").on_devices(Device::Kernel),
+    .on(Library),
+    unary("exp_m1", f64::exp_m1, [-3.0, 3.0], |g, x, _| g.call("exp", x)).total().overflows().on(Library),
+    unary("ln", f64::ln, [0.1, 9.0], |g, x, _| over(g, x)).with_fast("fast_ln").on(Kernel),
     unary("ln_1p", f64::ln_1p, [-0.9, 9.0], |g, x, _| {
         let one = g.constant(1.0);
         let shifted = g.add(x, one);
         over(g, shifted)
     })
-    .on_devices(Device::Library),
-    unary("log2", f64::log2, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG2_E))
-        .on_devices(Device::Library),
-    unary("log10", f64::log10, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG10_E))
-        .on_devices(Device::Library),
+    .on(Library),
+    unary("log2", f64::log2, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG2_E)).on(Library),
+    unary("log10", f64::log10, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG10_E)).on(Library),
     unary("cbrt", f64::cbrt, [0.1, 9.0], |g, _, y| {
         let (square, three) = (g.power(y, -4), g.constant(3.0));
         g.div(square, three)
     })
     .with_fast("fast_cbrt")
     .odd()
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     unary("abs", f64::abs, [0.1, 9.0], |g, x, _| g.call("signum", x))
         .total()
         .even()
         .never_negative()
         .piecewise()
-        .on_devices(Device::Exact),
+        .on(Exact),
     binary("min", f64::min, [0.2, 4.0], |g, a, b, _| {
         let first = is_minimum(g, a, b);
         of_chosen(g, first)
@@ -363,7 +348,7 @@ pub(crate) const TABLE: &[Row] = &[
     .total()
     .commutative()
     .piecewise()
-    .on_devices(Device::Exact),
+    .on(Exact),
     binary("max", f64::max, [0.2, 4.0], |g, a, b, _| {
         let first = is_maximum(g, a, b);
         of_chosen(g, first)
@@ -372,13 +357,13 @@ pub(crate) const TABLE: &[Row] = &[
     .total()
     .commutative()
     .piecewise()
-    .on_devices(Device::Exact),
-    step("signum", f64::signum, [0.1, 9.0]).odd().on_devices(Device::Exact),
-    step("floor", f64::floor, [0.1, 9.0]).on_devices(Device::Exact),
-    step("ceil", f64::ceil, [-9.0, 0.1]).on_devices(Device::Exact),
-    step("trunc", f64::trunc, [0.1, 9.0]).odd().on_devices(Device::Exact),
-    step("round", f64::round, [-9.0, 0.1]).odd().on_devices(Device::Exact),
-    step("round_ties_even", f64::round_ties_even, [-9.0, 0.1]).odd().on_devices(Device::Exact),
+    .on(Exact),
+    step("signum", f64::signum, [0.1, 9.0]).odd().on(Exact),
+    step("floor", f64::floor, [0.1, 9.0]).on(Exact),
+    step("ceil", f64::ceil, [-9.0, 0.1]).on(Exact),
+    step("trunc", f64::trunc, [0.1, 9.0]).odd().on(Exact),
+    step("round", f64::round, [-9.0, 0.1]).odd().on(Exact),
+    step("round_ties_even", f64::round_ties_even, [-9.0, 0.1]).odd().on(Exact),
     binary(
         "remainder",
         |x, y| x % y,
@@ -391,7 +376,7 @@ pub(crate) const TABLE: &[Row] = &[
     )
     .odd()
     .piecewise()
-    .on_devices(Device::Exact),
+    .on(Exact),
     binary("powf", f64::powf, [0.2, 4.0], |g, a, b, y| {
         let one = g.constant(1.0);
         let (less, logarithm) = (g.sub(b, one), g.call("ln", a));
@@ -399,7 +384,7 @@ pub(crate) const TABLE: &[Row] = &[
         let lowered = g.call_two("powf", a, less);
         [g.mul(b, lowered), g.mul(y, logarithm)]
     })
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     binary("atan2", f64::atan2, [-4.0, -0.5], |g, a, b, _| {
         // The angle of two multiples of a value jumps where that is zero, and else stays: the quotient below would be 0/0.
         if g.without_factors(a) == g.without_factors(b) {
@@ -413,7 +398,7 @@ pub(crate) const TABLE: &[Row] = &[
     })
     .with_fast("fast_atan2")
     .piecewise()
-    .on_devices(Device::Kernel),
+    .on(Kernel),
     binary("hypot", f64::hypot, [0.2, 4.0], |g, a, b, y| {
         let scale = over(g, y);
         [g.mul(scale, a), g.mul(scale, b)]
@@ -422,7 +407,7 @@ pub(crate) const TABLE: &[Row] = &[
     .commutative()
     .never_negative()
     .piecewise()
-    .on_devices(Device::Library),
+    .on(Library),
 ];
 
 impl Function {
