@@ -295,9 +295,7 @@ impl Shortfall {
             }
         }
     }
-}
 
-impl Shortfall {
     /// Returns the name of the check that could not be measured, if any.
     fn check(&self) -> Option<&'static str> {
         match self {

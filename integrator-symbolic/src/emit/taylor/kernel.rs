@@ -3,8 +3,8 @@
 
 use super::{
     accumulation::Accumulation,
-    orders_per_call::{OrdersPerCall, clock_read},
-    tape::{self, Iterations, Record, list},
+    orders_per_call::clock_read,
+    tape::{self, Iterations, OrdersPerCall, Record, list},
     writer::{Source, Writer},
 };
 use crate::{

@@ -5,8 +5,7 @@ use super::{
     accumulation::Accumulation,
     kernel::{Kernel, iteration, nest_context},
     orders::{Orders, constraints, finished, program},
-    orders_per_call::OrdersPerCall,
-    tape::{Iterations, Record, list},
+    tape::{Iterations, OrdersPerCall, Record, list},
     writer::{Source, Writer},
 };
 use crate::{

@@ -5,6 +5,7 @@
 
 use super::{
     accumulation::{Accumulation, declare_derivatives, derivative},
+    tape::OrdersPerCall,
     writer::Writer,
 };
 use crate::{
@@ -13,23 +14,6 @@ use crate::{
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-
-/// The number of orders that one call computes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum OrdersPerCall {
-    One,
-    Two,
-}
-
-impl OrdersPerCall {
-    /// The number.
-    pub(super) fn count(self) -> usize {
-        match self {
-            OrdersPerCall::One => 1,
-            OrdersPerCall::Two => 2,
-        }
-    }
-}
 
 /// The coefficients that lines read of the step and of the time.
 pub(super) fn clock_read(lines: &Body) -> Vec<Ident> {

@@ -5,8 +5,8 @@
 //! of coordinates are read from their rows.
 
 use super::{
-    recurrence::{Factor, Known, Products, Series, Weight},
-    tape::Kept,
+    recurrence::{Factor, Known, Products, Weight},
+    tape::{Kept, Series},
     writer::Writer,
 };
 use crate::{

@@ -7,7 +7,11 @@
 //!
 //! Sums run from the middle outwards, so they begin with coefficients that were computed long before.
 
-use super::{edges::touches_zero, tape::Kept, writer::Writer};
+use super::{
+    edges::touches_zero,
+    tape::{Kept, Series},
+    writer::Writer,
+};
 use crate::{
     emit::printer::fields::Fields,
     graph::{Node, NodeId},
@@ -16,28 +20,6 @@ use crate::{
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-
-/// The location of a value's coefficients.
-#[derive(Clone)]
-pub(super) enum Series {
-    /// In the rows of a part of the state.
-    Row { part: Ident, place: TokenStream },
-    /// In a record.
-    Kept { at: Ident, name: Ident },
-    /// In a row of a record.
-    Own { at: Ident, name: Ident },
-}
-
-impl Series {
-    /// The coefficient of an order.
-    pub(super) fn of(&self, order: &TokenStream) -> TokenStream {
-        match self {
-            Series::Row { part, place } => quote!(#part[#order][#place]),
-            Series::Kept { at, name } => quote!(#at.kept[#order].#name),
-            Series::Own { at, name } => quote!(#at.#name[#order]),
-        }
-    }
-}
 
 /// The products that a recurrence sums up, of coefficients whose orders add up to that of the sum.
 pub(super) struct Products {

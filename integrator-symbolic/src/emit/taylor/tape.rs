@@ -6,6 +6,45 @@ use crate::syntax::names::Names;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// The location of a value's coefficients.
+#[derive(Clone)]
+pub(super) enum Series {
+    /// In the rows of a part of the state.
+    Row { part: Ident, place: TokenStream },
+    /// In a record.
+    Kept { at: Ident, name: Ident },
+    /// In a row of a record.
+    Own { at: Ident, name: Ident },
+}
+
+impl Series {
+    /// The coefficient of an order.
+    pub(super) fn of(&self, order: &TokenStream) -> TokenStream {
+        match self {
+            Series::Row { part, place } => quote!(#part[#order][#place]),
+            Series::Kept { at, name } => quote!(#at.kept[#order].#name),
+            Series::Own { at, name } => quote!(#at.#name[#order]),
+        }
+    }
+}
+
+/// The number of orders that one call computes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum OrdersPerCall {
+    One,
+    Two,
+}
+
+impl OrdersPerCall {
+    /// The number.
+    pub(super) fn count(self) -> usize {
+        match self {
+            OrdersPerCall::One => 1,
+            OrdersPerCall::Two => 2,
+        }
+    }
+}
+
 /// The record of a block of lines: those outside of all loops, or those of an iteration.
 pub(super) struct Record {
     /// Its name inside the block.

@@ -8,8 +8,8 @@
 use super::{
     accumulation::Accumulation,
     pairs::Sums,
-    recurrence::{Chained, Factor, Known, Products, Series, Sum, Weight, minus},
-    tape::Kept,
+    recurrence::{Chained, Factor, Known, Products, Sum, Weight, minus},
+    tape::{Kept, Series},
     writer::Writer,
 };
 use crate::{

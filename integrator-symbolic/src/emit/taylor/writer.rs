@@ -2,10 +2,8 @@
 
 use super::{
     accumulation::{Accumulation, derivative},
-    orders_per_call::OrdersPerCall,
     pairs::SideBySide,
-    recurrence::Series,
-    tape::{Kept, Record},
+    tape::{Kept, OrdersPerCall, Record, Series},
 };
 use crate::{
     emit::printer::{expression::Printer, fields::Fields, frame::Frame},
