@@ -223,7 +223,7 @@ pub mod __private {
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
-            pace::{NODES, PlainMotion, Rated, TimeTransformed},
+            pace::{PlainMotion, Rated, TimeTransformed},
             taylor::{
                 Recurrences, RecurrencesVisitor,
                 edges::{Level, Watch},

@@ -3,7 +3,7 @@
 //! Those of a Hamiltonian `f(T + B) - f(-V)` in the fictitious time (Mikkola and Tanikawa 1999; Preto and Tremaine 1999) are
 //! the flows of `T` and of `V` for durations that stay the same on the way: `h f'(T + B)` and `h f'(-V)`.
 
-use super::{Rated, TimeTransformed, motion::Timed};
+use super::{Rated, TimeTransformed, motion::Timed, rated_kick};
 use crate::{
     composition::{Composition, Lead},
     scalar::real::{Mask, Real},
@@ -130,7 +130,7 @@ impl<H: Rated> Transformation<H> for OfRate {
     }
     #[inline(always)]
     fn kick<R: Real, K: Precision>(motion: &mut TimedOf<H, R, K>, duration: R) {
-        let [rate, more] = H::rated_kick::<R, K>(&mut motion.state, duration);
+        let [rate, more] = rated_kick::<H, R, K>(&mut motion.state, duration);
         motion.kick_by(rate);
         motion.beside += more;
     }

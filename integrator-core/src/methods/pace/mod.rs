@@ -23,7 +23,7 @@ pub type PlainMotion<H, R, K> = Plain<R, Shaped<H, K>, <H as System>::Parameters
 
 /// The nodes of Gauss's rule of five points between 0 and 1, with their weights. Its error is of the eleventh power of
 /// the range, so that steps keep every order that is proved for a composition, which is ten at most.
-pub const NODES: [[f64; 2]; 5] = [
+const NODES: [[f64; 2]; 5] = [
     [0.046_910_077_030_668_004, 0.118_463_442_528_094_54],
     [0.230_765_344_947_158_45, 0.239_314_335_249_683_23],
     [0.5, 0.284_444_444_444_444_44],
@@ -61,13 +61,45 @@ pub trait TimeTransformed: System {
     note = "`Logarithmic` and `Power` do not require `rate`"
 )]
 pub trait Rated: TimeTransformed {
+    /// Whether the velocity is linear in the momenta.
+    const LINEAR_VELOCITY: bool = false;
     /// The pace.
     fn rate_of<R: Real, K: Precision>(motion: &PlainMotion<Self, R, K>) -> R;
     /// The pace by the user's own function, as it is written.
     fn stated_rate(&self, q: &Self::Coords) -> f64;
     /// The flow of the pace as a potential.
     fn kick_by_rate<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R);
-    /// The exact flow of `V` for `duration` over the pace; returns the pace, and by how much it grows along the velocity
-    /// meanwhile.
-    fn rated_kick<R: Real, K: Precision>(motion: &mut PlainMotion<Self, R, K>, duration: R) -> [R; 2];
+}
+
+/// Applies the exact flow of `V` for `duration` over the pace.
+///
+/// Returns the pace, and how much it grows along the velocity meanwhile: `duration` times the mean over the kick of the
+/// velocity times the gradient of the pace. That is the mean of both ends if the velocity is linear in the momenta, and
+/// otherwise comes from Gauss's rule.
+#[inline(always)]
+fn rated_kick<H: Rated, R: Real, K: Precision>(motion: &mut PlainMotion<H, R, K>, duration: R) -> [R; 2] {
+    let rate = H::rate_of::<R, K>(motion);
+    let duration = duration / rate;
+    let mut slope = motion.at_rest();
+    H::kick_by_rate::<R, f64>(&mut slope, R::of(-1.0));
+    if const { H::LINEAR_VELOCITY } {
+        let half = R::of(0.5);
+        let mut before = motion.at_origin();
+        H::drift_for::<R, f64>(&mut before, half);
+        H::kick_for::<R, K>(motion, duration);
+        let mut after = motion.at_origin();
+        H::drift_for::<R, f64>(&mut after, half);
+        return [rate, duration * (before.positions_times(&slope) + after.positions_times(&slope))];
+    }
+    let mut force = motion.at_rest();
+    H::kick_for::<R, f64>(&mut force, R::of(1.0));
+    let mut mean = R::of(0.0);
+    for [node, weight] in NODES {
+        let mut there = motion.at_origin();
+        there.push(duration * R::of(node), &force);
+        H::drift_for::<R, f64>(&mut there, R::of(weight));
+        mean += there.positions_times(&slope);
+    }
+    motion.push(duration, &force);
+    [rate, duration * mean]
 }

@@ -89,9 +89,7 @@ fn of_plain(names: &Names) -> TokenStream {
     }
 }
 
-/// The items of the runtime's `Rated`: the pace, and a kick with what it adds to the auxiliary variable, `duration` times the
-/// mean over the kick of the velocity times the gradient of the pace. That is the mean of both ends where the velocity is
-/// linear in the momenta, and by Gauss's rule elsewhere.
+/// The items of the runtime's `Rated`.
 pub(crate) fn rated(
     emitter: &mut Emitter<'_>,
     rate: NodeId,
@@ -102,55 +100,18 @@ pub(crate) fn rated(
     let value = value(emitter, "rate_of", rate);
     let slope = Flow::lines_along(emitter, &slope, Part::Position, &Frame::OwnTime);
     let kick = flow(emitter, "kick_by_rate", quote!(-duration), slope, None);
-    let Names { runtime, scalar, leaf, .. } = emitter.names;
-    let growth = if is_quadratic { growth_by_both_ends(emitter.names) } else { growth_by_nodes(emitter.names) };
+    let linear = is_quadratic.then(|| {
+        quote!(
+            const LINEAR_VELOCITY: bool = true;
+        )
+    });
     quote! {
+        #linear
         #value
 
         fn stated_rate(&self, q: &Self::Coords) -> f64 { Self::rate(#(#arguments),*) }
 
         #kick
-
-        #[inline(always)]
-        fn rated_kick<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &mut #runtime::PlainMotion<Self, #scalar, #leaf>, duration: #scalar) -> [#scalar; 2] {
-            let rate = <Self as #runtime::Rated>::rate_of(motion);
-            let duration = duration / rate;
-            let mut slope = motion.at_rest();
-            <Self as #runtime::Rated>::kick_by_rate::<#scalar, f64>(&mut slope, #scalar::of(-1.0));
-            #growth
-        }
-    }
-}
-
-/// The kick, and what it adds where the velocity is linear in the momenta.
-fn growth_by_both_ends(names: &Names) -> TokenStream {
-    let Names { runtime, scalar, leaf, .. } = names;
-    quote! {
-        let half = #scalar::of(0.5);
-        let mut before = motion.at_origin();
-        <Self as #runtime::TimeTransformed>::drift_for::<#scalar, f64>(&mut before, half);
-        <Self as #runtime::TimeTransformed>::kick_for::<#scalar, #leaf>(motion, duration);
-        let mut after = motion.at_origin();
-        <Self as #runtime::TimeTransformed>::drift_for::<#scalar, f64>(&mut after, half);
-        [rate, duration * (before.positions_times(&slope) + after.positions_times(&slope))]
-    }
-}
-
-/// The kick, and what it adds whatever the velocity is.
-fn growth_by_nodes(names: &Names) -> TokenStream {
-    let Names { runtime, scalar, .. } = names;
-    quote! {
-        let mut force = motion.at_rest();
-        <Self as #runtime::TimeTransformed>::kick_for::<#scalar, f64>(&mut force, #scalar::of(1.0));
-        let mut mean = #scalar::of(0.0);
-        for [node, weight] in #runtime::NODES {
-            let mut there = motion.at_origin();
-            there.push(duration * #scalar::of(node), &force);
-            <Self as #runtime::TimeTransformed>::drift_for::<#scalar, f64>(&mut there, #scalar::of(weight));
-            mean += there.positions_times(&slope);
-        }
-        motion.push(duration, &force);
-        [rate, duration * mean]
     }
 }
 

@@ -79,7 +79,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 18386656092664442847;
+        const FINGERPRINT: u64 = 15789509430609174222;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 0.5 * (-self.pull),
@@ -268,6 +268,7 @@ const _: () = {
     }
     #[automatically_derived]
     impl runtime::Rated for Comet {
+        const LINEAR_VELOCITY: bool = true;
         #[inline(always)]
         fn rate_of<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &runtime::PlainMotion<Self, Scalar, Leaf>,
@@ -292,39 +293,6 @@ const _: () = {
             let shared_2 = Scalar::of(1.0) / shared_1.square();
             motion.p[0].fma(-(shared_0 * q0), shared_2);
             motion.p[1].fma(-(shared_0 * q1), shared_2);
-        }
-        #[inline(always)]
-        fn rated_kick<Scalar: runtime::Real, Leaf: runtime::Precision>(
-            motion: &mut runtime::PlainMotion<Self, Scalar, Leaf>,
-            duration: Scalar,
-        ) -> [Scalar; 2] {
-            let rate = <Self as runtime::Rated>::rate_of(motion);
-            let duration = duration / rate;
-            let mut slope = motion.at_rest();
-            <Self as runtime::Rated>::kick_by_rate::<
-                Scalar,
-                f64,
-            >(&mut slope, Scalar::of(-1.0));
-            let half = Scalar::of(0.5);
-            let mut before = motion.at_origin();
-            <Self as runtime::TimeTransformed>::drift_for::<
-                Scalar,
-                f64,
-            >(&mut before, half);
-            <Self as runtime::TimeTransformed>::kick_for::<
-                Scalar,
-                Leaf,
-            >(motion, duration);
-            let mut after = motion.at_origin();
-            <Self as runtime::TimeTransformed>::drift_for::<
-                Scalar,
-                f64,
-            >(&mut after, half);
-            [
-                rate,
-                duration
-                    * (before.positions_times(&slope) + after.positions_times(&slope)),
-            ]
         }
     }
 };
