@@ -1,4 +1,5 @@
-//! Coordinates that are not there, read in branches that are not taken: Rust does not evaluate these, and neither do steps.
+//! Coordinates and elements of lists that are not there, read in branches that are not taken: Rust does not evaluate these, and
+//! neither do steps.
 
 use crate::{close, kicked};
 use integrator_core::{check::gradient_error, prelude::*};
@@ -9,6 +10,7 @@ macro_rules! system {
         struct System {
             one: f64,
             first: bool,
+            list: Vec<f64>,
         }
 
         #[hamiltonian $(($options))?]
@@ -24,12 +26,13 @@ macro_rules! system {
         }
 
         fn system() -> System {
-            System { one: 1.0, first: true }
+            System { one: 1.0, first: true, list: Vec::new() }
         }
     };
 }
 
-/// Potentials of a single coordinate `q[0]` with the numbers `one = 1` and the flag `first`, which holds; their derivatives at -0.5.
+/// Potentials of a single coordinate `q[0]` with the number `one = 1`, the flag `first`, which holds, and a `list` without elements; their
+/// derivatives at -0.5.
 macro_rules! absent {
     (|$q:ident, $system:ident| $($name:ident: $energy:expr, $derivative:expr;)+) => {
         $(mod $name {
@@ -101,4 +104,28 @@ absent! {
         angle * angle + angle.cos()
     }, -4.0 + 2.0 * 1.0_f64.sin();
     in_an_argument: q[0].min(if q[0] > 0.0 { q[1] } else { 0.3 }), 1.0;
+    in_a_factor_of_a_sum: {
+        let mut v = q[0];
+        for i in 0..q.len() {
+            for j in 0..q.len() {
+                if q[j] > 0.0 {
+                    v += q[i] * q[i] * system.list[i + 3];
+                }
+            }
+        }
+        v
+    }, 1.0;
+    in_a_factor_of_a_product: {
+        let mut v = q[0];
+        for i in 0..q.len() {
+            let mut w = 1.0;
+            for j in 0..3 {
+                if q[j % q.len()] > 0.0 {
+                    w *= q[i].cos() * system.list[i + 3];
+                }
+            }
+            v += w;
+        }
+        v
+    }, 1.0;
 }

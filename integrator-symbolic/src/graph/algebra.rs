@@ -23,6 +23,12 @@ impl Graph {
         self.never_negative.insert(id);
     }
 
+    /// Declares that a parameter may be NaN where its value is not used, as the element of a list that is too short for
+    /// it, before any node is made of it.
+    pub(crate) fn declare_maybe_missing(&mut self, id: ParameterId) {
+        self.maybe_missing.insert(id);
+    }
+
     pub(crate) fn parameter(&mut self, id: ParameterId) -> NodeId {
         self.intern(Node::Parameter(id))
     }

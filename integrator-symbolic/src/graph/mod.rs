@@ -274,7 +274,7 @@ struct Facts {
     momenta: bool,
     /// Whether it and its derivatives are finite wherever its coordinates are, but for overflow.
     total: bool,
-    /// Whether it is total even where what is computed of parameters alone is not finite, as `1 / self.k` is.
+    /// Whether it is total even where what is computed of parameters alone is not finite, as `1 / self.k` is, or not there.
     total_of_any: bool,
     /// Whether it contains an exponential of a coordinate, so that it may overflow.
     grows: bool,
@@ -298,6 +298,8 @@ pub(crate) struct Graph {
     externals: Vec<Vec<ExternalId>>,
     /// The parameters whose text says that they are not negative.
     never_negative: HashSet<ParameterId>,
+    /// The parameters that may be NaN where no value is used that is made of them.
+    maybe_missing: HashSet<ParameterId>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,
 }
@@ -419,7 +421,7 @@ impl Graph {
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),
-            total_of_any: self.is_total_by_itself(node),
+            total_of_any: self.is_total_by_itself(node) && !self.may_be_missing(node),
             grows: matches!(node, Node::Unary(function, _) if function.row().overflows),
             access: self.own_access(node),
             beside_sums: self.own_access(node),
@@ -457,6 +459,11 @@ impl Graph {
         facts.total_of_any |= node.is_condition();
         facts.grows &= !facts.prepared;
         facts
+    }
+
+    /// Whether a node is an element that a list may not have.
+    fn may_be_missing(&self, node: Node) -> bool {
+        matches!(node, Node::Parameter(id) if self.maybe_missing.contains(&id))
     }
 
     /// Whether a node is total where its children are.

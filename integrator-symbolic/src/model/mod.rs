@@ -654,7 +654,7 @@ impl<'i> Reader<'i> {
         self.check_sensitive(&own);
         let (shown, _) = self.in_arms(shown, loops, &otherwise);
         let (text, loops) = self.in_arms(self.by_value(own.clone(), kind), loops, &otherwise);
-        let text = self.guarded_text(text, kind, loops, &otherwise);
+        let (text, may_be_missing) = self.guarded_text(text, kind, loops, &otherwise);
         let text = standing_alone(text, &self.uses);
         let key = format!("{kind} {loops:?} {text}");
         if let Some(id) = self.parameter_ids.get(&key) {
@@ -664,6 +664,9 @@ impl<'i> Reader<'i> {
         self.parameters.push(Parameter { own: shown, text });
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
+        if may_be_missing {
+            self.graph.declare_maybe_missing(id);
+        }
         // What takes its place where it is not evaluated is zero.
         if matches!(kind, "number" | "operand") && syn::parse2(own).is_ok_and(|own| is_never_negative(&own)) {
             self.graph.declare_never_negative(id);

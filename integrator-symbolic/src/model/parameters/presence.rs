@@ -4,15 +4,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{BinOp, Expr, Lit, Path};
 
-/// A number that is looked up where its lists have it, and is none elsewhere; any other text as it is.
-pub(crate) fn looked_up(text: TokenStream, root: &Path) -> TokenStream {
-    let Ok(expression) = syn::parse2::<Expr>(text.clone()) else { return text };
+/// A number that is looked up where its lists have it, and is NaN elsewhere; `None` of a text that reads no lists.
+pub(crate) fn looked_up(text: &TokenStream, root: &Path) -> Option<TokenStream> {
+    let expression = syn::parse2::<Expr>(text.clone()).ok()?;
     let mut found = Vec::new();
     list(&expression, root, &mut found);
-    if found.is_empty() {
-        return text;
-    }
-    quote!((if #(#found)&&* { #text } else { f64::NAN }))
+    (!found.is_empty()).then(|| quote!((if #(#found)&&* { #text } else { f64::NAN })))
 }
 
 /// Adds what has to hold for the lists in an expression to have its elements, those needed first in front. What a closure

@@ -42,14 +42,15 @@ impl Reader<'_> {
 
     /// The text of a parameter, evaluated under those loops and conditions around it that may keep it from being so.
     ///
-    /// Whether a condition on coordinates holds is not known then: a number after one is looked up where it is there.
+    /// Whether a condition on coordinates holds is not known then: a number after one is looked up where it is there,
+    /// and NaN elsewhere. Returns whether that is so, too.
     pub(crate) fn guarded_text(
         &self,
         text: TokenStream,
         kind: &str,
         loops: LoopSet,
         otherwise: &TokenStream,
-    ) -> TokenStream {
+    ) -> (TokenStream, bool) {
         let guard = match needs(&text) {
             Needs::Nothing => None,
             // What a condition computes may have no value either where another one does not hold.
@@ -62,16 +63,17 @@ impl Reader<'_> {
                 guard => guard,
             },
         };
-        let text = match kind {
-            "number" | "operand" if self.is_on_coordinates() && !self.is_as_long_as_the_coordinates(&text, loops) => {
-                looked_up(text, &self.input.root)
-            }
-            _ => text,
-        };
-        match guard {
+        let is_looked_up = matches!(kind, "number" | "operand")
+            && self.is_on_coordinates()
+            && !self.is_as_long_as_the_coordinates(&text, loops);
+        let found = is_looked_up.then(|| looked_up(&text, &self.input.root)).flatten();
+        let may_be_missing = found.is_some();
+        let text = found.unwrap_or(text);
+        let text = match guard {
             Some(Opaque { text: guard, .. }) => quote!((if #guard { #text } else { #otherwise })),
             None => text,
-        }
+        };
+        (text, may_be_missing)
     }
 
     /// Whether some condition around what is being read is not one of parameters.
