@@ -1,7 +1,6 @@
 //! Vectors of numbers with `std::arch`: the arithmetic of the hand-written steppers.
 //!
-//! The types of [`x86`](super::x86) are named only inside [`enter`](crate::enter::enter), after their instructions are
-//! detected.
+//! The types of `x86` are named only inside `enter`, after their instructions are detected.
 
 use std::ops::{Add, Div, Mul, Sub};
 

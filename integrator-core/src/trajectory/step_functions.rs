@@ -25,9 +25,8 @@ use crate::{
 
 /// The function table of a motion type, which an engine calls a few times per block of steps.
 ///
-/// These are functions and not a type parameter: so [`Motions`](crate::trajectory::motions::Motions) know the motion's
-/// type alone, what is seldom called is compiled once per motion, and a system that borrows its parameters can be run
-/// all the same.
+/// These are functions and not a type parameter: so `Motions` know the motion's type alone, what is seldom called is compiled
+/// once per motion, and a system that borrows its parameters can be run all the same.
 pub struct StepFunctions<M> {
     /// The number of members of a motion.
     pub(crate) lanes: usize,
