@@ -276,7 +276,11 @@ fn every_elementary_function_is_documented() {
     let lines: Vec<String> = names.chunks(10).map(|names| names.join(", ")).collect();
     for (page, before, after) in [
         ("integrator-macros/src/hamiltonian.md", "as `f64::sin(x)`:\n  ", ".\n- Helper methods"),
-        ("docs/language.md", "**Methods of `f64`** with a derivative are\n", ".\n\n**Rounding functions**"),
+        (
+            "docs/language.md",
+            "**Methods of `f64`** and operators with a derivative are\n",
+            ".\n\n**Rounding functions**",
+        ),
     ] {
         let old = text(page);
         let (start, rest) = old.split_once(before).expect("the list of functions");

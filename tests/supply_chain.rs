@@ -64,9 +64,10 @@ fn every_package_has_an_allowed_licence_and_comes_from_the_registry() {
     let compiler = Command::new("rustc").arg("-vV").output().expect("rustc runs").stdout;
     let compiler = String::from_utf8_lossy(&compiler).into_owned();
     let host = compiler.lines().find_map(|line| line.strip_prefix("host: ")).expect("the host");
-    let packages = packages(&["--filter-platform", host]);
-    assert!(packages.len() > 20, "dependencies are listed");
-    for package in &packages {
+    let extras = ["--manifest-path", "extras/Cargo.toml", "--filter-platform", host];
+    let packages = [packages(&["--filter-platform", host]), packages(&extras)];
+    assert!(packages.iter().all(|packages| packages.len() > 20), "dependencies are listed");
+    for package in packages.iter().flatten() {
         let (name, licence) = (&package["name"], package["license"].as_str().unwrap_or_default());
         assert!(is_allowed(licence, &allowed), "{name} has the licence {licence:?}");
         let source = package["source"].as_str();

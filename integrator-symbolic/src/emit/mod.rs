@@ -1,8 +1,8 @@
 //! The stepper as Rust code.
 //!
-//! In: a valid model. Out: the implementation of the runtime's `Hamiltonian`, in a separate scope. Always true: nothing
-//! here fails but the code for devices; the same model gives the same tokens; the code contains only paths of the user, of `::core`, and of the
-//! runtime's private API.
+//! In: a valid model. Out: the implementations of the runtime's `Hamiltonian` and `System`, in a separate scope. Always
+//! true: nothing here fails but the code for devices; the same model gives the same tokens; the code contains only paths
+//! of the user, of `::core`, and of the runtime's private API.
 
 mod fingerprint;
 mod flow;
@@ -52,8 +52,8 @@ fn gradients_of(model: &mut Model, [kinetic, potential]: [NodeId; 2]) -> [Vec<Co
     by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
 }
 
-/// The implementation of `Hamiltonian` for the annotated type, and what keeps it from having code for devices, if anything
-/// does and this is requested.
+/// Returns the implementations of `Hamiltonian` and `System` for the annotated type. If code for devices is requested and
+/// cannot be generated, also returns the reason.
 pub(crate) fn stepper(input: &Input, model: Model) -> (TokenStream, Option<String>) {
     let (stepper, obstacle) = Stepper::of(input, model);
     (stepper.tokens(), obstacle)

@@ -274,7 +274,8 @@ struct Facts {
     momenta: bool,
     /// Whether it and its derivatives are finite wherever its coordinates are, but for overflow.
     total: bool,
-    /// Whether it is total even where what is computed of parameters alone is not finite, as `1 / self.k` is, or not there.
+    /// Whether it is total even if its parameters are missing, or if an expression of parameters alone such as `1 / self.k` is
+    /// not finite.
     total_of_any: bool,
     /// Whether it contains an exponential of a coordinate, so that it may overflow.
     grows: bool,
@@ -298,7 +299,7 @@ pub(crate) struct Graph {
     externals: Vec<Vec<ExternalId>>,
     /// The parameters whose text says that they are not negative.
     never_negative: HashSet<ParameterId>,
-    /// The parameters that may be NaN where no value is used that is made of them.
+    /// The parameters that are NaN if their list is too short; the function then reads no value computed from them.
     maybe_missing: HashSet<ParameterId>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,

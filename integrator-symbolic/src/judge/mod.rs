@@ -1,14 +1,14 @@
-//! What a model has to be for what the annotation requests.
+//! Checks that a model supports what the annotation requests.
 //!
 //! In: a model. Out: the model, in Jacobi coordinates if they are requested. Always true: all mistakes are reported;
-//! nothing after this module refuses a Hamiltonian, but for the code for devices.
+//! later modules reject no Hamiltonian, except for device code.
 
 mod composition;
 pub(crate) mod coordinates;
 
 use crate::{errors::Errors, graph::exact::Exact, model::Model, syntax::Input};
 
-/// The model as the annotation requests it; mistakes are noted.
+/// Returns the model in the requested coordinates, and reports what the annotation requests and the model does not support.
 pub(crate) fn judged(input: &Input, mut model: Model, errors: &mut Errors) -> Model {
     coordinates::check_coordinates(input, &mut model, errors);
     composition::check_composition(input, &model, errors);

@@ -241,6 +241,16 @@ fn a_bit_of_a_coefficient_changes_the_hash() {
     }
 }
 
+#[test]
+fn gradients_change_the_hash() {
+    let hash = |composition| {
+        let start = POINT.of(|number| number);
+        by_table::<HenonHeiles, WithGradients, f64, f64>(&HenonHeiles, composition, &start)
+    };
+    assert_ne!(hash(ByTable::of(Chin4A)), hash(ByTable::of(Chin4B)));
+    assert_ne!(hash(ByTable::of(Verlet)), hash(ByTable::of(TakahashiImada4)));
+}
+
 /// Compares the loop that is compiled for a composition with the loop that reads its table, for a system that uses avx2 at most.
 fn agree<G: Kicks<H>, H: Hamiltonian, X: Composition<H>, K: Precision>(
     system: &H,
