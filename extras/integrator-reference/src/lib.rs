@@ -88,15 +88,16 @@ pub use runge_kutta::{ExplicitMidpoint, ForwardEuler, RungeKutta4};
 pub use stoermer::{Stoermer4, StoermerCowell4};
 
 use integrator_core::{
-    __private::{Executor, Precision, Real, StepFunctions, System},
+    __private::{Executor, Precision, QuadraticKinetic, Real, StepFunctions, System},
     Method,
 };
 use std::sync::Arc;
 use walk::{Constants, Walked, step_functions};
 
+/// Makes methods of recipes, for the Hamiltonians that have the trait in front.
 macro_rules! methods {
-    ($($method:ident)*) => {$(
-        impl<H: System> Method<H> for $method {
+    ($($bound:ident: $($method:ident)*;)*) => {$($(
+        impl<H: $bound> Method<H> for $method {
             const CLONED: bool = false;
 
             type Constants = Constants<H::Parameters<f64>, Self>;
@@ -109,11 +110,12 @@ macro_rules! methods {
                 step_functions::<H, R, K, Self>()
             }
         }
-    )*};
+    )*)*};
 }
 methods! {
-    ForwardEuler StaggeredLeapfrog ExplicitMidpoint RungeKutta4 AdamsBashforth4 AdamsBashforthMoulton4
-    AdamsBashforthMoulton4Pec GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf AnyReference
+    System: ForwardEuler StaggeredLeapfrog ExplicitMidpoint RungeKutta4 AdamsBashforth4 AdamsBashforthMoulton4
+        AdamsBashforthMoulton4Pec GraggBulirschStoer DormandPrince5 DormandPrince8 Bdf AnyReference;
+    QuadraticKinetic: Stoermer4 StoermerCowell4;
 }
 
 /// The chapters of the guide that compare textbook methods, whose programs are tested here.

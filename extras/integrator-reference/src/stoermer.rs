@@ -7,13 +7,9 @@
 
 use crate::{
     runge_kutta::CLASSICAL,
-    walk::{Constants, Place, Recipe, Walked, combined, step_functions},
+    walk::{Place, Recipe, combined},
 };
-use integrator_core::{
-    __private::{Executor, Precision, QuadraticKinetic, Real, StepFunctions},
-    Described, Facts, Method, Unsolved,
-};
-use std::sync::Arc;
+use integrator_core::{__private::Real, Described, Facts, Unsolved};
 
 /// The number of forces that a step reads.
 const FORCES: usize = 4;
@@ -125,20 +121,6 @@ macro_rules! methods {
 
             fn increment<R: Real>(self, memory: &mut Memory<R>, from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
                 Ok(increment(memory, from, $corrected))
-            }
-        }
-
-        impl<H: QuadraticKinetic> Method<H> for $method {
-            const CLONED: bool = false;
-
-            type Constants = Constants<H::Parameters<f64>, Self>;
-            type Motion<R: Real, K: Precision> = Walked<H, R, K, Self>;
-
-            fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
-                Arc::new(Constants { parameters, recipe: self })
-            }
-            fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
-                step_functions::<H, R, K, Self>()
             }
         }
     )*};
