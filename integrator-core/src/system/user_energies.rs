@@ -45,6 +45,14 @@ pub(crate) enum Function {
 impl Function {
     pub(crate) const BOTH: [Self; 2] = [Self::Kinetic, Self::Potential];
 
+    /// Returns the generated energy that stands for it.
+    pub(crate) fn energy<H: System, R: Real>(self, motion: &H::Motion<R, f64>, time: f64) -> R {
+        match self {
+            Self::Kinetic => H::kinetic::<R, f64>(motion, time),
+            Self::Potential => H::potential::<R, f64>(motion, time),
+        }
+    }
+
     /// The user's function that it is, or is a part of.
     fn name<H: System>(self, is_whole: bool) -> &'static str {
         let [first, second] = part_names(H::PARTS);
@@ -116,10 +124,7 @@ pub(crate) fn bounded_energy<H: System>(
     time: f64,
 ) -> [f64; 2] {
     let motion = H::Motion::<Bounded, f64>::load(&[parameters; 2], &[state; 2]);
-    let energy = match function {
-        Function::Kinetic => H::kinetic::<Bounded, f64>(&motion, time),
-        Function::Potential => H::potential::<Bounded, f64>(&motion, time),
-    };
+    let energy = function.energy::<H, Bounded>(&motion, time);
     [energy.lane(0), energy.lane(1)]
 }
 

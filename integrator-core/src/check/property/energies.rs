@@ -100,10 +100,7 @@ impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
         // The value and the tangent, then the bounds on both.
         let lanes = [&point, &tangent, &point, &tangent];
         let motion = H::Motion::<Dual<Bounded>, f64>::load(&[&self.parameters; 4], &lanes);
-        let energy = match part {
-            Part::Kinetic => H::kinetic::<Dual<Bounded>, f64>(&motion, time),
-            Part::Potential => H::potential::<Dual<Bounded>, f64>(&motion, time),
-        };
+        let energy = part.energy::<H, Dual<Bounded>>(&motion, time);
         [energy.lane(1), energy.lane(3)]
     }
 
@@ -150,11 +147,7 @@ fn energy<H: Hamiltonian, R: Real>(
     lanes: [&Phase<H::Coords>; 2],
     time: f64,
 ) -> R {
-    let motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
-    match part {
-        Part::Kinetic => H::kinetic::<R, f64>(&motion, time),
-        Part::Potential => H::potential::<R, f64>(&motion, time),
-    }
+    part.energy::<H, R>(&H::Motion::<R, f64>::load(&[parameters; 2], &lanes), time)
 }
 
 /// One lane of the gradient of an energy at a point, with a tangent in the second lane if there is one: what the flow
