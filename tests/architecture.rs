@@ -128,10 +128,11 @@ const CHECK: MayKnow = (
     &[
         ("error", &[]),
         ("start", &[]),
+        ("flow", &[]),
         ("modified", &[]),
         ("statistics", &["start"]),
-        ("oracle", &["start", "statistics"]),
-        ("property", &["modified", "oracle", "start", "statistics"]),
+        ("oracle", &["flow", "start", "statistics"]),
+        ("property", &["flow", "modified", "oracle", "start", "statistics"]),
         ("certificate", &["property"]),
         ("choose", &["oracle", "property", "start", "statistics"]),
         ("measurable", &["oracle", "property", "start", "statistics"]),

@@ -38,6 +38,7 @@ mod certificate;
 mod certify;
 mod choose;
 mod error;
+mod flow;
 mod measurable;
 mod modified;
 pub(crate) mod oracle;

@@ -5,6 +5,7 @@
 
 use crate::{
     check::{
+        flow::Flow,
         oracle::{exact::Exact, reference::Reference},
         start::Start,
         statistics::path::{PARTS, Path, Recorder, Scale},
@@ -21,7 +22,6 @@ use crate::{
     },
     system::{
         Shaped,
-        flows::{Flows, Single},
         motion::{Motion, Plain, Prepared},
     },
 };
@@ -94,7 +94,7 @@ pub(crate) fn composed_steps<H: Hamiltonian>(
         let mut time = t0 + step as f64 * h;
         H::begin_step::<f64, Compensated<f64>>(&mut motion, time + h / 2.0);
         for fraction in fractions {
-            verlet::<H>(&mut Single::<H, f64, Compensated<f64>>(&mut motion), fraction * h, time);
+            verlet::<H>(&mut motion, fraction * h, time);
             time += fraction * h;
         }
         motion.store(0, &mut state);
@@ -174,12 +174,18 @@ fn midpoint<H: Hamiltonian>(
 }
 
 /// Drift, kick, drift from `time`, with the parts between them.
-fn verlet<H: Hamiltonian>(flows: &mut impl Flows<H>, h: f64, time: f64) {
-    flows.drift(h / 2.0, time);
-    flows.middle(h / 2.0, time + h / 2.0, false);
-    flows.kick(h, time + h / 2.0);
-    flows.middle(h / 2.0, time + h / 2.0, true);
-    flows.drift(h / 2.0, time + h);
+fn verlet<H: Hamiltonian>(motion: &mut H::Motion<f64, Compensated<f64>>, h: f64, time: f64) {
+    let (half, middle) = (h / 2.0, time + h / 2.0);
+    let flows = [
+        (Flow::First, half, time),
+        (Flow::Middle { backwards: false }, half, middle),
+        (Flow::Last, h, middle),
+        (Flow::Middle { backwards: true }, half, middle),
+        (Flow::First, half, time + h),
+    ];
+    for (flow, duration, time) in flows {
+        flow.apply::<H, f64, Compensated<f64>>(motion, duration, time);
+    }
 }
 
 /// The fractions of a step over which Verlet is applied to gain order 8: five copies of the step of order p, with

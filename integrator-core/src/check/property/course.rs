@@ -6,9 +6,10 @@
 
 use crate::{
     check::{
+        flow::Flow,
         property::{
             energies::{Part, gradient_tolerance},
-            part_flows::{Flow, Flows},
+            part_flows::Flows,
             slope::SAFETY,
         },
         statistics::{

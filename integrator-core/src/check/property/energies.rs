@@ -1,7 +1,10 @@
 //! The energies of a system and their flows, for checks: values, derivatives by duals, bounds on roundings.
 
 use crate::{
-    check::statistics::points::{coordinate, origin},
+    check::{
+        flow::{Flow, carry},
+        statistics::points::{coordinate, origin},
+    },
     hamiltonian::Hamiltonian,
     methods::implicit::field::{Constants, Pair, field},
     scalar::{bounded::Bounded, dual::Dual, real::Real},
@@ -162,19 +165,15 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     if const { H::PARTS.is_empty() } {
         return half_of_field::<H, R>(parameters, part, &lanes[..R::LANES], time, lane);
     }
-    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
-    H::begin_step::<R, f64>(&mut motion, time);
-    let mut moved = lanes[0].clone();
+    let mut moved = lanes.map(Phase::clone);
     match part {
         Part::Kinetic => {
-            H::drift::<R, f64>(&mut motion, 1.0, time);
-            motion.store(lane, &mut moved);
-            moved.q.flat().to_vec()
+            carry::<H, R>(parameters, &[(Flow::First, 1.0)], &mut moved, time);
+            moved[lane].q.flat().to_vec()
         }
         Part::Potential => {
-            H::kick::<R, f64>(&mut motion, 1.0, time);
-            motion.store(lane, &mut moved);
-            negated(moved.p.flat())
+            carry::<H, R>(parameters, &[(Flow::Last, 1.0)], &mut moved, time);
+            negated(moved[lane].p.flat())
         }
     }
 }

@@ -12,11 +12,12 @@
 use crate::{
     check::{
         CheckError,
+        flow::Flow,
         oracle::tangent::{Carry, matrix},
         property::{
             course::Course,
             energies::{Part, gradient_tolerance, slopes},
-            part_flows::{Flow, Flows},
+            part_flows::Flows,
             slope::{KNOWN, SAFETY, Slope, slope_of},
             symplecticity::{Defect, defect_of},
         },

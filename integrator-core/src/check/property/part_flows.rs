@@ -3,26 +3,15 @@
 //! Always true: they move a state of the system in its own layout, by the flows that a run calls.
 
 use crate::{
-    check::property::energies::{Differentiable, Energies},
-    hamiltonian::Hamiltonian,
-    scalar::{dual::Dual, real::Real},
-    state::{
-        flat::{Flat, flat, shaped},
-        phase::Phase,
+    check::{
+        flow::{Flow, carry},
+        property::energies::{Differentiable, Energies},
     },
+    hamiltonian::Hamiltonian,
+    scalar::dual::Dual,
+    state::flat::{Flat, flat, shaped},
     system::motion::Motion,
 };
-
-/// A flow of the generated code.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Flow {
-    /// The flow of the first part.
-    First,
-    /// The flows of the parts between the first and the last, in their order or backwards.
-    Middle { backwards: bool },
-    /// The flow of the last part.
-    Last,
-}
 
 /// The flows of a system, one after the other, whatever the shape of its coordinates.
 pub(crate) trait Flows: Differentiable {
@@ -71,26 +60,5 @@ impl<H: Hamiltonian> Flows for Energies<'_, H> {
         }
         let [point, tangent] = lanes.map(|point| flat(&point));
         (point, tangent)
-    }
-}
-
-/// Moves a point by some flows, with a tangent in the second lane if the scalar has one.
-fn carry<H: Hamiltonian, R: Real>(
-    parameters: &H::Parameters<f64>,
-    flows: &[(Flow, f64)],
-    lanes: &mut [Phase<H::Coords>; 2],
-    time: f64,
-) {
-    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &[&lanes[0], &lanes[1]]);
-    H::begin_step::<R, f64>(&mut motion, time);
-    for &(flow, duration) in flows {
-        match flow {
-            Flow::First => H::drift::<R, f64>(&mut motion, duration, time),
-            Flow::Middle { backwards } => H::middle::<R, f64>(&mut motion, duration, time, backwards),
-            Flow::Last => H::kick::<R, f64>(&mut motion, duration, time),
-        }
-    }
-    for (lane, point) in lanes.iter_mut().enumerate().take(R::LANES) {
-        motion.store(lane, point);
     }
 }
