@@ -12,7 +12,7 @@ use crate::{
         given::Given,
         jacobi_map::{JacobiConstants, Part, body_at, parts, to_inertial, to_jacobi},
         load_store::{body_and_lane, values},
-        rows::{Coordinates, Rows, bodies_of_row, body, points, set_points},
+        rows::{Coordinates, Rows, bodies_of_row, points, set_points},
     },
     scalar::{
         double_double::DoubleDouble,
@@ -197,10 +197,8 @@ fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[
     }
     let zero = L::Row::of(0.0);
     let (mut way, mut failed, mut has_failed) = ([[zero; D]; 2], zero, false);
-    let read = |row: &L::Row, part: usize| Row::<L::Scalar>::parts(row)[part];
-    let write = |row: &mut L::Row, part: usize, number| Row::<L::Scalar>::parts_mut(row)[part] = number;
     for part in 0..<L::Row as Row<L::Scalar>>::PARTS {
-        let of = |row: &L::Row| read(row, part);
+        let of = |row: &L::Row| -> L::Scalar { row.part(part) };
         let (mut q, mut p) = ([of(&body.q[0]); D], [of(&body.p[0]); D]);
         for d in 1..D {
             (q[d], p[d]) = (of(&body.q[d]), of(&body.p[d]));
@@ -209,12 +207,12 @@ fn way<L: Rows<D>, const D: usize>(body: &Body<L::Row, D>, duration: f64) -> ([[
         let moved = moved::<L::Scalar, L::Scalar, D>(body, L::Scalar::of(duration));
         for (rows, numbers) in way.iter_mut().zip([moved.q, moved.p]) {
             for (row, number) in rows.iter_mut().zip(numbers) {
-                write(row, part, number);
+                row.set_part(part, number);
             }
         }
         has_failed |= moved.failed.any();
         let one = L::Scalar::of(1.0);
-        write(&mut failed, part, <L::Scalar as Real>::select(moved.failed, one, L::Scalar::of(0.0)));
+        failed.set_part(part, <L::Scalar as Real>::select(moved.failed, one, L::Scalar::of(0.0)));
     }
     (way, has_failed.then_some(failed))
 }
@@ -541,7 +539,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         for (row, (slots, weights)) in self.bodies.rows()[0].iter().zip(&*self.weights).enumerate() {
             let attractions = weights.attraction / squares(values(slots), weights).sqrt();
             for lane in 0..bodies_of_row(row, L::WIDTH, self.bodies.bodies()).len() {
-                sum += body(&attractions, lane);
+                sum += attractions.part(lane);
             }
         }
         sum

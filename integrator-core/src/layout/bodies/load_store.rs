@@ -2,7 +2,7 @@
 
 use crate::{
     layout::bodies::pair_sums::BodyConstants,
-    scalar::{real::Real, simd::row::Row},
+    scalar::real::Real,
     state::{
         coords::Coords,
         phase::Phase,
@@ -85,10 +85,4 @@ pub(crate) fn values<W: Real, L: Slot<W>, const D: usize>(slots: &[L; D]) -> [W;
         values[d] = slots[d].value();
     }
     values
-}
-
-/// One body's number of a row.
-#[inline(always)]
-pub(crate) fn element<R: Real>(row: impl Row<R>, body: usize) -> R {
-    R::state(&|lane| row.lane(body * R::LANES + lane))
 }

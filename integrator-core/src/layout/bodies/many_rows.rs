@@ -2,7 +2,7 @@
 
 use crate::{
     layout::bodies::{
-        load_store::{element, load_constants, pack, row_of, unpack, values},
+        load_store::{load_constants, pack, row_of, unpack, values},
         neighbours::{Cutoffs, Neighbours, Sum},
         pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
     },
@@ -289,7 +289,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         let flat = |slots: &[[K::Slot<R::Row<WIDTH>>; D]]| {
             C::slots_from(self.bodies * D, |k| {
                 let body = k / D;
-                element(slots[body / WIDTH][k % D].value(), body % WIDTH)
+                slots[body / WIDTH][k % D].value().part(body % WIDTH)
             })
         };
         Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }

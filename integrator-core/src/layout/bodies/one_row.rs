@@ -2,7 +2,7 @@
 
 use crate::{
     layout::bodies::{
-        load_store::{element, load_constants, pack, row_of, unpack, values},
+        load_store::{load_constants, pack, row_of, unpack, values},
         pair_sums::{Bodies, BodyConstants, ManyBody, intra_row},
     },
     scalar::{real::Real, simd::row::Row},
@@ -85,7 +85,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const N: usize, const D: usize, cons
     }
     /// The motion in the user's own shape, with slots that hold numbers and nothing else.
     pub fn plain<C: Coords<Leaf = f64>>(&self) -> Plain<R, C, P> {
-        let flat = |slots: &[K::Slot<R::Row<N>>; D]| C::slots_from(N * D, |k| element(slots[k % D].value(), k / D));
+        let flat = |slots: &[K::Slot<R::Row<N>>; D]| C::slots_from(N * D, |k| slots[k % D].value().part(k / D));
         Plain { q: flat(&self.q), p: flat(&self.p), parameters: self.parameters.clone() }
     }
     /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.

@@ -141,7 +141,7 @@ impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
         let zero = R::of(0.0);
         let mut one = Bodies { q: [zero; D], constants: [zero; S] };
         for (one, all) in one.q.iter_mut().zip(&self.q).chain(one.constants.iter_mut().zip(&self.constants)) {
-            *one = all.parts()[part];
+            *one = all.part(part);
         }
         one
     }
@@ -193,7 +193,7 @@ where
         let (i, j) = (i.part::<R>(part), j.part::<R>(part));
         let force = H::pair::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
         for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
-            forces.parts_mut()[part] = *force;
+            forces.set_part(part, *force);
         }
     }
     forces
@@ -217,7 +217,7 @@ where
     let mut energies = W::of(0.0);
     for part in 0..W::PARTS {
         let (i, j) = (i.part::<R>(part), j.part::<R>(part));
-        energies.parts_mut()[part] = H::energy::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
+        energies.set_part(part, H::energy::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time));
     }
     energies
 }

@@ -2,7 +2,7 @@
 
 use crate::{
     layout::bodies::{
-        load_store::{body_and_lane, element},
+        load_store::body_and_lane,
         many_rows::{ManyRows, WIDTH},
         one_row::OneRow,
     },
@@ -129,20 +129,12 @@ pub(crate) fn bodies_of_row(row: usize, width: usize, bodies: usize) -> Range<us
     row * width..bodies.min((row + 1) * width)
 }
 
-/// The number of a body in a row, as the row has it.
-pub(crate) fn body<R: Real>(row: &impl Row<R>, body: usize) -> R {
-    match row.parts() {
-        [] => element(*row, body),
-        parts => parts[body],
-    }
-}
-
 /// The points of all bodies.
 pub(crate) fn points<L: Rows<D>, const D: usize>(layout: &L, rows: &[Coordinates<L, D>]) -> Vec<[L::Scalar; D]> {
     let (mut points, bodies) = (Vec::with_capacity(layout.bodies()), layout.bodies());
     for (number, row) in rows.iter().enumerate() {
         for lane in 0..bodies_of_row(number, L::WIDTH, bodies).len() {
-            points.push(row.map(|slot| body::<L::Scalar>(&slot.value(), lane)));
+            points.push(row.map(|slot| slot.value().part(lane)));
         }
     }
     points
@@ -150,12 +142,15 @@ pub(crate) fn points<L: Rows<D>, const D: usize>(layout: &L, rows: &[Coordinates
 
 /// A row of the bodies of a range; lanes after the last of them repeat the first ones.
 fn row_of<R: Real, W: Row<R>>(bodies: &Range<usize>, number: impl Fn(usize) -> R) -> W {
-    let mut row = W::state(&|lane| {
-        let (body, lane) = body_and_lane::<R>(bodies, lane);
-        number(body).lane(lane)
-    });
-    for (lane, part) in row.parts_mut().iter_mut().enumerate() {
-        *part = number(bodies.start + lane % bodies.len());
+    if const { W::PARTS == 0 } {
+        return W::state(&|lane| {
+            let (body, lane) = body_and_lane::<R>(bodies, lane);
+            number(body).lane(lane)
+        });
+    }
+    let mut row = W::of(0.0);
+    for part in 0..W::PARTS {
+        row.set_part(part, number(bodies.start + part % bodies.len()));
     }
     row
 }

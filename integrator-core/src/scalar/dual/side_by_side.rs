@@ -144,6 +144,7 @@ impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, f
     for Dual<V, N, true, SENSITIVE>
 {
     const UNROLLED: bool = V::UNROLLED;
+    const PARTS: usize = V::PARTS;
 
     #[inline(always)]
     fn splat(x: Dual<F, N, false, SENSITIVE>) -> Self {
@@ -172,6 +173,21 @@ impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, f
     #[inline(always)]
     fn permute(self, indices: &[u64; 8]) -> Self {
         dual!(self.value.permute(indices), direction => self.along[direction].permute(indices))
+    }
+    #[inline(always)]
+    fn part(&self, body: usize) -> Dual<F, N, false, SENSITIVE> {
+        let mut part = Dual { value: self.value.part(body), along: [F::of(0.0); N] };
+        for (part, along) in part.along.iter_mut().zip(&self.along) {
+            *part = along.part(body);
+        }
+        part
+    }
+    #[inline(always)]
+    fn set_part(&mut self, body: usize, number: Dual<F, N, false, SENSITIVE>) {
+        self.value.set_part(body, number.value);
+        for (along, number) in self.along.iter_mut().zip(number.along) {
+            along.set_part(body, number);
+        }
     }
     #[inline(always)]
     fn transposed(

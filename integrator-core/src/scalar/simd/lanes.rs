@@ -43,20 +43,15 @@ impl<F: Copy, const N: usize> Lanes<F, N> {
     pub(crate) fn of_parts(parts: [F; N]) -> Self {
         Self(parts)
     }
-    /// The parts.
-    #[inline(always)]
-    pub(crate) fn parts(&self) -> &[F] {
-        &self.0
-    }
-    /// The parts, to be written.
-    #[inline(always)]
-    pub(crate) fn parts_mut(&mut self) -> &mut [F] {
-        &mut self.0
-    }
     /// Returns a part of the vector.
     #[inline(always)]
     pub(crate) fn part(self, part: usize) -> F {
         self.0[part]
+    }
+    /// Sets a part of the vector.
+    #[inline(always)]
+    pub(crate) fn set_part(&mut self, part: usize, number: F) {
+        self.0[part] = number;
     }
     #[inline(always)]
     fn map(self, of: impl Fn(F) -> F) -> Self {

@@ -9,7 +9,7 @@ pub trait Row<R: Real>: Real {
     /// Whether loops over rotations are unrolled, because rows are few registers: rotations by a known number of lanes
     /// are instructions there. Where every body is a number of its own, this would be sixty-four copies of a force.
     const UNROLLED: bool = true;
-    /// The number of parts that a row is computed in one by one; zero where it is computed in as a whole.
+    /// The number of parts that a row is computed in one by one, each of them a body; zero where it is computed in as a whole.
     const PARTS: usize = 0;
 
     /// The row with `x` in every lane.
@@ -28,16 +28,14 @@ pub trait Row<R: Real>: Real {
     /// Prefetches an address that will be read soon and once, by this thread only. Nothing is read here.
     #[inline(always)]
     fn fetch_once<T>(_address: *const T) {}
-    /// The parts, if a row is made of such: each may fill registers of its own.
+    /// The number of one body.
     #[inline(always)]
-    fn parts(&self) -> &[R] {
-        &[]
+    fn part(&self, body: usize) -> R {
+        R::state(&|lane| self.lane(body * R::LANES + lane))
     }
-    /// The parts, to be written.
+    /// Sets the number of one body, of a row that is made of such parts.
     #[inline(always)]
-    fn parts_mut(&mut self) -> &mut [R] {
-        &mut []
-    }
+    fn set_part(&mut self, _body: usize, _number: R) {}
 }
 
 /// A body is a row of one.
@@ -110,17 +108,17 @@ impl<R: Real, const BODIES: usize> Row<R> for Lanes<R, BODIES> {
         for body in 0..BODIES {
             let point = points[indices[body] as usize * stride + offset];
             for (row, number) in rows.iter_mut().zip(point) {
-                row.parts_mut()[body] = number;
+                row.set_part(body, number);
             }
         }
         rows
     }
     #[inline(always)]
-    fn parts(&self) -> &[R] {
-        self.parts()
+    fn part(&self, body: usize) -> R {
+        Self::part(*self, body)
     }
     #[inline(always)]
-    fn parts_mut(&mut self) -> &mut [R] {
-        self.parts_mut()
+    fn set_part(&mut self, body: usize, number: R) {
+        Self::set_part(self, body, number);
     }
 }

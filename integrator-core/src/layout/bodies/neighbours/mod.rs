@@ -19,7 +19,7 @@ mod tests;
 
 use crate::{
     layout::bodies::{
-        load_store::{element, values},
+        load_store::values,
         many_rows::WIDTH,
         pair_sums::{ManyBody, add},
     },
@@ -224,7 +224,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
             let [sum] = gathered::<R, R::Row<WIDTH>, 1>(&results, slots);
             let sum = own.map_or(sum, |own| own + sum);
             for lane in 0..slots.len() {
-                total += element(sum, lane);
+                total += sum.part(lane);
             }
         }
         total
