@@ -19,24 +19,32 @@ impl<K: Precision> Given<K> {
     pub(super) fn of<C: Coords<Leaf = K>>(states: &[&Phase<C>]) -> Self {
         let mut lanes = Vec::with_capacity(states.len());
         for state in states {
-            lanes.push([state.q.flat(), state.p.flat()].concat());
+            let (q, p) = (state.q.flat(), state.p.flat());
+            let mut lane = Vec::with_capacity(q.len() + p.len());
+            lane.extend_from_slice(q);
+            lane.extend_from_slice(p);
+            lanes.push(lane);
         }
         Self(Some(lanes.into()))
     }
 
     /// The states in lanes of others; none, where one of these has moved.
     pub(super) fn gathered(lanes: &[(&Self, usize)]) -> Self {
-        let state = |(given, lane): &(&Self, usize)| Some(given.0.as_ref()?[*lane].clone());
-        Self(lanes.iter().map(state).collect())
+        let mut states = Vec::with_capacity(lanes.len());
+        for (given, lane) in lanes {
+            let Some(given) = &given.0 else { return Self(None) };
+            states.push(given[*lane].clone());
+        }
+        Self(Some(states.into()))
     }
 
     /// Writes the state of a lane, if it is still there.
     pub(super) fn show<C: Coords<Leaf = K>>(&self, lane: usize, to: &mut Phase<C>) -> bool {
         let Some(lanes) = &self.0 else { return false };
         let (q, p) = (to.q.flat_mut(), to.p.flat_mut());
-        for (leaf, given) in q.iter_mut().chain(p).zip(&lanes[lane]) {
-            *leaf = *given;
-        }
+        let (given_q, given_p) = lanes[lane].split_at(q.len());
+        q.copy_from_slice(given_q);
+        p.copy_from_slice(given_p);
         true
     }
 

@@ -10,12 +10,14 @@ use crate::{
     flow::kepler::{moved, universal::Body},
     layout::bodies::{
         given::Given,
-        jacobi_map::{JacobiConstants, Part, body_at, parts, to_inertial, to_jacobi},
+        jacobi_map::{
+            Digits, JacobiConstants, Map, Part, body_at, digits_to_inertial, digits_to_jacobi, parts, to_inertial,
+            to_jacobi,
+        },
         load_store::{body_and_lane, values},
         rows::{Coordinates, Rows, bodies_of_row, points, set_points},
     },
     scalar::{
-        double_double::DoubleDouble,
         real::{Mask, Real},
         simd::row::Row,
     },
@@ -96,69 +98,62 @@ impl<W: Real> Weights<W> {
     }
 }
 
-/// The map of the coordinates and momenta of bodies with these shares.
-type Map<R, const D: usize> = fn(&[R], &mut [[R; D]], &mut [[R; D]]);
-
-/// A state in other coordinates.
-fn mapped<C: Coords, const D: usize>(shares: &[f64], state: &Phase<C>, map: Map<DoubleDouble, D>) -> Phase<C> {
-    let point = |leaves: &[C::Leaf; D]| {
-        let mut point = [DoubleDouble::of(0.0); D];
-        for (number, leaf) in point.iter_mut().zip(leaves) {
-            *number = DoubleDouble::state(&|part| leaf.parts()[part]);
-        }
-        point
-    };
-    let numbers =
-        |leaves: &C| -> Vec<[DoubleDouble; D]> { leaves.flat().as_chunks::<D>().0.iter().map(point).collect() };
-    let shares: Vec<_> = shares.iter().map(|share| DoubleDouble::of(*share)).collect();
-    let (mut q, mut p) = (numbers(&state.q), numbers(&state.p));
-    map(&shares, &mut q, &mut p);
-    let mut mapped = state.clone();
-    for (leaves, points) in [(&mut mapped.q, &q), (&mut mapped.p, &p)] {
-        for (leaf, number) in leaves.flat_mut().iter_mut().zip(points.as_flattened()) {
-            *leaf = C::Leaf::from_parts([number.lane(0), number.lane(1)]);
+/// Maps a state with twice the digits.
+fn map_state<C: Coords>(state: &mut Phase<C>, map: impl FnOnce(&mut Digits)) {
+    let mut digits = [digits(state.q.flat()), digits(state.p.flat())];
+    map(&mut digits);
+    for (leaves, digits) in [state.q.flat_mut(), state.p.flat_mut()].into_iter().zip(&digits) {
+        for (leaf, digits) in leaves.iter_mut().zip(digits) {
+            *leaf = C::Leaf::from_parts(*digits);
         }
     }
-    mapped
 }
 
-/// Sorts a list with `many` elements for each body into the order of rows, where the leading body is first.
-fn in_order_of_rows<T>(of_bodies: &mut [T], leading: usize, many: usize) {
-    if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
-        moved.rotate_right(many);
+fn digits<K: Precision>(leaves: &[K]) -> Vec<[f64; 2]> {
+    let mut digits = Vec::with_capacity(leaves.len());
+    for leaf in leaves {
+        digits.push(leaf.parts());
     }
+    digits
+}
+
+/// Sorts what belongs to bodies into the order of rows, where the leading body is first.
+fn in_order_of_rows<T: Copy>(of_bodies: &mut [T], leading: usize) {
+    let Some(&first) = of_bodies.get(leading) else { return };
+    for place in (0..leading).rev() {
+        of_bodies[place + 1] = of_bodies[place];
+    }
+    of_bodies[0] = first;
 }
 
 /// Undoes [`in_order_of_rows`].
-fn in_users_order<T>(of_bodies: &mut [T], leading: usize, many: usize) {
-    if let Some(moved) = of_bodies.get_mut(..(leading + 1) * many) {
-        moved.rotate_left(many);
+fn in_users_order<T: Copy>(of_bodies: &mut [T], leading: usize) {
+    let (true, Some(&first)) = (leading < of_bodies.len(), of_bodies.first()) else { return };
+    for place in 0..leading {
+        of_bodies[place] = of_bodies[place + 1];
     }
+    of_bodies[leading] = first;
 }
 
-/// A state with its bodies in the order of rows.
-fn led<C: Coords, const D: usize>(state: &Phase<C>, leading: usize) -> Phase<C> {
-    let mut state = state.clone();
-    for leaves in [&mut state.q, &mut state.p] {
-        in_order_of_rows(leaves.flat_mut(), leading, D);
-    }
-    state
-}
-
-/// The states of members with their bodies in the order of rows.
-fn led_states<C: Coords, Q: JacobiConstants, const D: usize>(constants: &[&Q], states: &[&Phase<C>]) -> Vec<Phase<C>> {
-    let mut led = Vec::with_capacity(states.len());
+/// The states of members as they are loaded: in Jacobi coordinates where these are mapped with twice the digits, and else with
+/// their bodies in the order of rows.
+fn own_states<C: Coords, Q: JacobiConstants, const D: usize>(
+    constants: &[&Q],
+    states: &[&Phase<C>],
+    mapped: bool,
+) -> Vec<Phase<C>> {
+    let mut own = Vec::with_capacity(states.len());
     for (constants, state) in constants.iter().zip(states) {
-        led.push(self::led::<C, D>(state, constants.leading_body()));
-    }
-    led
-}
-
-/// The states of members in Jacobi coordinates, mapped with twice the digits.
-fn own_states<C: Coords, Q: JacobiConstants, const D: usize>(constants: &[&Q], states: &[&Phase<C>]) -> Vec<Phase<C>> {
-    let mut own = led_states::<C, Q, D>(constants, states);
-    for (constants, state) in constants.iter().zip(&mut own) {
-        *state = mapped(&shares_of(*constants, state.q.length()), state, to_jacobi::<DoubleDouble, D>);
+        let (mut state, leading) = ((*state).clone(), constants.leading_body());
+        if mapped {
+            let parts = parts(*constants, state.q.length());
+            map_state(&mut state, |digits| digits_to_jacobi(&parts, leading, D, digits));
+        } else {
+            for leaves in [&mut state.q, &mut state.p] {
+                in_order_of_rows(leaves.flat_mut().as_chunks_mut::<D>().0, leading);
+            }
+        }
+        own.push(state);
     }
     own
 }
@@ -172,11 +167,11 @@ fn parts_of_members<Q: JacobiConstants>(constants: &[&Q], bodies: usize) -> Vec<
 }
 
 fn references<T>(of: &[T]) -> Vec<&T> {
-    of.iter().collect()
-}
-
-fn shares_of(constants: &impl JacobiConstants, bodies: usize) -> Vec<f64> {
-    parts(constants, bodies).iter().map(|part| part.share).collect()
+    let mut references = Vec::with_capacity(of.len());
+    for one in of {
+        references.push(one);
+    }
+    references
 }
 
 /// A state of this many numbers, all zero.
@@ -239,24 +234,27 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     /// constants are zero.
     fn shares(&self, lane: usize) -> Vec<f64> {
         let lane = lane - lane % (L::Scalar::LANES / L::Scalar::MEMBERS.max(1));
-        let share = |body: usize| self.weights[body / L::WIDTH].share.lane(body % L::WIDTH * L::Scalar::LANES + lane);
-        (0..self.bodies.bodies()).map(share).collect()
+        let mut shares = Vec::with_capacity(self.bodies.bodies());
+        for body in 0..self.bodies.bodies() {
+            shares.push(self.weights[body / L::WIDTH].share.lane(body % L::WIDTH * L::Scalar::LANES + lane));
+        }
+        shares
     }
 
     /// The points of all bodies in inertial coordinates and in the user's order, mapped in the scalar of flows.
     fn inertial_points(&self) -> [Vec<[L::Scalar; D]>; 2] {
         let mut mapped = self.mapped(to_inertial);
         for points in &mut mapped {
-            in_users_order(points, self.leading, 1);
+            in_users_order(points, self.leading);
         }
         mapped
     }
 
     /// The points of all bodies, mapped in the scalar of flows.
     fn mapped(&self, map: Map<L::Scalar, D>) -> [Vec<[L::Scalar; D]>; 2] {
-        let shares: Vec<_> = self.shares(0).into_iter().map(L::Scalar::of).collect();
-        let [mut q, mut p] = self.bodies.rows().map(|rows| points(&self.bodies, rows));
-        map(&shares, &mut q, &mut p);
+        let [q, p] = self.bodies.rows();
+        let [mut q, mut p] = [points(&self.bodies, q), points(&self.bodies, p)];
+        map(&self.shares(0), &mut q, &mut p);
         [q, p]
     }
 }
@@ -270,7 +268,7 @@ where
     const MIXES: bool = true;
 
     fn load(constants: &[&Q], states: &[&Phase<C>]) -> Self {
-        let own = if const { Self::PLAIN } { own_states::<C, Q, D> } else { led_states::<C, Q, D> }(constants, states);
+        let own = own_states::<C, Q, D>(constants, states, Self::PLAIN);
         let mut motion = Self::load_own(constants, &references(&own));
         motion.given = Given::of(states);
         if const { !Self::PLAIN } {
@@ -307,11 +305,8 @@ where
         }
         if const { Self::PLAIN } {
             self.store_own(lane, to);
-            *to = mapped(&self.shares(lane), to, to_inertial::<DoubleDouble, D>);
-            for leaves in [&mut to.q, &mut to.p] {
-                in_users_order(leaves.flat_mut(), self.leading, D);
-            }
-            return;
+            let (shares, leading) = (self.shares(lane), self.leading);
+            return map_state(to, |digits| digits_to_inertial(&shares, leading, D, digits));
         }
         let [q, p] = self.inertial_points();
         for (leaves, points) in [(&mut to.q, &q), (&mut to.p, &p)] {
@@ -589,11 +584,12 @@ impl<L: Rows<D, Leaf = f64, AtRest = L>, const D: usize> Jacobi<L, D> {
     }
 
     /// Puts the bodies of [`Jacobi::inertial`] in another order, which the product with the Hessian reads.
-    fn reorder_inertial(&mut self, order: fn(&mut [[L::Scalar; D]], usize, usize)) {
+    fn reorder_inertial(&mut self, order: fn(&mut [[L::Scalar; D]], usize)) {
         if self.leading > 0 {
-            let mut moved = self.inertial.rows().map(|rows| points(&self.inertial, rows));
+            let [q, p] = self.inertial.rows();
+            let mut moved = [points(&self.inertial, q), points(&self.inertial, p)];
             for (rows, points) in self.inertial.rows_mut().into_iter().zip(&mut moved) {
-                order(points, self.leading, 1);
+                order(points, self.leading);
                 set_points::<L, D>(rows, points);
             }
         }

@@ -8,7 +8,10 @@
 //! The first of these bodies is the one that leads, wherever the user's order has it: a light body with the momentum `p[0]` in
 //! front of a heavy one would have `P[1] = p[1] - mu[1] (p[0] + p[1])`, of which nothing but rounding errors are left.
 
-use crate::{error::Error, scalar::real::Real};
+use crate::{
+    error::Error,
+    scalar::{double_double::DoubleDouble, real::Real},
+};
 use alloc::vec::Vec;
 
 /// Masses and attractions of the bodies, from which Jacobi coordinates follow. `#[hamiltonian]` implements it.
@@ -84,7 +87,7 @@ const ROUNDINGS: f64 = 16.0;
 ///
 /// # Errors
 /// [`Error::Mass`]
-pub fn are_masses_of_kinetic(constants: &impl JacobiConstants, bodies: usize) -> Result<(), Error> {
+pub fn are_masses_of_kinetic(constants: &dyn JacobiConstants, bodies: usize) -> Result<(), Error> {
     for body in 0..bodies {
         let [mass, _] = constants.mass_and_attraction(body);
         let one = mass * constants.inverse_mass(body);
@@ -109,7 +112,7 @@ pub(crate) struct Part {
 }
 
 /// The parts of this number of bodies, the leading one first.
-pub(crate) fn parts(constants: &impl JacobiConstants, bodies: usize) -> Vec<Part> {
+pub(crate) fn parts(constants: &dyn JacobiConstants, bodies: usize) -> Vec<Part> {
     let (mut parts, mut sum) = (Vec::with_capacity(bodies), 0.0);
     for body in 0..bodies {
         let body = body_at(constants.leading_body(), body);
@@ -123,36 +126,83 @@ pub(crate) fn parts(constants: &impl JacobiConstants, bodies: usize) -> Vec<Part
     parts
 }
 
+/// The share of each body in the masses up to it.
+pub(crate) fn shares(parts: &[Part]) -> Vec<f64> {
+    parts.iter().map(|part| part.share).collect()
+}
+
+/// The map of the coordinates and momenta of bodies with these shares.
+pub(crate) type Map<R, const D: usize> = fn(&[f64], &mut [[R; D]], &mut [[R; D]]);
+
 /// Makes Jacobi coordinates of inertial ones.
-pub(crate) fn to_jacobi<R: Real, const D: usize>(shares: &[R], q: &mut [[R; D]], p: &mut [[R; D]]) {
-    let zero = R::of(0.0);
-    let mut centre = q.first().copied().unwrap_or([zero; D]);
-    let mut total = p.first().copied().unwrap_or([zero; D]);
+pub(crate) fn to_jacobi<R: Real, const D: usize>(shares: &[f64], q: &mut [[R; D]], p: &mut [[R; D]]) {
+    let (&[mut centre, ..], &[mut total, ..]) = (&*q, &*p) else { return };
     for body in 1..shares.len() {
+        let share = R::of(shares[body]);
         for d in 0..D {
             q[body][d] -= centre[d];
-            centre[d] = shares[body].fma(q[body][d], centre[d]);
+            centre[d] = share.fma(q[body][d], centre[d]);
             total[d] += p[body][d];
-            p[body][d] = (-shares[body]).fma(total[d], p[body][d]);
+            p[body][d] = (-share).fma(total[d], p[body][d]);
         }
     }
-    if let ([q, ..], [p, ..]) = (q, p) {
-        (*q, *p) = (centre, total);
-    }
+    (q[0], p[0]) = (centre, total);
 }
 
 /// Makes inertial coordinates of Jacobi ones: the inverse of [`to_jacobi`].
-pub(crate) fn to_inertial<R: Real, const D: usize>(shares: &[R], q: &mut [[R; D]], p: &mut [[R; D]]) {
+pub(crate) fn to_inertial<R: Real, const D: usize>(shares: &[f64], q: &mut [[R; D]], p: &mut [[R; D]]) {
     let (&[mut centre, ..], &[mut total, ..]) = (&*q, &*p) else { return };
     for body in (1..shares.len()).rev() {
+        let share = R::of(shares[body]);
         for d in 0..D {
-            centre[d] = (-shares[body]).fma(q[body][d], centre[d]);
+            centre[d] = (-share).fma(q[body][d], centre[d]);
             q[body][d] += centre[d];
-            p[body][d] = shares[body].fma(total[d], p[body][d]);
+            p[body][d] = share.fma(total[d], p[body][d]);
             total[d] -= p[body][d];
         }
     }
     (q[0], p[0]) = (centre, total);
+}
+
+/// The numbers of a state with twice the digits, in two parts each: positions and momenta of all bodies, in the user's order
+/// or in that of rows.
+pub(crate) type Digits = [Vec<[f64; 2]>; 2];
+
+/// Makes Jacobi coordinates of a state's inertial ones, and sorts bodies into the order of rows.
+pub(crate) fn digits_to_jacobi(parts: &[Part], leading: usize, dimensions: usize, state: &mut Digits) {
+    for half in &mut *state {
+        if let Some(moved) = half.get_mut(..(leading + 1) * dimensions) {
+            moved.rotate_right(dimensions);
+        }
+    }
+    map_digits(&shares(parts), dimensions, to_jacobi, state);
+}
+
+/// Makes inertial coordinates of a state's Jacobi ones, and sorts bodies into the user's order.
+pub(crate) fn digits_to_inertial(shares: &[f64], leading: usize, dimensions: usize, state: &mut Digits) {
+    map_digits(shares, dimensions, to_inertial, state);
+    for half in state {
+        if let Some(moved) = half.get_mut(..(leading + 1) * dimensions) {
+            moved.rotate_left(dimensions);
+        }
+    }
+}
+
+/// Maps a state, one coordinate of all bodies after the other, so that this is compiled once for any number of dimensions.
+fn map_digits(shares: &[f64], dimensions: usize, map: Map<DoubleDouble, 1>, [q, p]: &mut Digits) {
+    for d in 0..dimensions {
+        let coordinate = |half: &[[f64; 2]]| -> Vec<_> {
+            half.iter().skip(d).step_by(dimensions).map(|parts| [DoubleDouble::state(&|part| parts[part])]).collect()
+        };
+        let mut mapped = [coordinate(q), coordinate(p)];
+        let [of_q, of_p] = &mut mapped;
+        map(shares, of_q, of_p);
+        for (half, mapped) in [&mut *q, &mut *p].into_iter().zip(&mapped) {
+            for (parts, [number]) in half.iter_mut().skip(d).step_by(dimensions).zip(mapped) {
+                *parts = [number.lane(0), number.lane(1)];
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -177,7 +227,7 @@ mod tests {
     }
 
     fn shares() -> Vec<f64> {
-        parts(&Masses, 4).iter().map(|part| part.share).collect()
+        super::shares(&parts(&Masses, 4))
     }
 
     fn point(seed: f64) -> [[f64; 2]; 4] {
