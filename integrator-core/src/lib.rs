@@ -201,7 +201,7 @@ pub mod __private {
         error::{Error, NotFinite},
         flow::{
             doubled::Doubled,
-            kepler::{Kepler, OfBody},
+            kepler::{Kepler, OfBody, shared::shared},
             quadratic::{Form, Quadratic, QuadraticPart},
         },
         hamiltonian::Hamiltonian,

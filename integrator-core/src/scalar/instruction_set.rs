@@ -108,7 +108,7 @@ fn avx512_available() -> bool {
 }
 
 /// Runs `kernel` in code compiled for the target as it is: a function of its own, so that a kernel is compiled once and
-/// not wherever it is run.
+/// not wherever it is run, and not at all where the library has a copy.
 #[inline(never)]
 pub(crate) fn enter_baseline<K: Kernel>(kernel: K) -> K::Out {
     kernel.call()
@@ -141,11 +141,17 @@ pub(crate) fn enter_fused<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
+    #[inline(never)]
+    #[target_feature(enable = "avx2,fma")]
+    fn apart<K: Kernel>(kernel: K) -> K::Out {
+        variant(kernel)
+    }
+
     if !fused_available() {
         lacking(InstructionSet::Fused);
     }
-    // SAFETY: the features that `variant` is compiled for were detected.
-    unsafe { variant(kernel) }
+    // SAFETY: the features that the variants are compiled for were detected.
+    unsafe { if const { K::APART } { apart(kernel) } else { variant(kernel) } }
 }
 
 /// Fused multiply-add is part of the target here, or absent: there is no variant to enter.
@@ -173,11 +179,17 @@ pub(crate) fn enter_avx512<K: Kernel>(kernel: K) -> K::Out {
         kernel.call()
     }
 
+    #[inline(never)]
+    #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx512bw,avx2,fma,popcnt")]
+    fn apart<K: Kernel>(kernel: K) -> K::Out {
+        variant(kernel)
+    }
+
     if !avx512_available() {
         lacking(InstructionSet::Avx512);
     }
-    // SAFETY: the features that `variant` is compiled for were detected.
-    unsafe { variant(kernel) }
+    // SAFETY: the features that the variants are compiled for were detected.
+    unsafe { if const { K::APART } { apart(kernel) } else { variant(kernel) } }
 }
 
 /// Nobody chooses a set that the machine lacks.

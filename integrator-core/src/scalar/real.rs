@@ -15,6 +15,9 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub trait Kernel {
     /// The type that it returns.
     type Out;
+    /// Whether its variant is never inlined, because it is seldom run: the compiler links such a function to the copy of the
+    /// library, if that has one.
+    const APART: bool = false;
 
     /// Runs it; implementations are `inline(always)`.
     fn call(self) -> Self::Out;
@@ -115,7 +118,7 @@ macro_rules! declare_real {
             #[inline(always)]
             fn least() -> Self {
                 const LEAST: [f64; 2] = [f64::from_bits((1023 - 511) << 52), f64::from_bits((1023 - 63) << 52)];
-                let [double, single] = LEAST.map(Self::of);
+                let (double, single) = (Self::of(LEAST[0]), Self::of(LEAST[1]));
                 if double.lane(0) == 0.0 { single } else { double }
             }
             /// One lane, widened to `f64`.

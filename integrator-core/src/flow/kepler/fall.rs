@@ -68,6 +68,7 @@ pub(super) struct Fall<W, const D: usize> {
 
 impl<W: Real, const D: usize> Kernel for Fall<W, D> {
     type Out = End<W, D>;
+    const APART: bool = true;
 
     #[inline(always)]
     fn call(self) -> End<W, D> {

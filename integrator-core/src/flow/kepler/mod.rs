@@ -6,6 +6,8 @@
 //! could not be solved for becomes NaN, with a note of it.
 
 mod fall;
+pub(crate) mod faults;
+pub(crate) mod shared;
 mod slope;
 mod stumpff;
 #[cfg(test)]
@@ -22,7 +24,7 @@ use crate::{
     state::precision::Slot,
     system::motion::Solver,
 };
-use alloc::{vec, vec::Vec};
+use faults::Faults;
 use slope::Way;
 use universal::{Body, Increments};
 
@@ -52,8 +54,7 @@ impl<R: Real> OfBody<R> for [R] {
 /// The solver of the flow of a Kepler part, with a note of each lane in which it failed.
 #[derive(Clone, Default)]
 pub struct Kepler {
-    /// The faults by lanes; empty as long as all were solved.
-    unsolved: Vec<Option<Unsolved>>,
+    unsolved: Faults,
 }
 
 impl<P> Solver<P> for Kepler {
@@ -62,10 +63,10 @@ impl<P> Solver<P> for Kepler {
     }
     #[inline(always)]
     fn copy_state(&mut self, from: &Self) {
-        self.unsolved.clone_from(&from.unsolved);
+        self.unsolved.copy(&from.unsolved);
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
-        self.unsolved.get(lane)?.as_ref()
+        self.unsolved.of_lane(lane)
     }
 }
 
@@ -128,17 +129,17 @@ impl Kepler {
     #[cold]
     #[inline(never)]
     fn note<R: Real, L: Slot<R>, const D: usize>(&mut self, first: usize, failed: &[R], q: &[[L; D]], duration: R) {
-        if self.unsolved.is_empty() {
-            self.unsolved = vec![None; R::LANES];
-        }
         for (body, (failed, q)) in failed.iter().zip(q).enumerate() {
-            for lane in 0..R::LANES {
-                if failed.lane(lane) == 1.0 && self.unsolved[lane].is_none() {
-                    let square = q.iter().fold(R::of(0.0), |sum, slot| slot.value().fma(slot.value(), sum));
-                    let [distance, duration] = [square.sqrt(), duration].map(|number| number.lane(lane));
-                    self.unsolved[lane] = Some(Unsolved::Kepler { body: first + body, distance, duration });
-                }
+            let mut square = R::of(0.0);
+            for slot in q {
+                square = slot.value().fma(slot.value(), square);
             }
+            let distance = square.sqrt();
+            let fault = |lane| {
+                let [distance, duration] = [distance.lane(lane), duration.lane(lane)];
+                (failed.lane(lane) == 1.0).then_some(Unsolved::Kepler { body: first + body, distance, duration })
+            };
+            self.unsolved.note(R::LANES, &fault);
         }
     }
 }
@@ -146,10 +147,11 @@ impl Kepler {
 /// The way of a row of bodies that are computed in `R`.
 #[inline(always)]
 pub(crate) fn moved<R: Real, W: Real, const D: usize>(body: Body<W, D>, duration: W) -> Increments<W, D> {
-    if const { R::LANES == R::MEMBERS } {
+    if const { R::LANES == R::MEMBERS && (R::BEYOND_BASELINE || !cfg!(all(target_arch = "x86_64", feature = "std"))) } {
         return way(body, duration);
     }
-    // With derivatives it is so much code that one copy has to do for all stages.
+    // With derivatives it is so much code that one copy has to do for all stages; the baseline of x86 has few users, and the copy of
+    // the library serves all systems.
     R::enter(OneCopy { body, duration })
 }
 

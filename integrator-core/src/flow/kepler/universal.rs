@@ -16,7 +16,7 @@ use super::{
     fall::{End, Fall, come_from_far, falls},
     stumpff::{functions, shifted, small},
 };
-use crate::scalar::real::{Mask, Real};
+use crate::scalar::real::{Kernel, Mask, Real};
 use core::f64::consts::{PI, TAU};
 
 /// The largest correction in units of the conic's own scale, of which the terms that it neglects are the fourth power.
@@ -203,7 +203,8 @@ fn velocity_squared<W: Real, const D: usize>(body: &Body<W, D>, momentum: W) -> 
     let Body { p, inverse_mass, .. } = *body;
     let square = inverse_mass * inverse_mass;
     let [least, largest] = if is_single::<W>() { [1e-30, 1e37] } else { [1e-290, 1e307] };
-    let inside = W::of(least).less(square.min(momentum)).and(square.max(momentum).less(W::of(largest)));
+    let [least, largest] = [W::of(least), W::of(largest)];
+    let inside = least.less(square).and(square.less(largest)).and(least.less(momentum)).and(momentum.less(largest));
     let outside = inside.not();
     let velocity = square * momentum;
     if !outside.any() {
@@ -259,30 +260,43 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let (d, near) = place.correction(orbit.beta, s);
     // Within half a period no arc is longer. If the series has diverged, the later numbers are meaningless.
     let failed = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST))).not();
-    if failed.any() { search(orbit, s, failed) } else { Root { place, s, d, failed } }
+    if failed.any() { W::enter(Search { orbit: *orbit, s, open: failed }) } else { Root { place, s, d, failed } }
 }
 
-/// Searches for the root in the lanes of `open`, where the arc is not short; nothing changes in the others.
-#[inline(always)]
-fn search<W: Real>(orbit: &Orbit<W>, s: W, mut open: W::Mask) -> Root<W> {
-    let mut bracket = orbit.bracket();
-    let mut s = W::select(open, orbit.guess(bracket), s);
-    let mut reached = W::Mask::of(false);
-    let mut steps = 0;
-    loop {
-        // The tangent of a guess is none of the root's.
-        s = W::select(open, number(s), s);
-        let mut place = orbit.at(s);
-        // Where no number is nearer, what is left is what the tangent of a dual needs.
-        place.late = W::select(reached, place.late - number(place.late), place.late);
-        let (d, near) = place.correction(orbit.beta, s);
-        open = open.and(near.or(reached).not());
-        steps += 1;
-        if !open.any() || steps == SEARCH {
-            return Root { place, s, d, failed: open };
+/// The search for the root in the lanes of `open`, where the arc is not short; nothing changes in the others. A function of its
+/// own: it is seldom needed, and much code.
+pub(super) struct Search<W: Real> {
+    pub(super) orbit: Orbit<W>,
+    pub(super) s: W,
+    pub(super) open: W::Mask,
+}
+
+impl<W: Real> Kernel for Search<W> {
+    type Out = Root<W>;
+    const APART: bool = true;
+
+    #[inline(always)]
+    fn call(self) -> Root<W> {
+        let Self { orbit, s, mut open } = self;
+        let mut bracket = orbit.bracket();
+        let mut s = W::select(open, orbit.guess(bracket), s);
+        let mut reached = W::Mask::of(false);
+        let mut steps = 0;
+        loop {
+            // The tangent of a guess is none of the root's.
+            s = W::select(open, number(s), s);
+            let mut place = orbit.at(s);
+            // Where no number is nearer, what is left is what the tangent of a dual needs.
+            place.late = W::select(reached, place.late - number(place.late), place.late);
+            let (d, near) = place.correction(orbit.beta, s);
+            open = open.and(near.or(reached).not());
+            steps += 1;
+            if !open.any() || steps == SEARCH {
+                return Root { place, s, d, failed: open };
+            }
+            reached = reached.or(open.and(orbit.is_rounding(&place, s)));
+            s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
         }
-        reached = reached.or(open.and(orbit.is_rounding(&place, s)));
-        s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
     }
 }
 

@@ -7,7 +7,7 @@
 
 use crate::{
     error::Unsolved,
-    flow::kepler::{moved, universal::Body},
+    flow::kepler::{faults::Faults, moved, universal::Body},
     layout::bodies::{
         given::Given,
         jacobi_map::{
@@ -43,8 +43,8 @@ pub struct Jacobi<L: Rows<D>, const D: usize> {
     leading: usize,
     /// The user's states, until the first flow.
     given: Given<L::Leaf>,
-    /// The faults of the Kepler flow, by lanes; empty as long as it was solved.
-    unsolved: Vec<Option<Unsolved>>,
+    /// The faults of the Kepler flow.
+    unsolved: Faults,
 }
 
 /// The constants that the map and the Kepler parts read, of the bodies of a row.
@@ -99,7 +99,7 @@ impl<W: Real> Weights<W> {
 }
 
 /// Maps a state with twice the digits.
-fn map_state<C: Coords>(state: &mut Phase<C>, map: impl FnOnce(&mut Digits)) {
+fn map_state<C: Coords>(state: &mut Phase<C>, map: &dyn Fn(&mut Digits)) {
     let mut digits = [digits(state.q.flat()), digits(state.p.flat())];
     map(&mut digits);
     for (leaves, digits) in [state.q.flat_mut(), state.p.flat_mut()].into_iter().zip(&digits) {
@@ -147,7 +147,7 @@ fn own_states<C: Coords, Q: JacobiConstants, const D: usize>(
         let (mut state, leading) = ((*state).clone(), constants.leading_body());
         if mapped {
             let parts = parts(*constants, state.q.length());
-            map_state(&mut state, |digits| digits_to_jacobi(&parts, leading, D, digits));
+            map_state(&mut state, &|digits| digits_to_jacobi(&parts, leading, D, digits));
         } else {
             for leaves in [&mut state.q, &mut state.p] {
                 in_order_of_rows(leaves.flat_mut().as_chunks_mut::<D>().0, leading);
@@ -227,7 +227,14 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
         let weights = weights.into();
         // Members in lanes are alike in all integers.
         let leading = constants[0].leading_body();
-        Self { inertial: bodies.at_rest(), bodies, weights, leading, given: Given::default(), unsolved: Vec::new() }
+        Self {
+            inertial: bodies.at_rest(),
+            bodies,
+            weights,
+            leading,
+            given: Given::default(),
+            unsolved: Faults::default(),
+        }
     }
 
     /// The shares of all bodies in the member that a lane belongs to. Its other lanes hold derivatives, and those of
@@ -306,7 +313,7 @@ where
         if const { Self::PLAIN } {
             self.store_own(lane, to);
             let (shares, leading) = (self.shares(lane), self.leading);
-            return map_state(to, |digits| digits_to_inertial(&shares, leading, D, digits));
+            return map_state(to, &|digits| digits_to_inertial(&shares, leading, D, digits));
         }
         let [q, p] = self.inertial_points();
         for (leaves, points) in [(&mut to.q, &q), (&mut to.p, &p)] {
@@ -324,14 +331,14 @@ where
     fn copy_state(&mut self, from: &Self) {
         self.bodies.copy_state(&from.bodies);
         self.given.copy(&from.given);
-        self.unsolved.clone_from(&from.unsolved);
+        self.unsolved.copy(&from.unsolved);
     }
     fn share_among(&mut self, threads: Option<usize>) {
         self.bodies.share_among(threads);
         self.inertial = self.bodies.at_rest();
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
-        self.unsolved.get(lane)?.as_ref()
+        self.unsolved.of_lane(lane)
     }
     #[inline(always)]
     fn finite(&self) -> bool {
@@ -441,20 +448,18 @@ fn distance<W: Real, const D: usize>(q: &[W; D], lane: usize) -> f64 {
 #[cold]
 #[inline(never)]
 fn note(
-    unsolved: &mut Vec<Option<Unsolved>>,
+    unsolved: &mut Faults,
     leading: usize,
     places: Range<usize>,
     lanes: usize,
     distance: &dyn Fn(usize) -> Option<f64>,
     duration: f64,
 ) {
-    unsolved.resize(lanes, None);
     for (number, place) in places.enumerate() {
-        for (lane, reason) in unsolved.iter_mut().enumerate() {
-            if let Some(distance) = distance(number * lanes + lane) {
-                reason.get_or_insert(Unsolved::Kepler { body: body_at(leading, place), distance, duration });
-            }
-        }
+        unsolved.note(lanes, &|lane| {
+            let distance = distance(number * lanes + lane)?;
+            Some(Unsolved::Kepler { body: body_at(leading, place), distance, duration })
+        });
     }
 }
 
@@ -545,7 +550,7 @@ impl<L: Rows<D>, const D: usize> Jacobi<L, D> {
     pub fn at_rest(&self) -> Jacobi<L::AtRest, D> {
         let (bodies, weights) = (self.bodies.at_rest(), self.weights.clone());
         let (inertial, leading) = (bodies.at_rest(), self.leading);
-        Jacobi { inertial, bodies, weights, leading, given: Given::default(), unsolved: Vec::new() }
+        Jacobi { inertial, bodies, weights, leading, given: Given::default(), unsolved: Faults::default() }
     }
 
     /// Adds a multiple of another motion's momenta.

@@ -23,17 +23,20 @@ pub(crate) fn pack<R: Real, C: Coords, const N: usize, const D: usize>(
     states: &[&Phase<C>],
     half: fn(&Phase<C>) -> &C,
 ) -> [<C::Leaf as Precision>::Slot<R::Row<N>>; D] {
-    let slot = |d: usize| {
-        C::Leaf::pack(&|lane| {
+    let mut slots = [Slot::zero(); D];
+    for (d, slot) in slots.iter_mut().enumerate() {
+        *slot = pack_one::<R, C::Leaf, N>(&|lane| {
             let (body, lane) = body_and_lane::<R>(bodies, lane);
             half(states[lane]).flat()[body * D + d]
-        })
-    };
-    let mut slots = [slot(0); D];
-    for (d, other) in slots.iter_mut().enumerate() {
-        *other = slot(d);
+        });
     }
     slots
+}
+
+/// The slot of a row, as a function of its own: inlined, it would be copied for each coordinate.
+#[inline(never)]
+fn pack_one<R: Real, K: Precision, const N: usize>(of_lane: &dyn Fn(usize) -> K) -> K::Slot<R::Row<N>> {
+    K::pack(of_lane)
 }
 
 /// Writes one lane of the slots of a row of bodies to their coordinates.
@@ -60,12 +63,18 @@ pub(crate) fn load_constants<R: Real, P: BodyConstants<S>, const N: usize, const
 ) -> [R::Row<N>; S] {
     let mut rows = [Real::of(0.0); S];
     for (s, row) in rows.iter_mut().enumerate() {
-        *row = Real::prepared(&|lane| {
+        *row = prepared_row::<R, N>(&|lane| {
             let (body, lane) = body_and_lane::<R>(bodies, lane);
             constants[lane].body_constants(body)[s]
         });
     }
     rows
+}
+
+/// A row of prepared constants, likewise.
+#[inline(never)]
+fn prepared_row<R: Real, const N: usize>(of_lane: &dyn Fn(usize) -> f64) -> R::Row<N> {
+    Real::prepared(of_lane)
 }
 
 /// The row of numbers of these bodies.

@@ -15,7 +15,6 @@ use crate::{
 };
 
 /// `N` bodies with `D` coordinates and `S` prepared constants each, eight at most.
-#[derive(Clone)]
 pub struct OneRow<R: Real, K: Precision, P, const N: usize, const D: usize, const S: usize> {
     /// Positions.
     pub q: [K::Slot<R::Row<N>>; D],
@@ -25,6 +24,15 @@ pub struct OneRow<R: Real, K: Precision, P, const N: usize, const D: usize, cons
     constants: [R::Row<N>; S],
     /// Prepared constants.
     pub parameters: P,
+}
+
+/// Copies the arrays as wholes: the derived implementation clones each number, which is more code.
+impl<R: Real, K: Precision, P: Clone, const N: usize, const D: usize, const S: usize> Clone
+    for OneRow<R, K, P, N, D, S>
+{
+    fn clone(&self) -> Self {
+        Self { q: self.q, p: self.p, constants: self.constants, parameters: self.parameters.clone() }
+    }
 }
 
 impl<C, R, K, P, const N: usize, const D: usize, const S: usize> Motion<C, P::Single> for OneRow<R, K, P, N, D, S>

@@ -134,7 +134,11 @@ pub(crate) fn points<L: Rows<D>, const D: usize>(layout: &L, rows: &[Coordinates
     let (mut points, bodies) = (Vec::with_capacity(layout.bodies()), layout.bodies());
     for (number, row) in rows.iter().enumerate() {
         for lane in 0..bodies_of_row(number, L::WIDTH, bodies).len() {
-            points.push(row.map(|slot| slot.value().part(lane)));
+            let mut point = [L::Scalar::of(0.0); D];
+            for d in 0..D {
+                point[d] = row[d].value().part(lane);
+            }
+            points.push(point);
         }
     }
     points

@@ -71,7 +71,6 @@ macro_rules! vector {
                     _CMP_EQ_OQ, _CMP_LE_OQ, _CMP_LT_OQ, _MM_FROUND_NO_EXC, _MM_FROUND_TO_NEAREST_INT, _MM_FROUND_TO_NEG_INF, _MM_FROUND_TO_POS_INF,
                     _MM_FROUND_TO_ZERO,
                 },
-                array,
                 ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
             };
 
@@ -201,8 +200,11 @@ macro_rules! vector {
                     #[inline(always)]
                     fn $binary(self, other: Self) -> Self {
                         crate::scalar::functions::kernel!($binary self, other; {
-                            let (a, b) = (self.lanes(), other.lanes());
-                            Self::of_lanes(array::from_fn(|lane| <$scalar as Elementary>::$binary(a[lane], b[lane])))
+                            let (mut a, b) = (self.lanes(), other.lanes());
+                            for lane in 0..a.len() {
+                                a[lane] = <$scalar as Elementary>::$binary(a[lane], b[lane]);
+                            }
+                            Self::of_lanes(a)
                         })
                     }
                 )*
