@@ -21,6 +21,8 @@ pub(crate) trait Carried {
     type Executor: Executor;
     /// Whether the additional lanes have prepared constants of their own.
     const CARRIES_CONSTANTS: bool = false;
+    /// Whether steps are compiled for the baseline, where the instruction set is chosen at run time.
+    const ON_BASELINE: bool = true;
 }
 
 /// No data beside the state.
@@ -38,6 +40,8 @@ impl<const N: usize, const SENSITIVE: bool> Carried for Deviations<N, SENSITIVE>
     type In<R: Real> = Dual<R, N, false, SENSITIVE>;
     type Executor = BesideVectors;
     const CARRIES_CONSTANTS: bool = SENSITIVE;
+    // Several vectors together are much code, and the baseline of x86 has few users: it takes them one by one.
+    const ON_BASELINE: bool = N == 1 || !cfg!(all(target_arch = "x86_64", feature = "std"));
 }
 
 /// An empty list of motions of single trajectories, for the instruction set of this machine.
@@ -47,15 +51,20 @@ pub(crate) fn single<H: System, X: Method<H>, K: Precision, V: Carried>(
     // A constant, so that nothing is compiled for the other instruction sets.
     if const { X::CLONED } {
         match InstructionSet::chosen() {
-            InstructionSet::Baseline => motions::<H, X, V::In<K::Plain>, K, V::Executor>(constants),
+            InstructionSet::Baseline if V::ON_BASELINE => motions::<H, X, V::In<K::Plain>, K, V::Executor>(constants),
             InstructionSet::Avx512 if X::WIDE => motions::<H, X, V::In<K::Avx512>, K, V::Executor>(constants),
-            InstructionSet::Fused | InstructionSet::Avx512 => {
+            InstructionSet::Baseline | InstructionSet::Fused | InstructionSet::Avx512 => {
                 motions::<H, X, V::In<K::Fused>, K, V::Executor>(constants)
             }
         }
     } else {
         motions::<H, X, V::In<K::Plain>, K, V::Executor>(constants)
     }
+}
+
+/// Whether [`single`] has steps for the instruction set of this machine.
+pub(crate) fn is_compiled<H: System, X: Method<H>, V: Carried>() -> bool {
+    !X::CLONED || V::ON_BASELINE || InstructionSet::chosen() != InstructionSet::Baseline
 }
 
 /// An empty list of motions for the constants of a run, and for the derivatives of constants that it carries.

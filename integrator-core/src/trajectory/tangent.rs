@@ -16,7 +16,7 @@ use crate::{
     system::{Shaped, System},
     trajectory::{
         admissible::admissible_with,
-        dispatch::{Carried, Deviations, bound},
+        dispatch::{Carried, Deviations, bound, is_compiled},
         method::Differentiable,
         motions::{Motions, copy},
         run::{Behind, Lane, Run},
@@ -127,7 +127,8 @@ impl<C: Coords> Tangent<C> {
         let Beginning { start, mut vectors, parameters, h, at } = beginning;
         let count = if at.is_some() { vectors.len() } else { vectors.len() + parameters };
         let linear = if X::FROM_STATES { count - parameters } else { 0 };
-        let room = if count == 1 { 1 } else { TOGETHER };
+        let together = count > 1 && is_compiled::<H, X, Deviations<TOGETHER, SENSITIVE>>();
+        let room = if together { TOGETHER } else { 1 };
         vectors.resize(count.next_multiple_of(room), scaled(&start, 0.0));
         let mut runs = Vec::with_capacity(count.div_ceil(room));
         for (number, vectors) in vectors.chunks(room).enumerate() {
