@@ -165,7 +165,7 @@ fn growths(triangle: &DMatrix<f64>, exponents: &[i64]) -> Vec<f64> {
 /// Makes the vectors orthogonal and of length one, in their order.
 fn orthogonalize<C: Coords>(tangent: &mut Tangent<C>, triangle: &DMatrix<f64>) {
     // In the middle of a step vectors are a linear map of those at its end, so that the same combinations are taken.
-    tangent.change_vectors(|vectors| {
+    tangent.change_vectors(&mut |vectors| {
         for j in 0..vectors.len() {
             let (before, vector) = vectors.split_at_mut(j);
             let vector = &mut vector[0];

@@ -8,7 +8,6 @@ use crate::{
         run::Run,
     },
 };
-use core::slice;
 
 /// The state of a run in the middle of the current step.
 pub fn unfinished<C: Coords>(run: &Run<C>) -> Phase<C> {
@@ -32,5 +31,5 @@ pub fn began<C: Coords>(run: &Run<C>) -> (f64, u64) {
 pub fn go_on_from<C: Coords>(run: &mut Run<C>, steps: u64, opened: u64, state: &Phase<C>) {
     run.show_step();
     (run.clock.steps, run.opened) = (steps, opened);
-    run.resume_lanes(slice::from_ref(state));
+    run.resume_lanes(state, &[]);
 }

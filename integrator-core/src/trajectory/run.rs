@@ -637,9 +637,8 @@ impl<C: Coords> Run<C> {
     }
 
     /// Continues with lanes in the middle of the current step, in [`Run::form`].
-    pub(crate) fn resume_lanes(&mut self, lanes: &[Phase<C>]) {
-        let lanes: Vec<_> = lanes.iter().map(|point| point as &dyn Point).collect();
-        self.engine.resume(self.form(), &lanes);
+    pub(crate) fn resume_lanes(&mut self, state: &Phase<C>, carried: &[Phase<C>]) {
+        self.engine.resume(self.form(), &lanes(state, carried));
     }
 
     /// Goes back to motions of the same lanes, after this number of steps.

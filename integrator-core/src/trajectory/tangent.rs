@@ -23,7 +23,7 @@ use crate::{
     },
 };
 use alloc::{boxed::Box, vec, vec::Vec};
-use core::{fmt, iter, mem::take, ops::Range};
+use core::{fmt, mem::take, ops::Range};
 pub(crate) use vectors::{far_exponent, numbers, scaled};
 #[cfg(feature = "check")]
 pub(crate) use vectors::{may_be_far, square, unit_vectors};
@@ -202,7 +202,9 @@ impl<C: Coords> Tangent<C> {
     /// Keeps the motions as they are.
     fn remember(&mut self) {
         if self.before.is_empty() {
-            self.before = self.runs.iter().map(|run| copy(&*run.engine.motions, 0..1)).collect();
+            for run in &self.runs {
+                self.before.push(copy(&*run.engine.motions, 0..1));
+            }
         }
         for (run, before) in self.runs.iter().zip(&mut self.before) {
             before.copy_states(&*run.engine.motions, run.engine.threads);
@@ -222,20 +224,22 @@ impl<C: Coords> Tangent<C> {
 
     /// Divides vectors by powers of two that are far from one.
     fn scale(&mut self) {
-        let exponents: Vec<i32> = (0..self.linear)
-            .map(|vector| {
-                let (run, lane) = self.place(vector);
-                far_exponent(&run.tried_lane(lane))
-            })
-            .collect();
-        if exponents.iter().all(|exponent| *exponent == 0) {
+        // Plain loops, as below: they are compiled for every system.
+        let (mut exponents, mut is_near) = (Vec::with_capacity(self.linear), true);
+        for vector in 0..self.linear {
+            let (run, lane) = self.place(vector);
+            let exponent = far_exponent(&run.tried_lane(lane));
+            is_near &= exponent == 0;
+            exponents.push(exponent);
+        }
+        if is_near {
             return;
         }
         for (sum, exponent) in self.exponents.iter_mut().zip(&exponents) {
             *sum += i64::from(*exponent);
         }
-        self.change_vectors(|vectors| {
-            for (vector, exponent) in vectors.iter_mut().zip(exponents) {
+        self.change_vectors(&mut |vectors| {
+            for (vector, exponent) in vectors.iter_mut().zip(&exponents) {
                 *vector = scaled(vector, power_of_two(-exponent));
             }
         });
@@ -243,15 +247,19 @@ impl<C: Coords> Tangent<C> {
 
     /// Replaces the vectors by a linear map of them. They are seen in the middle of a step, in the coordinates of the
     /// motion, of which vectors at the end of a step are a linear map, too.
-    pub(crate) fn change_vectors(&mut self, change: impl FnOnce(&mut [Phase<C>])) {
-        let lanes = |run: &Run<C>| (0..=self.room).map(|lane| run.unfinished_lane(lane)).collect::<Vec<_>>();
-        let mut of_runs: Vec<Vec<Phase<C>>> = self.runs.iter().map(lanes).collect();
-        let mut vectors: Vec<_> = of_runs.iter().flat_map(|lanes| lanes[1..].iter().cloned()).collect();
+    pub(crate) fn change_vectors(&mut self, change: &mut dyn FnMut(&mut [Phase<C>])) {
+        let room = self.room;
+        let mut vectors = Vec::with_capacity(self.runs.len() * room);
+        for run in &self.runs {
+            for lane in 1..=room {
+                vectors.push(run.unfinished_lane(lane));
+            }
+        }
         let count = self.exponents.len();
         change(&mut vectors[..count]);
-        for ((run, lanes), vectors) in self.runs.iter_mut().zip(&mut of_runs).zip(vectors.chunks(self.room)) {
-            lanes[1..].clone_from_slice(vectors);
-            run.resume_lanes(lanes);
+        for (number, run) in self.runs.iter_mut().enumerate() {
+            let state = run.unfinished_lane(0);
+            run.resume_lanes(&state, &vectors[number * room..(number + 1) * room]);
         }
     }
 
@@ -382,7 +390,7 @@ fn run<H, X, K, V>(
     system: &H,
     method: X,
     start: &Phase<Shaped<H, K>>,
-    carried: Behind<'_, Shaped<H, K>, H::Parameters<f64>>,
+    (vectors, slopes): Behind<'_, Shaped<H, K>, H::Parameters<f64>>,
     (h, at): (f64, Option<(Clock, u64)>),
 ) -> Result<Run<Shaped<H, K>>, Error>
 where
@@ -393,11 +401,10 @@ where
 {
     let method = &bound::<H, X, K, V>(method);
     let Some((clock, opened)) = at else {
-        return Run::carrying::<H, K>(system, method, start.clone(), carried, h);
+        return Run::carrying::<H, K>(system, method, start.clone(), (vectors, slopes), h);
     };
-    let lanes: Vec<_> = iter::once(start).chain(carried.0).cloned().collect();
-    let mut run = Run::from_unfinished::<H, K>(system, method, start.clone(), carried, clock, opened)?;
-    run.resume_lanes(&lanes);
+    let mut run = Run::from_unfinished::<H, K>(system, method, start.clone(), (vectors, slopes), clock, opened)?;
+    run.resume_lanes(start, vectors);
     Ok(run)
 }
 
