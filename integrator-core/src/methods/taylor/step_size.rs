@@ -50,9 +50,9 @@ fn step_of_group(order: usize, tolerance: Logarithm, norms: Norms, norm: impl Fn
 }
 
 /// The step by the first derivative and the last ones that do not vanish: of a polynomial there is none, and symmetries
-/// leave out some orders of a series.
+/// leave out some orders of a series. Like [`by_first_orders`] it is seldom called, and compiled with the library.
 #[cold]
-fn sparse(order: usize, tolerance: Logarithm, norm: &impl Fn(usize) -> f64) -> Logarithm {
+fn sparse(order: usize, tolerance: Logarithm, norm: &dyn Fn(usize) -> f64) -> Logarithm {
     let norms = logarithms(order, norm);
     let is_there = |m: &usize| norms[*m] != Logarithm::OF_ZERO;
     let Some(first) = (1..=order).find(is_there) else { return Logarithm::OF_INFINITY };
@@ -67,7 +67,7 @@ fn sparse(order: usize, tolerance: Logarithm, norm: &impl Fn(usize) -> f64) -> L
 }
 
 /// The logarithms of the norms of all orders.
-fn logarithms(order: usize, norm: &impl Fn(usize) -> f64) -> [Logarithm; COEFFICIENTS] {
+fn logarithms(order: usize, norm: &dyn Fn(usize) -> f64) -> [Logarithm; COEFFICIENTS] {
     let mut norms = [Logarithm::OF_ZERO; COEFFICIENTS];
     for (m, logarithm) in norms.iter_mut().enumerate().take(order + 1) {
         *logarithm = Logarithm::of(norm(m));
@@ -112,7 +112,7 @@ pub(super) fn too_short(
     groups: usize,
     norm: impl Fn(usize, usize) -> f64,
 ) -> Option<i32> {
-    if step.floor().abs() <= near { None } else { by_first_orders(step, near, order, groups, norm) }
+    if step.floor().abs() <= near { None } else { by_first_orders(step, near, order, groups, &norm) }
 }
 
 /// The exponent of [`too_short`] for a step that is infinite, zero or far off: by the orders whose coefficients are
@@ -123,7 +123,7 @@ fn by_first_orders(
     near: i32,
     order: usize,
     groups: usize,
-    norm: impl Fn(usize, usize) -> f64,
+    norm: &dyn Fn(usize, usize) -> f64,
 ) -> Option<i32> {
     let groups = (0..groups).map(|group| logarithms(order, &|m| norm(group, m)));
     if step == Logarithm::OF_INFINITY {
