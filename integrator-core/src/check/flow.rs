@@ -1,4 +1,4 @@
-//! The flows of generated code, as values, and the image of a point under some of them.
+//! The flows of generated code, as values, and motions that some of them moved.
 //!
 //! Always true: a flow is compiled once for a kind of number, whichever checks apply it.
 
@@ -22,6 +22,7 @@ pub(crate) enum Flow {
 
 impl Flow {
     /// Moves a motion.
+    #[inline(never)]
     pub(crate) fn apply<H: Hamiltonian, R: Real, K: Precision>(
         self,
         motion: &mut H::Motion<R, K>,
@@ -36,19 +37,17 @@ impl Flow {
     }
 }
 
-/// Moves a point by some flows, with a tangent in the second lane if the scalar has one.
-pub(crate) fn carry<H: Hamiltonian, R: Real>(
+/// A motion from a point, with a tangent in the second lane if the scalar has one, after some flows, each for a duration.
+pub(crate) fn moved<H: Hamiltonian, R: Real>(
     parameters: &H::Parameters<f64>,
     flows: &[(Flow, f64)],
-    lanes: &mut [Phase<H::Coords>; 2],
+    lanes: [&Phase<H::Coords>; 2],
     time: f64,
-) {
-    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &[&lanes[0], &lanes[1]]);
+) -> H::Motion<R, f64> {
+    let mut motion = H::Motion::<R, f64>::load(&[parameters; 2], &lanes);
     H::begin_step::<R, f64>(&mut motion, time);
-    for &(flow, duration) in flows {
-        flow.apply::<H, R, f64>(&mut motion, duration, time);
+    for (flow, duration) in flows {
+        flow.apply::<H, R, f64>(&mut motion, *duration, time);
     }
-    for (lane, point) in lanes.iter_mut().enumerate().take(R::LANES) {
-        motion.store(lane, point);
-    }
+    motion
 }

@@ -183,8 +183,8 @@ fn verlet<H: Hamiltonian>(motion: &mut H::Motion<f64, Compensated<f64>>, h: f64,
         (Flow::Middle { backwards: true }, half, middle),
         (Flow::First, half, time + h),
     ];
-    for (flow, duration, time) in flows {
-        flow.apply::<H, f64, Compensated<f64>>(motion, duration, time);
+    for (flow, duration, time) in &flows {
+        flow.apply::<H, f64, Compensated<f64>>(motion, *duration, *time);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     check::{
-        flow::{Flow, carry},
+        flow::{Flow, moved},
         statistics::points::{coordinate, origin},
     },
     hamiltonian::Hamiltonian,
@@ -165,17 +165,11 @@ pub(crate) fn flow<H: Hamiltonian, R: Real>(
     if const { H::PARTS.is_empty() } {
         return half_of_field::<H, R>(parameters, part, &lanes[..R::LANES], time, lane);
     }
-    let mut moved = lanes.map(Phase::clone);
-    match part {
-        Part::Kinetic => {
-            carry::<H, R>(parameters, &[(Flow::First, 1.0)], &mut moved, time);
-            moved[lane].q.flat().to_vec()
-        }
-        Part::Potential => {
-            carry::<H, R>(parameters, &[(Flow::Last, 1.0)], &mut moved, time);
-            negated(moved[lane].p.flat())
-        }
-    }
+    let flow = if part == Part::Kinetic { Flow::First } else { Flow::Last };
+    let motion = moved::<H, R>(parameters, &[(flow, 1.0)], lanes, time);
+    let mut moved = lanes[0].clone();
+    motion.store(lane, &mut moved);
+    if part == Part::Kinetic { moved.q.flat().to_vec() } else { negated(moved.p.flat()) }
 }
 
 /// One half of a field that moves positions and momenta together, as a gradient.

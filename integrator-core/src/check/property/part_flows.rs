@@ -4,12 +4,15 @@
 
 use crate::{
     check::{
-        flow::{Flow, carry},
+        flow::{Flow, moved},
         property::energies::{Differentiable, Energies},
     },
     hamiltonian::Hamiltonian,
-    scalar::dual::Dual,
-    state::flat::{Flat, flat, shaped},
+    scalar::{dual::Dual, real::Real},
+    state::{
+        flat::{Flat, flat, shaped},
+        phase::Phase,
+    },
     system::motion::Motion,
 };
 
@@ -60,5 +63,18 @@ impl<H: Hamiltonian> Flows for Energies<'_, H> {
         }
         let [point, tangent] = lanes.map(|point| flat(&point));
         (point, tangent)
+    }
+}
+
+/// Moves a point by some flows, with a tangent in the second lane if the scalar has one.
+fn carry<H: Hamiltonian, R: Real>(
+    parameters: &H::Parameters<f64>,
+    flows: &[(Flow, f64)],
+    lanes: &mut [Phase<H::Coords>; 2],
+    time: f64,
+) {
+    let motion = moved::<H, R>(parameters, flows, [&lanes[0], &lanes[1]], time);
+    for (lane, point) in lanes.iter_mut().enumerate().take(R::LANES) {
+        motion.store(lane, point);
     }
 }
