@@ -187,5 +187,9 @@ fn flow(flow: &Flow) -> Value {
             "coordinates": coordinates,
         })
     });
-    json!({ "form": flow.form.name(), "places": places.collect::<Vec<_>>() })
+    json!({
+        "form": flow.form.name(),
+        "others": flow.others.map(|form| form.name()),
+        "places": places.collect::<Vec<_>>(),
+    })
 }

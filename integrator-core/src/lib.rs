@@ -213,7 +213,7 @@ pub mod __private {
                 },
                 many_rows::ManyRows,
                 one_row::OneRow,
-                pair_sums::{BodyConstants, ManyBody},
+                pair_sums::{BodyConstants, ManyBody, Unpacked},
             },
             lattice::{
                 stencil::{Drift, Kick, Stencil},

@@ -56,6 +56,8 @@ pub struct Report {
 pub struct Flow {
     /// The layout of the flow.
     pub form: Form,
+    /// The layout of the terms beside a sum over pairs, if there are any.
+    pub others: Option<Form>,
     /// The computations of the flow, by their loops, outermost first; empty if nothing moves.
     pub places: Vec<Place>,
 }
@@ -103,6 +105,9 @@ impl fmt::Display for Flow {
             return f.write_str("nothing moves");
         }
         write!(f, "{}", self.form)?;
+        if let Some(others) = self.others {
+            write!(f, "; other terms: {others}")?;
+        }
         for Place { loops, operations } in &self.places {
             match &loops[..] {
                 [] => write!(f, "\n  once: {operations}")?,
@@ -128,8 +133,10 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     });
     let places = [&kinetic, &potential].map(|gradient| places(&mut model, gradient));
     let pattern = recognise(&mut model, [&kinetic, &potential]);
-    let forms = emit::forms(input, &mut model, &kinetic, &potential, &pattern);
-    let [drift, kick] = [0, 1].map(|part| Flow { form: forms[part], places: places[part].clone() });
+    let (forms, others) = emit::forms(input, &mut model, &kinetic, &potential, &pattern);
+    let others = [None, others];
+    let [drift, kick] =
+        [0, 1].map(|part| Flow { form: forms[part], others: others[part], places: places[part].clone() });
     Report {
         system: readable(&input.item.self_ty),
         compose: match &input.compose {

@@ -4,6 +4,7 @@
 //! process for each of the others.
 
 mod axis;
+mod beside_pairs;
 mod by_hand;
 #[path = "../../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;

@@ -110,7 +110,13 @@ pub(crate) fn rename(
     let mut of = |graph: &mut Graph, id| rename(graph, id, renaming, parameters);
     let node = match graph.node(id) {
         Node::Parameter(parameter) => Node::Parameter(parameters.rename(graph, parameter, renaming)?),
-        Node::FromIndex(index) => Node::FromIndex(renaming.index(graph, index)?),
+        Node::FromIndex(index) => Node::FromIndex(match graph.loops.index(index) {
+            Index::Parameter(parameter) => {
+                let parameter = parameters.rename(graph, parameter, renaming)?;
+                graph.loops.intern(Index::Parameter(parameter))
+            }
+            _ => renaming.index(graph, index)?,
+        }),
         Node::Coordinate(element) => Node::Coordinate(renaming.element(graph, element)?),
         Node::Neg(a) => Node::Neg(of(graph, a)?),
         Node::Add(a, b) => Node::Add(of(graph, a)?, of(graph, b)?),

@@ -100,7 +100,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
     let length = lengths[0];
     let mut texts = Texts::new(parameters, running);
-    let found = pairs(graph, *potential, length, &mut texts);
+    let found = pairs(graph, *potential, length, false, &mut texts);
     let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
         Obstacle::Potential(
             "Jacobi coordinates require V as a sum over all pairs of bodies\nhelp: write a loop over `i` and one over \

@@ -179,7 +179,7 @@ impl Canonical<'_> {
         let of_first = vec![stays(bodies), (own, Place::Number(0))];
         let at_first =
             [first, later].map(|value| Moving::new(of_first.clone(), None, self.parameters).value(graph, value));
-        let mut forms = Forms::new([bodies, before], self.parameters);
+        let mut forms = Forms::new([bodies, before], None, self.parameters);
         let [Some(a), Some(b)] = at_first.map(|value| forms.of(graph, value?, false)) else { return None };
         if a == b {
             return Some(graph.add(all, later));

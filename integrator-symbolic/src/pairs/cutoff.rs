@@ -43,36 +43,79 @@ struct Distances {
 type Axis = (Option<Index>, Option<NodeId>);
 
 impl Distances {
-    /// The cutoff of an energy, `None` inside if it is zero everywhere; `None` if some of it has no cutoff, or another one.
+    /// The cutoff of an energy, `None` inside if it is zero everywhere; `None` if some of it has no cutoff.
     fn of_energy(&self, graph: &mut Graph, id: NodeId) -> Option<Option<Cutoff>> {
         match graph.node(id) {
             Node::Constant(_) => (graph.as_constant(id) == Some(0.0)).then_some(None),
             Node::Neg(a) => self.of_energy(graph, a),
+            Node::Power(a, 1..) => self.of_energy(graph, a),
+            Node::Mul(a, b) => self.of_energy(graph, a).or_else(|| self.of_energy(graph, b)),
             // Zero times what is prepared is zero: prepared constants are finite.
-            Node::Mul(a, b) if graph.is_prepared(a) => self.of_energy(graph, b),
             Node::Div(a, b) if graph.is_prepared(b) => self.of_energy(graph, a),
-            Node::Add(a, b) => match (self.of_energy(graph, a)?, self.of_energy(graph, b)?) {
-                (Some(a), Some(b)) => (a == b).then_some(Some(a)),
-                (a, b) => Some(a.or(b)),
-            },
+            Node::Add(a, b) => {
+                let both = [self.of_energy(graph, a)?, self.of_energy(graph, b)?];
+                Self::larger(graph, both)
+            }
             Node::Select(condition, a, b) => {
-                let [nothing_here, nothing_there] = [a, b].map(|side| graph.as_constant(side) == Some(0.0));
-                let found = match (nothing_here, nothing_there) {
-                    (false, true) => self.of_condition(graph, condition, true),
-                    (true, false) => self.of_condition(graph, condition, false),
+                let mut both = [None, None];
+                for ((side, holds), cutoff) in [(a, true), (b, false)].into_iter().zip(&mut both) {
+                    // Zero, or beyond the condition, or beyond a cutoff of its own.
+                    *cutoff = match graph.as_constant(side) {
+                        Some(0.0) => None,
+                        _ => match self.of_condition(graph, condition, holds) {
+                            Some(cutoff) => Some(cutoff),
+                            None => self.of_energy(graph, side)?,
+                        },
+                    };
+                }
+                Self::larger(graph, both)
+            }
+            Node::Binary(function, a, b) if function.name() == "max" => {
+                match [a, b].map(|side| graph.as_constant(side)) {
+                    [_, Some(0.0)] => Some(Some(self.of_positive(graph, a)?)),
+                    [Some(0.0), _] => Some(Some(self.of_positive(graph, b)?)),
                     _ => None,
-                };
-                match found {
-                    Some(cutoff) => Some(Some(cutoff)),
-                    // What either side does is beyond its own cutoff.
-                    None => match (self.of_energy(graph, a)?, self.of_energy(graph, b)?) {
-                        (Some(a), Some(b)) => (a == b).then_some(Some(a)),
-                        (a, b) => Some(a.or(b)),
-                    },
                 }
             }
             _ => None,
         }
+    }
+
+    /// The larger one of two cutoffs in the same box.
+    fn larger(graph: &mut Graph, both: [Option<Cutoff>; 2]) -> Option<Option<Cutoff>> {
+        Some(match both {
+            [Some(a), Some(b)] if a == b => Some(a),
+            [Some(a), Some(b)] if a.sides == b.sides => {
+                Some(Cutoff { square: graph.call_two("max", a.square, b.square), sides: a.sides })
+            }
+            [Some(_), Some(_)] => return None,
+            [a, b] => a.or(b),
+        })
+    }
+
+    /// The cutoff beyond which a number is not positive: a constant less a multiple of a distance, or of its square.
+    fn of_positive(&self, graph: &mut Graph, id: NodeId) -> Option<Cutoff> {
+        let Node::Add(a, b) = graph.node(id) else { return None };
+        let (constant, term) = match [a, b].map(|term| graph.is_prepared(term)) {
+            [true, false] => (a, b),
+            [false, true] => (b, a),
+            _ => return None,
+        };
+        let (mut distance, mut factor) = (graph.neg(term), graph.constant(1.0));
+        loop {
+            (distance, factor) = match graph.node(distance) {
+                Node::Neg(a) => (a, graph.neg(factor)),
+                Node::Mul(a, b) if graph.is_prepared(a) => (b, graph.mul(factor, a)),
+                Node::Mul(a, b) if graph.is_prepared(b) => (a, graph.mul(factor, b)),
+                Node::Div(a, b) if graph.is_prepared(b) => (a, graph.div(factor, b)),
+                _ => break,
+            }
+        }
+        let (bound, zero) = (graph.div(constant, factor), graph.constant(0.0));
+        let Cutoff { square, sides } = self.of_bound(graph, distance, bound)?;
+        // With another sign, it grows with the distance.
+        let (falls, everywhere) = (graph.compare(Comparison::Less, zero, factor), graph.constant(f64::INFINITY));
+        Some(Cutoff { square: graph.select(falls, square, everywhere), sides })
     }
 
     /// The cutoff of what is there where a condition holds, or where it does not.
@@ -177,25 +220,121 @@ impl Distances {
         }
         let mut sides = Vec::new();
         for node in reachable {
-            if let Node::Mul(a, b) = graph.node(node) {
-                sides.extend([a, b].into_iter().filter(|factor| graph.is_prepared(*factor)));
-            }
+            let factors = match graph.node(node) {
+                Node::Mul(a, b) | Node::Add(a, b) => vec![a, b],
+                Node::Binary(_, _, divisor) => vec![divisor],
+                Node::Select(_, a, b) => vec![a, b],
+                _ => continue,
+            };
+            sides.extend(factors.into_iter().map(|factor| graph.without_sign(factor)));
         }
+        sides.sort();
+        sides.dedup();
         let side = sides.into_iter().find(|side| {
-            let opposite = graph.neg(*side);
-            [*side, opposite].iter().any(|side| both.iter().any(|by| is_nearest_image(graph, id, *by, *side)))
+            graph.is_prepared(*side) && graph.as_constant(*side).is_none_or(|side| side != 0.0) && {
+                let mut image = Image { graph, side: *side, both };
+                image.is_displacement(id)
+            }
         })?;
         axes.push((axis, Some(side)));
         Some(())
     }
 }
 
-/// Whether a number is a displacement less the nearest multiple of a side.
-fn is_nearest_image(graph: &mut Graph, id: NodeId, displacement: NodeId, side: NodeId) -> bool {
-    let sides = graph.div(displacement, side);
-    ["round", "round_ties_even"].into_iter().any(|rounding| {
-        let whole = graph.call(rounding, sides);
-        let multiple = graph.mul(side, whole);
-        graph.sub(displacement, multiple) == id
-    })
+/// A displacement up to multiples of a side, and up to its sign: no shorter than that of the nearest images.
+struct Image<'g> {
+    graph: &'g Graph,
+    side: NodeId,
+    /// The displacement, and its opposite.
+    both: [NodeId; 2],
+}
+
+impl Image<'_> {
+    /// Whether a number is the displacement but for multiples of the side and its sign.
+    fn is_displacement(&mut self, id: NodeId) -> bool {
+        let mut terms = Vec::new();
+        self.collect(id, false, &mut terms);
+        match terms[..] {
+            [(term, _)] => {
+                self.both.contains(&term)
+                    || match self.graph.node(term) {
+                        Node::Unary(function, a) if function.name() == "abs" => self.is_displacement(a),
+                        Node::Binary(function, a, b) if function.name() == "min" => {
+                            self.is_displacement(a) && self.is_displacement(b)
+                        }
+                        Node::Select(_, a, b) => self.is_displacement(a) && self.is_displacement(b),
+                        _ => false,
+                    }
+            }
+            _ => self.is_difference(&terms),
+        }
+    }
+
+    /// Whether these terms are the two of the displacement.
+    fn is_difference(&self, terms: &[(NodeId, bool)]) -> bool {
+        let Node::Add(a, b) = self.graph.node(self.graph.without_sign(self.both[0])) else { return false };
+        let own = [a, b].map(|term| self.graph.signed(term));
+        let alike = |opposite: bool| {
+            terms.len() == own.len()
+                && own.iter().all(|(negative, term)| terms.contains(&(*term, *negative != opposite)))
+        };
+        alike(false) || alike(true)
+    }
+
+    /// Collects the terms of a sum that are no multiples of the side, each with its sign; opposite ones cancel.
+    fn collect(&self, id: NodeId, negative: bool, terms: &mut Vec<(NodeId, bool)>) {
+        match self.graph.node(id) {
+            _ if self.is_multiple(id) => {}
+            Node::Add(a, b) if !self.both.contains(&id) => {
+                self.collect(a, negative, terms);
+                self.collect(b, negative, terms);
+            }
+            Node::Neg(a) => self.collect(a, !negative, terms),
+            Node::Binary(function, a, b) if function.name() == "remainder" && b == self.side => {
+                self.collect(a, negative, terms);
+            }
+            // One more multiple of the side in one of the branches.
+            Node::Select(_, a, b) => {
+                let mut sides = [Vec::new(), Vec::new()];
+                self.collect(a, negative, &mut sides[0]);
+                self.collect(b, negative, &mut sides[1]);
+                sides.iter_mut().for_each(|side| side.sort());
+                match sides {
+                    [a, b] if a == b => terms.extend(a),
+                    _ => terms.push((id, negative)),
+                }
+            }
+            _ => match terms.iter().position(|known| *known == (id, !negative)) {
+                Some(opposite) => {
+                    terms.swap_remove(opposite);
+                }
+                None => terms.push((id, negative)),
+            },
+        }
+    }
+
+    /// Whether a number is a multiple of the side.
+    fn is_multiple(&self, id: NodeId) -> bool {
+        match self.graph.node(id) {
+            _ if id == self.side => true,
+            Node::Constant(_) => self.graph.as_constant(id) == Some(0.0),
+            Node::Neg(a) => self.is_multiple(a),
+            Node::Unary(function, a) if function.name() == "abs" => self.is_multiple(a),
+            Node::Add(a, b) | Node::Select(_, a, b) => self.is_multiple(a) && self.is_multiple(b),
+            Node::Mul(a, b) => self.is_multiple(a) && self.is_integer(b) || self.is_multiple(b) && self.is_integer(a),
+            _ => false,
+        }
+    }
+
+    fn is_integer(&self, id: NodeId) -> bool {
+        match self.graph.node(id) {
+            Node::Constant(_) => self.graph.as_constant(id).is_some_and(|number| number.fract() == 0.0),
+            Node::Neg(a) => self.is_integer(a),
+            Node::Add(a, b) | Node::Mul(a, b) | Node::Select(_, a, b) => self.is_integer(a) && self.is_integer(b),
+            Node::Unary(function, _) => {
+                ["round", "round_ties_even", "floor", "ceil", "trunc", "signum"].contains(&function.name())
+            }
+            _ => false,
+        }
+    }
 }

@@ -4,6 +4,7 @@
 //! Expressions are compared in a normal form: sums and products as sorted lists, with signs outside. Equal forms are
 //! equal expressions. Some equal expressions have different forms; they count as different.
 
+use super::order::Order;
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId,
     function::{Function, Parity},
@@ -59,14 +60,16 @@ enum Form {
 /// The forms known so far.
 pub(super) struct Forms<'p> {
     pair: [LoopId; 2],
+    /// The order of the bodies, by which constants are chosen.
+    order: Option<Order>,
     parameters: &'p mut dyn Parameters,
     ids: HashMap<Form, u32>,
     known: HashMap<(NodeId, bool), Signed>,
 }
 
 impl<'p> Forms<'p> {
-    pub(super) fn new(pair: [LoopId; 2], parameters: &'p mut dyn Parameters) -> Self {
-        Self { pair, parameters, ids: HashMap::new(), known: HashMap::new() }
+    pub(super) fn new(pair: [LoopId; 2], order: Option<Order>, parameters: &'p mut dyn Parameters) -> Self {
+        Self { pair, order, parameters, ids: HashMap::new(), known: HashMap::new() }
     }
 
     /// The form of a node, with the indices of the pair exchanged or not; `None` where a parameter cannot be.
@@ -74,7 +77,11 @@ impl<'p> Forms<'p> {
         if let Some(known) = self.known.get(&(id, exchanged)) {
             return Some(*known);
         }
-        let form = self.form(graph, id, exchanged)?;
+        let ordered = self.order.filter(|_| exchanged).and_then(|order| order.exchanged(graph, id));
+        let form = match ordered {
+            Some(negative) => self.of(graph, id, false)?.negated_if(negative),
+            None => self.form(graph, id, exchanged)?,
+        };
         self.known.insert((id, exchanged), form);
         Some(form)
     }

@@ -1,16 +1,23 @@
 //! All pairs: the motion of a body, and the force of one body on another, for systems with pair interactions.
 
-use super::bodies::{Constants, OfBodies};
+use super::{
+    bodies::{Constants, OfBodies},
+    stores::stores,
+};
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{NodeId, Part, Scope, index::LoopId},
     model::{Model, Texts},
     pairs::{Cutoff, Pairs, cutoff, pairs, per_body, pull},
-    program::{Sink, is_direct},
+    program::{Sink, Store, is_direct},
 };
 
 /// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs of a liquid are as fast.
 pub(crate) const LISTED_FROM: u64 = 384;
+
+/// The fewest bodies, where their number is known, whose pairs are summed apart from other terms, and in order where they may
+/// not be exchanged: fewer are as fast as written, and devices keep them in registers.
+const APART_FROM: u64 = 33;
 
 /// A potential of pairs with a kinetic energy of bodies.
 pub(crate) struct AllPairs {
@@ -32,8 +39,18 @@ pub(crate) struct AllPairs {
     pub(crate) reciprocal: bool,
     /// The gradient of what a body has alone.
     pub(crate) alone: Option<OfBodies>,
+    /// The terms of the potential that are neither of pairs nor of bodies alone.
+    pub(crate) others: Option<Others>,
     /// The condition under which neighbours within a cutoff are listed.
     pub(crate) listed: Option<Listed>,
+}
+
+/// Terms beside pairs, in the user's own coordinates.
+pub(crate) struct Others {
+    /// Their energy.
+    pub(crate) energy: NodeId,
+    /// Its gradient, collected in a buffer; empty where they do not depend on positions.
+    pub(crate) gradient: Vec<Store>,
 }
 
 impl AllPairs {
@@ -48,11 +65,15 @@ impl AllPairs {
         if model.shape.length.literal().is_some_and(|length| length < 2) {
             return None;
         }
+        let (in_jacobi, count) = (model.jacobi().is_some(), model.shape.length.literal());
+        let fewer_than = |bound| count.is_some_and(|count| count < bound);
+        let are_many = !in_jacobi && !fewer_than(APART_FROM);
         let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
         let mut texts = Texts::new(parameters, running);
         let length = *lengths.first()?;
-        let Pairs { bodies, pair, energy, force, reciprocal, energy_alone, alone } =
-            pairs(graph, *potential, length, &mut texts)?;
+        let Pairs { bodies, pair, energy, written, force, reciprocal, energy_alone, alone, others } =
+            pairs(graph, *potential, length, are_many, &mut texts)?;
+        let (energy_of_others, others) = others;
         let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
@@ -60,10 +81,9 @@ impl AllPairs {
         }
         Texts::new(&mut model.parameters, &mut model.running).name_in_place(bodies, pair[0], &pair);
 
-        let few = model.shape.length.literal().is_some_and(|length| length < LISTED_FROM);
-        let cutoff = match few || model.jacobi().is_some() {
+        let cutoff = match in_jacobi || fewer_than(LISTED_FROM) {
             true => None,
-            false => cutoff(&mut model.graph, energy, pair, bodies, dimension),
+            false => cutoff(&mut model.graph, written, pair, bodies, dimension),
         };
         let mut constants = Constants::new(bodies);
         let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
@@ -81,6 +101,10 @@ impl AllPairs {
             [] => None,
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
+        let others = match model.graph.as_constant(energy_of_others) {
+            Some(0.0) => None,
+            _ => Some(Others { energy: energy_of_others, gradient: stores(model, &others, Sink::Collect) }),
+        };
         let listed = match cutoff {
             None => None,
             Some(cutoff) => {
@@ -88,7 +112,7 @@ impl AllPairs {
                 Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
             }
         };
-        Some(Self { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, listed })
+        Some(Self { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed })
     }
 }
 

@@ -180,6 +180,28 @@ fn flows_have_the_form_that_is_written() {
 }
 
 #[test]
+fn terms_beside_pairs_have_a_form_of_their_own() {
+    let pairs = "for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).powi(2).exp(); } }";
+    let rows = [
+        ("", None),
+        ("v += self.offset;", None),
+        ("for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Some(Form::Lists)),
+        ("for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }", Some(Form::Plain)),
+    ];
+    for (beside, form) in rows {
+        let item = format!(
+            "impl S {{
+                fn kinetic(&self, p: &[f64]) -> f64 {{ p.iter().map(|p| 0.5 * p * p).sum() }}
+                fn potential(&self, q: &[f64]) -> f64 {{ let mut v = 0.0; {pairs} {beside} v }}
+            }}"
+        );
+        let report = report(TokenStream::new(), tokens(&item)).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!((report.kick.form, report.kick.others), (Form::Tiles, form), "{beside}: {report}");
+        assert_eq!(report.to_string().contains("by eight; other terms: "), form.is_some(), "{report}");
+    }
+}
+
+#[test]
 fn operations_are_counted_in_their_loops() {
     let system = "impl Bodies {
         fn kinetic(&self, p: &[f64]) -> f64 {

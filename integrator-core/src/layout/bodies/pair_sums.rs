@@ -7,7 +7,7 @@
 use crate::{
     layout::lattice::stencil::Array,
     scalar::{real::Real, simd::row::Row},
-    state::precision::Slot,
+    state::{coords::Coords, precision::Slot},
     system::System,
 };
 
@@ -73,6 +73,15 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         None
     }
 
+    /// Whether the potential has terms that are neither of pairs nor of bodies alone.
+    const OTHER_TERMS: bool = false;
+
+    /// Sets the momenta to the gradient of these terms by the positions.
+    #[inline(always)]
+    fn other_terms<R: Real>(motion: Unpacked<'_, R, Self::Coords, Self::Parameters<R>>, time: f64) {
+        let _ = (motion, time);
+    }
+
     /// The number of bodies from which on the neighbours within a cutoff are listed. A system without a cutoff has none, and
     /// only such a pair function is used below.
     const LISTED_FROM: usize = usize::MAX;
@@ -113,6 +122,16 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         let _ = (parameters, q, constants, time);
         None
     }
+}
+
+/// Bodies in the user's own shape, for the terms of a potential that are not those of pairs.
+pub struct Unpacked<'m, R: Real, C: Coords, P> {
+    /// Positions.
+    pub q: &'m C::Slots<R>,
+    /// What receives the gradient.
+    pub p: &'m mut C::Slots<R>,
+    /// Prepared constants.
+    pub parameters: &'m P,
 }
 
 /// A row of bodies: their positions and prepared constants.

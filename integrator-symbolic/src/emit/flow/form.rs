@@ -74,25 +74,26 @@ impl fmt::Display for Form {
     }
 }
 
-/// The forms of the drift and of the kick.
+/// The forms of the drift and of the kick, and that of the terms of the kick beside sums over pairs.
 pub(crate) fn forms(
     input: &Input,
     model: &mut Model,
     kinetic: &[Contribution],
     potential: &[Contribution],
     pattern: &Pattern,
-) -> [Form; 2] {
+) -> ([Form; 2], Option<Form>) {
     let mut emitter = Emitter { model, names: &Names::new(input), fields: Fields::default() };
     let Flows { drift, kick, many_body, .. } = Flows::of(&mut emitter, kinetic, potential, pattern);
     if let Some(bodies) = many_body {
-        return match bodies.listed() {
+        let forms = match bodies.listed() {
             Some(true) => [Form::Tiles, Form::NeighboursInBox],
             Some(false) => [Form::Tiles, Form::Neighbours],
             None if bodies.is_row() => [Form::Row; 2],
             None => [Form::Tiles; 2],
         };
+        return (forms, bodies.form_of_others());
     }
-    [drift, kick].map(|flow| match flow.sweep {
+    let forms = [drift, kick].map(|flow| match flow.sweep {
         None if flow.over_lists => Form::Lists,
         None => Form::Plain,
         Some(sweep) => match sweep.lattice() {
@@ -100,5 +101,6 @@ pub(crate) fn forms(
             Lattice::Plane => Form::Plane,
             Lattice::Volume => Form::Volume,
         },
-    })
+    });
+    (forms, None)
 }

@@ -196,15 +196,22 @@ impl Flows {
 
     /// The function that returns an energy.
     pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> TokenStream {
-        let energy = lower_roots(emitter.model, &[energy])[0];
+        let bodies = self.many_body.as_ref();
         // Bodies in lanes are unpacked for results that are rarely needed.
-        let listed = self.many_body.as_ref().and_then(ManyBody::listed).filter(|_| name == "potential");
-        let listed = listed.map(|_| {
+        let plain = bodies.map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
+        let listed = bodies.filter(|bodies| name == "potential" && bodies.listed().is_some());
+        let listed = listed.map(|bodies| {
+            let others = bodies.others().map(|others| lower_roots(emitter.model, &[others])[0]);
+            let others = others.map(|others| {
+                let lines = emitter.value(&Frame::Motion, others).map(|others| quote!(#plain #others));
+                let Body(others) = lines.body(&emitter.names.scalar);
+                quote!(+ { #others })
+            });
             quote!(if let ::core::option::Option::Some(energy) = motion.listed_energy::<Self>(time) {
-                return energy;
+                return energy #others;
             })
         });
-        let plain = self.many_body.as_ref().map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
+        let energy = lower_roots(emitter.model, &[energy])[0];
         let (lines, names) = (emitter.value(&Frame::Motion, energy), emitter.names);
         let around = |energy| match self.in_jacobi {
             true => jacobi::energy(name, &energy),

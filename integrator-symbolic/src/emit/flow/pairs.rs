@@ -1,14 +1,17 @@
 //! Rust code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
 //! over bodies and pairs belong to the runtime.
 
+use super::{form::Form, through_buffer};
 use crate::{
     emit::printer::{
         block::Emitter,
+        frame::Frame,
         function::{Body, Lines},
+        lists::has_list_sums,
     },
-    graph::{Part, index::LoopId},
+    graph::{NodeId, Part, index::LoopId},
     pattern::{
-        all_pairs::{AllPairs, LISTED_FROM, Listed},
+        all_pairs::{AllPairs, LISTED_FROM, Listed, Others},
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
@@ -31,13 +34,18 @@ pub(crate) struct ManyBody {
     per_body: TokenStream,
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     listed: Option<bool>,
+    /// The energy of the terms beside pairs, if there are any.
+    others: Option<NodeId>,
+    /// The form of their gradient.
+    form_of_others: Option<Form>,
 }
 
 impl ManyBody {
     /// What a potential of pairs and a kinetic energy of bodies are written as.
     pub(crate) fn of(emitter: &mut Emitter<'_>, pairs: &AllPairs) -> Self {
         let wide = &emitter.names.wide;
-        let AllPairs { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, listed } = pairs;
+        let AllPairs { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed } =
+            pairs;
         let (pair, central) = (*pair, *central);
         let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
         let row = emitter.model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
@@ -45,6 +53,8 @@ impl ManyBody {
         let functions = [writer.drift(drift), writer.pair(force, central, pair)];
         let acts = acts.as_ref().map(|(condition, holds)| writer.acts(condition, *holds, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
+        let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
+        let (beside, form_of_others) = beside.map(|others| writer.others(others)).unzip();
         let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
         let per_body = writer.per_body();
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
@@ -56,10 +66,22 @@ impl ManyBody {
             #(#functions)*
             #acts
             #alone
+            #beside
             #neighbours
         };
         let listed = listed.as_ref().map(|listed| listed.sides.is_some());
-        Self { row, sizes, functions, per_body, listed }
+        let others = others.as_ref().map(|others| others.energy);
+        Self { row, sizes, functions, per_body, listed, others, form_of_others }
+    }
+
+    /// The form of the gradient of the terms beside pairs.
+    pub(crate) fn form_of_others(&self) -> Option<Form> {
+        self.form_of_others
+    }
+
+    /// The energy of the terms beside pairs, if there are any.
+    pub(crate) fn others(&self) -> Option<NodeId> {
+        self.others
     }
 
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
@@ -165,6 +187,26 @@ impl Writer<'_, '_> {
         let (d, wide) = (&self.sizes[0], &self.emitter.names.wide);
         let result = quote!(::core::option::Option<[#wide; #d]>);
         self.function("one_body", TokenStream::new(), self.one_body(), Some(result), body)
+    }
+
+    /// The gradient of the terms beside pairs, in the user's own coordinates, and its form.
+    fn others(&mut self, others: &Others) -> (TokenStream, Form) {
+        let put = |place, value| quote!(#place = #value;);
+        let lines = through_buffer(self.emitter, &Frame::Motion, Part::Momentum, &others.gradient, put);
+        let form = if has_list_sums(self.emitter.model, &lines.program) { Form::Lists } else { Form::Plain };
+        let Names { runtime, scalar, .. } = self.emitter.names;
+        let body = lines.body(scalar);
+        let (motion, time, body) = (body.argument("motion"), body.argument("time"), &body.0);
+        let text = quote! {
+            const OTHER_TERMS: bool = true;
+
+            #[inline(always)]
+            fn other_terms<#scalar: #runtime::Real>(
+                #motion: #runtime::Unpacked<'_, #scalar, Self::Coords, Self::Parameters<#scalar>>,
+                #time: f64,
+            ) { #body }
+        };
+        (text, form)
     }
 
     /// The coordinates and prepared constants of a body, as arguments.

@@ -1,0 +1,210 @@
+//! The order of the bodies of a pair, for energies that change if the bodies are exchanged.
+//!
+//! Loops over pairs fix which body is the first. A runtime that processes the pairs in any order computes the same energy if
+//! each constant of a body is chosen by the numbers of the two bodies, and each displacement has their sign. Always true: where
+//! the bodies come in the order of the loops, nothing changes.
+
+use super::exchange::Forms;
+use crate::graph::{
+    Comparison, Element, Graph, Node, NodeId, Part,
+    index::{Index, IndexId, LoopId, LoopSet},
+    rename::{Parameters, Renaming, rename},
+};
+use std::collections::HashMap;
+
+/// The order of the loops over a pair.
+#[derive(Clone, Copy)]
+pub(super) struct Order {
+    pair: [LoopId; 2],
+    /// The condition that the numbers of the bodies have the order of the loops.
+    holds: NodeId,
+    /// One where they have it, else minus one.
+    sign: NodeId,
+}
+
+/// The constants that are chosen by the order.
+#[derive(Clone, Copy, PartialEq)]
+enum Chosen {
+    InConditions,
+    All,
+}
+
+impl Order {
+    /// That of a pair whose second body comes after the first, or before it.
+    pub(super) fn of(graph: &mut Graph, pair: [LoopId; 2], ascending: bool) -> Self {
+        let [first, second] = pair.map(|by| {
+            let index = graph.loops.intern(Index::Running(by));
+            graph.number_of(index)
+        });
+        let [less, greater] = if ascending { [first, second] } else { [second, first] };
+        let holds = graph.compare(Comparison::Less, less, greater);
+        let [plus, minus] = [1.0, -1.0].map(|sign| graph.constant(sign));
+        Self { pair, holds, sign: graph.select(holds, plus, minus) }
+    }
+
+    /// The form of a node with the bodies exchanged: whether it is that of the node itself, and if so, whether it is its
+    /// negative.
+    pub(super) fn exchanged(&self, graph: &Graph, id: NodeId) -> Option<bool> {
+        match graph.node(id) {
+            _ if id == self.sign => Some(true),
+            Node::Select(condition, ..) if condition == self.holds => Some(false),
+            _ => None,
+        }
+    }
+
+    /// An energy that is the same if the bodies are exchanged, and that of the loops where they are in order.
+    pub(super) fn symmetric(
+        &self,
+        graph: &mut Graph,
+        energy: NodeId,
+        parameters: &mut dyn Parameters,
+    ) -> Option<NodeId> {
+        let known = graph.truth(true);
+        let energy = rewritten(graph, energy, |_, id| if id == self.holds { Some(known) } else { None });
+        let candidates = [(None, false), (None, true), (Some(Chosen::InConditions), false)];
+        let others = [(Some(Chosen::InConditions), true), (Some(Chosen::All), false), (Some(Chosen::All), true)];
+        for (constants, displacements) in candidates.into_iter().chain(others) {
+            let mut candidate = energy;
+            if let Some(chosen) = constants {
+                candidate = self.choose(graph, candidate, chosen, parameters);
+            }
+            if displacements {
+                candidate = self.sign_displacements(graph, candidate);
+            }
+            let mut forms = Forms::new(self.pair, Some(*self), parameters);
+            let [here, there] = [false, true].map(|exchanged| forms.of(graph, candidate, exchanged));
+            if here.is_some() && here == there {
+                return Some(candidate);
+            }
+        }
+        None
+    }
+
+    /// Chooses constants of one body by the order.
+    fn choose(&self, graph: &mut Graph, energy: NodeId, chosen: Chosen, parameters: &mut dyn Parameters) -> NodeId {
+        let mut replaced = HashMap::new();
+        for id in graph.reachable([energy]) {
+            let bodies = self.bodies_of(graph.loops_of(id));
+            if let ([by], Node::Parameter(_) | Node::FromIndex(_)) = (&bodies[..], graph.node(id)) {
+                let other = if *by == self.pair[0] { self.pair[1] } else { self.pair[0] };
+                if let Some(other) = rename(graph, id, Renaming::one(*by, other), parameters) {
+                    replaced.insert(id, graph.select(self.holds, id, other));
+                }
+            }
+        }
+        match chosen {
+            Chosen::All => rewritten(graph, energy, |_, id| replaced.get(&id).copied()),
+            Chosen::InConditions => rewritten(graph, energy, |graph, id| match graph.node(id) {
+                condition @ Node::Compare(..) if graph.is_prepared(id) => {
+                    let children: Vec<_> = condition.children().collect();
+                    let new: HashMap<_, _> = children
+                        .into_iter()
+                        .map(|child| (child, rewritten(graph, child, |_, id| replaced.get(&id).copied())))
+                        .collect();
+                    Some(graph.rebuilt(condition.map(|child| new[&child])))
+                }
+                _ => None,
+            }),
+        }
+    }
+
+    /// The bodies of the pair whose numbers are among these loops.
+    fn bodies_of(&self, loops: LoopSet) -> Vec<LoopId> {
+        self.pair.into_iter().filter(|by| loops.contains(*by)).collect()
+    }
+
+    /// Gives displacements the sign of the order.
+    fn sign_displacements(&self, graph: &mut Graph, energy: NodeId) -> NodeId {
+        let mut replaced = HashMap::new();
+        for id in graph.reachable([energy]) {
+            let Node::Coordinate(element @ Element { part: Part::Position, .. }) = graph.node(id) else { continue };
+            let [first, second] = self.pair.map(|by| {
+                let index = graph.loops.intern(Index::Running(by));
+                graph.coordinate(Element { index, ..element })
+            });
+            for (a, b) in [(first, second), (second, first)] {
+                let displacement = graph.sub(a, b);
+                let signed = graph.mul(self.sign, displacement);
+                replaced.insert(displacement, signed);
+            }
+        }
+        rewritten(graph, energy, |_, id| replaced.get(&id).copied())
+    }
+}
+
+/// An energy whose conditions on the numbers of the bodies of a pair, and on integers of these, are conditions on real numbers.
+/// `None` where an integer of both bodies is no sum, difference or product.
+pub(super) fn with_numbers(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2]) -> Option<NodeId> {
+    let mut fits = true;
+    let energy = rewritten(graph, energy, |graph, id| {
+        let of_pair = |graph: &Graph, index| {
+            let loops = graph.loops.of_index(index);
+            pair.into_iter().filter(|by| loops.contains(*by)).count()
+        };
+        let found = match graph.node(id) {
+            Node::CompareIndex(comparison, a, b) if of_pair(graph, a) + of_pair(graph, b) > 0 => {
+                let numbers = [a, b].map(|index| number(graph, index, pair));
+                let [Some(a), Some(b)] = numbers else {
+                    fits = false;
+                    return None;
+                };
+                graph.compare(comparison, a, b)
+            }
+            Node::FromIndex(index) if of_pair(graph, index) > 1 => match number(graph, index, pair) {
+                Some(number) => number,
+                None => {
+                    fits = false;
+                    return None;
+                }
+            },
+            _ => return None,
+        };
+        Some(found)
+    });
+    fits.then_some(energy)
+}
+
+/// An integer as a real number, in which no integer depends on both bodies of a pair.
+fn number(graph: &mut Graph, index: IndexId, pair: [LoopId; 2]) -> Option<NodeId> {
+    let loops = graph.loops.of_index(index);
+    let both = |graph: &mut Graph, a, b| Some([number(graph, a, pair)?, number(graph, b, pair)?]);
+    match graph.loops.index(index) {
+        Index::Add(a, b) => both(graph, a, b).map(|[a, b]| graph.add(a, b)),
+        Index::Sub(a, b) | Index::Minus(a, b) => both(graph, a, b).map(|[a, b]| graph.sub(a, b)),
+        Index::Mul(a, b) => both(graph, a, b).map(|[a, b]| graph.mul(a, b)),
+        Index::Typed(_, a) => number(graph, a, pair),
+        _ if pair.iter().all(|by| loops.contains(*by)) => None,
+        _ => Some(graph.number_of(index)),
+    }
+}
+
+/// A node in which others are replaced, from the outside in: what `replaced` returns is not looked into.
+fn rewritten(
+    graph: &mut Graph,
+    root: NodeId,
+    mut replaced: impl FnMut(&mut Graph, NodeId) -> Option<NodeId>,
+) -> NodeId {
+    let mut new: HashMap<NodeId, NodeId> = HashMap::new();
+    for id in graph.reachable([root]) {
+        let node = match replaced(graph, id) {
+            Some(node) => node,
+            None => {
+                let node = graph.node(id);
+                let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
+                if node.children().all(|child| of(child) == child) {
+                    id
+                } else {
+                    match node {
+                        Node::Select(condition, a, b) => graph.select(of(condition), of(a), of(b)),
+                        Node::And(a, b) => graph.and(of(a), of(b)),
+                        Node::Or(a, b) => graph.or(of(a), of(b)),
+                        Node::Not(a) => graph.not(of(a)),
+                        _ => graph.rebuilt(node.map(of)),
+                    }
+                }
+            }
+        };
+        new.insert(id, node);
+    }
+    new[&root]
+}

@@ -1,0 +1,199 @@
+//! The terms of an energy: those of pairs of bodies, those of bodies alone, and all others.
+
+use super::{order::with_numbers, over_all, reads_only};
+use crate::graph::{
+    Comparison, Graph, Node, NodeId,
+    index::{Index, IndexId, Loop, LoopId},
+    rename::Parameters,
+};
+
+/// The addends of an energy, by the loops around them.
+pub(super) struct Terms<'p> {
+    length: IndexId,
+    /// Whether conditions on numbers of bodies become conditions on real numbers.
+    are_many: bool,
+    parameters: &'p mut dyn Parameters,
+    /// The loop over all bodies.
+    pub(super) bodies: LoopId,
+    /// The conditions of one body around what is collected, and whether they hold.
+    conditions: Vec<(NodeId, bool)>,
+    /// The loops over the two bodies of a pair.
+    pub(super) pair: Option<[LoopId; 2]>,
+    /// Whether the second body of a pair comes after the first; nothing where each pair comes twice.
+    pub(super) ascending: Option<bool>,
+    /// The addends of a pair.
+    pub(super) pairs: Vec<NodeId>,
+    /// The addends of a body.
+    pub(super) alone: Vec<NodeId>,
+    /// All others.
+    pub(super) others: Vec<NodeId>,
+}
+
+impl<'p> Terms<'p> {
+    pub(super) fn of(
+        graph: &mut Graph,
+        energy: NodeId,
+        length: IndexId,
+        are_many: bool,
+        parameters: &'p mut dyn Parameters,
+    ) -> Self {
+        let (bodies, one) = (over_all(graph, length), graph.constant(1.0));
+        let mut terms = Self {
+            length,
+            are_many,
+            parameters,
+            bodies,
+            conditions: Vec::new(),
+            pair: None,
+            ascending: None,
+            pairs: Vec::new(),
+            alone: Vec::new(),
+            others: Vec::new(),
+        };
+        terms.collect(graph, energy, one);
+        terms
+    }
+
+    /// Collects `factor` times a sum over bodies or pairs, or over several.
+    fn collect(&mut self, graph: &mut Graph, id: NodeId, factor: NodeId) {
+        if let Node::Sum(by, body) = graph.node(id) {
+            let range = graph.loops.get(by);
+            // The first body has none before it, so a loop over pairs may leave it out.
+            if let (None, Some(first @ (0 | 1))) = (range.parent, graph.loops.literal(range.from))
+                && range.to == self.length
+            {
+                return self.collect_of_body(graph, by, first, body, factor);
+            }
+        } else if let Some(parts) = addends(graph, id, factor) {
+            return parts.into_iter().for_each(|(term, factor)| self.collect(graph, term, factor));
+        }
+        let term = graph.mul(factor, id);
+        self.others.push(term);
+    }
+
+    /// Collects the addends of the body with the index of `by`.
+    fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) {
+        if self.has_partners(graph, by, id) {
+            if let Some(parts) = addends(graph, id, factor) {
+                return parts
+                    .into_iter()
+                    .for_each(|(term, factor)| self.collect_of_body(graph, by, first, term, factor));
+            }
+            if let Node::Select(condition, a, b) = graph.node(id) {
+                for (side, holds) in [(a, true), (b, false)] {
+                    self.conditions.push((condition, holds));
+                    self.collect_of_body(graph, by, first, side, factor);
+                    self.conditions.pop();
+                }
+                return;
+            }
+        }
+        if let Some(energy) = self.of_pair(graph, by, first, id, factor) {
+            return self.pairs.push(energy);
+        }
+        let product = graph.mul(factor, id);
+        let term = self.where_conditions_hold(graph, product);
+        if first == 0 && by == self.bodies && reads_only(graph, term, &[by], self.parameters) {
+            self.alone.push(term);
+        } else {
+            let sum = graph.sum(by, term);
+            self.others.push(sum);
+        }
+    }
+
+    /// A term where the conditions around it hold.
+    fn where_conditions_hold(&self, graph: &mut Graph, term: NodeId) -> NodeId {
+        let zero = graph.constant(0.0);
+        self.conditions.iter().rev().fold(term, |term, (condition, holds)| match holds {
+            true => graph.select(*condition, term, zero),
+            false => graph.select(*condition, zero, term),
+        })
+    }
+
+    /// The energy of a pair, if `factor` times a node is the sum of those of a body with its partners.
+    fn of_pair(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<NodeId> {
+        let Node::Sum(other, body) = graph.node(id) else { return None };
+        let twice = self.is_partner(graph, by, other)?;
+        let (pair, before) = ([by, other], self.is_before(graph, by, other));
+        if first != 0 && (twice || !before) || self.pair.is_some_and(|known| known != pair) {
+            return None;
+        }
+        let body = if twice { addend_of_distinct_pair(graph, by, other, body)? } else { body };
+        let (mut energy, two) = (graph.mul(factor, body), graph.constant(2.0));
+        if twice {
+            energy = graph.mul(two, energy);
+        }
+        energy = self.where_conditions_hold(graph, energy);
+        if self.are_many {
+            energy = with_numbers(graph, energy, pair)?;
+        }
+        if !reads_only(graph, energy, &pair, self.parameters) {
+            return None;
+        }
+        (self.pair, self.ascending) = (Some(pair), (!twice).then_some(!before));
+        Some(energy)
+    }
+
+    /// Whether a loop runs over the partners of the body with the index of `by`; `true` if each pair comes twice.
+    fn is_partner(&self, graph: &Graph, by: LoopId, other: LoopId) -> Option<bool> {
+        let Loop { parent, from, to } = graph.loops.get(other);
+        if parent != Some(by) {
+            return None;
+        }
+        if self.is_before(graph, by, other) {
+            return Some(false);
+        }
+        let after = match graph.loops.index(from) {
+            Index::Add(a, b) => graph.loops.index(a) == Index::Running(by) && graph.loops.literal(b) == Some(1),
+            _ => false,
+        };
+        let all = graph.loops.literal(from) == Some(0);
+        (to == self.length && (after || all)).then_some(all)
+    }
+
+    /// Whether a loop runs over the bodies before the one with the index of `by`.
+    fn is_before(&self, graph: &Graph, by: LoopId, other: LoopId) -> bool {
+        let Loop { from, to, .. } = graph.loops.get(other);
+        graph.loops.literal(from) == Some(0) && graph.loops.index(to) == Index::Running(by)
+    }
+
+    /// Whether a sum over partners is among the parts of a node.
+    fn has_partners(&self, graph: &Graph, by: LoopId, id: NodeId) -> bool {
+        match graph.node(id) {
+            Node::Sum(other, _) => self.is_partner(graph, by, other).is_some(),
+            Node::Neg(a) => self.has_partners(graph, by, a),
+            Node::Add(a, b) => self.has_partners(graph, by, a) || self.has_partners(graph, by, b),
+            Node::Mul(a, b) if graph.is_prepared(a) => self.has_partners(graph, by, b),
+            Node::Div(a, b) if graph.is_prepared(b) => self.has_partners(graph, by, a),
+            Node::Select(condition, a, b) if self.are_many && graph.is_prepared(condition) => {
+                self.has_partners(graph, by, a) || self.has_partners(graph, by, b)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The addends of `factor` times a node, each with its own factor; `None` of what is no sum and no multiple.
+pub(super) fn addends(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<Vec<(NodeId, NodeId)>> {
+    Some(match graph.node(id) {
+        Node::Add(a, b) => vec![(a, factor), (b, factor)],
+        Node::Neg(a) => vec![(a, graph.neg(factor))],
+        Node::Mul(a, b) if graph.is_prepared(a) => vec![(b, graph.mul(factor, a))],
+        Node::Div(a, b) if graph.is_prepared(b) => vec![(a, graph.div(factor, b))],
+        _ => return None,
+    })
+}
+
+/// The addend where the two indices differ, if nothing is added where they are equal.
+fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
+    let Node::Select(condition, same, other) = graph.node(body) else { return None };
+    let (condition, same, other) = match graph.node(condition) {
+        Node::Not(inner) => (inner, other, same),
+        _ => (condition, same, other),
+    };
+    let Node::CompareIndex(Comparison::Equal, a, b) = graph.node(condition) else { return None };
+    let named = [a, b].map(|index| graph.loops.index(index));
+    let both = [first, second].map(Index::Running);
+    let alike = named == both || named == [both[1], both[0]];
+    (alike && graph.as_constant(same) == Some(0.0)).then_some(other)
+}

@@ -1,0 +1,258 @@
+//! Potentials with terms beside their pairs, with bodies in order, and with any image in a box: many bodies move as the
+//! formulas say.
+
+use integrator_core::{System, prelude::*};
+use std::any::type_name;
+
+/// Enough bodies for lists of neighbours.
+const BODIES: usize = 400;
+const SIDE: f64 = 9.0;
+
+/// Bodies with charges, weights, bonds and angles in a box.
+#[derive(Clone)]
+struct Parameters {
+    side: f64,
+    inverse: f64,
+    half: f64,
+    cutoff: f64,
+    shorter: f64,
+    offset: f64,
+    charges: Vec<f64>,
+    weights: Vec<f64>,
+    bonds: Vec<[usize; 2]>,
+    angles: Vec<(usize, usize, usize)>,
+}
+
+impl Parameters {
+    fn new() -> Self {
+        let along = |factor: f64| (0..BODIES).map(|i| 1.0 + 0.5 * (factor * i as f64).sin()).collect();
+        Self {
+            side: SIDE,
+            inverse: 1.0 / SIDE,
+            half: 0.5 * SIDE,
+            cutoff: 2.5,
+            shorter: 1.5,
+            offset: 7.0,
+            charges: along(1.3),
+            weights: along(2.1),
+            bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
+            angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
+        }
+    }
+
+    /// Bodies near the sites of a lattice, at rest.
+    fn start() -> Phase<Vec<[f64; 3]>> {
+        let spread = |i: usize, d: usize| 0.2 * ((7 * i + 3 * d) as f64).sin();
+        let site = |i: usize| [i % 8, i / 8 % 8, i / 64].map(|site| site as f64 * SIDE / 8.0);
+        let q = (0..BODIES)
+            .map(|i| {
+                let site = site(i);
+                [0, 1, 2].map(|d| site[d] + spread(i, d))
+            })
+            .collect();
+        Phase::new(q, vec![[0.0; 3]; BODIES])
+    }
+}
+
+/// A system with this potential twice: with bodies in lanes, and with a kinetic energy that couples bodies, which has them as
+/// written. The test compares momenta after a kick, and energies.
+macro_rules! potential {
+    ($name:ident, $self:ident, $q:ident, $v:ident, $($body:tt)*) => {
+        mod $name {
+            use super::*;
+
+            struct InLanes(Parameters);
+            struct AsWritten(Parameters);
+
+            #[hamiltonian]
+            impl InLanes {
+                fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+                    p.iter().flatten().map(|p| 0.5 * p * p).sum()
+                }
+                fn potential(&$self, $q: &[[f64; 3]]) -> f64 {
+                    let mut $v = 0.0;
+                    $($body)*
+                    $v
+                }
+            }
+
+            #[hamiltonian]
+            impl AsWritten {
+                fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
+                    p[0][0] * p[1][0] + p.iter().flatten().map(|p| 0.5 * p * p).sum::<f64>()
+                }
+                fn potential(&$self, $q: &[[f64; 3]]) -> f64 {
+                    let mut $v = 0.0;
+                    $($body)*
+                    $v
+                }
+            }
+
+            #[test]
+            fn moves_as_written() -> Result<(), Error> {
+                let (lanes, written) = (InLanes(Parameters::new()), AsWritten(Parameters::new()));
+                let start = Parameters::start();
+                let mut by_lanes = lanes.run_with(Euler, start.clone(), 0.5)?;
+                let mut by_formulas = written.run_with(Euler, start.clone(), 0.5)?;
+                assert!(type_name::<<InLanes as System>::Motion<f64, f64>>().contains("ManyRows"));
+                assert!(type_name::<<AsWritten as System>::Motion<f64, f64>>().contains("Plain"));
+                let (energy, expected) = (by_lanes.energy(), lanes.potential(&start.q));
+                by_lanes.advance(1)?;
+                by_formulas.advance(1)?;
+                let [p, expected_p] = [by_lanes.state(), by_formulas.state()].map(|state| state.p);
+                let largest = expected_p.iter().flatten().fold(0.0, |most: f64, p| most.max(p.abs()));
+                // Sums of at most as many terms as there are bodies, in another order.
+                let rounding = (BODIES * BODIES) as f64 * f64::EPSILON;
+                assert!(largest > 0.01, "{largest}");
+                for (p, expected) in p.iter().flatten().zip(expected_p.iter().flatten()) {
+                    assert!((p - expected).abs() <= rounding * largest, "{p} for {expected}");
+                }
+                assert!((energy - expected).abs() <= rounding * expected.abs(), "{energy} for {expected}");
+                Ok(())
+            }
+        }
+    };
+}
+
+potential!(bonds, self, q, v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = x - self.0.side * (x / self.0.side).round();
+                r2 += image * image;
+            }
+            if r2 < self.0.cutoff * self.0.cutoff {
+                v += self.0.charges[i] * self.0.charges[j] / (1.0 + r2).powi(3);
+            }
+        }
+    }
+    for &[a, b] in &self.0.bonds {
+        let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[a][d] - q[b][d];
+                let image = x - self.0.side * (x / self.0.side).round();
+                r2 += image * image;
+            }
+        v += 15.0 * (r2.sqrt() - 1.0).powi(2);
+    }
+);
+
+potential!(angles_and_a_chain, self, q, v,
+    v += self.0.offset;
+    for i in 0..q.len() {
+        v += 0.1 * self.0.weights[i] * q[i][2].powi(2);
+        for j in i + 1..q.len() {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            if r2 < self.0.cutoff {
+                v += (self.0.cutoff - r2).powi(3);
+            }
+        }
+    }
+    for (a, b, c) in self.0.angles.iter().copied() {
+        v += (0..3).map(|d| (q[a][d] - 2.0 * q[b][d] + q[c][d]).powi(2)).sum::<f64>();
+    }
+    for i in 0..q.len() - 1 {
+        v += 0.3 * (q[i + 1][0] - q[i][0]).cos();
+    }
+);
+
+potential!(no_cutoff, self, q, v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            v -= self.0.charges[i] * self.0.weights[j] / (0.1 + r2).sqrt();
+        }
+    }
+    for &[a, b] in &self.0.bonds {
+        v += (q[a][0] - q[b][0]).powi(4);
+    }
+);
+
+potential!(
+    excluded_neighbours,
+    self,
+    q,
+    v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = x - self.0.side * (x * self.0.inverse).round();
+                r2 += image * image;
+            }
+            if i - j > 1 && r2 < self.0.cutoff.powi(2) {
+                v += 1.0 / (0.5 + r2).powi(2);
+            } else if i == j + 1 {
+                v += 0.5 * r2;
+            }
+        }
+    }
+);
+
+potential!(
+    branches,
+    self,
+    q,
+    v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = if x > self.0.half {
+                    x - self.0.side
+                } else if x < -self.0.half {
+                    x + self.0.side
+                } else {
+                    x
+                };
+                r2 += image * image;
+            }
+            if r2 < self.0.shorter {
+                v += self.0.charges[i] * r2;
+            } else if r2 < self.0.cutoff {
+                v += self.0.charges[j] * r2 * r2;
+            }
+        }
+    }
+);
+
+potential!(
+    remainder,
+    self,
+    q,
+    v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = (x + self.0.half).rem_euclid(self.0.side) - self.0.half;
+                r2 += image * image;
+            }
+            v += (1.0 - r2 / self.0.cutoff).max(0.0).powi(2);
+        }
+    }
+);
+
+potential!(the_shorter_way, self, q, v,
+    for i in 0..q.len() {
+        if self.0.weights[i] > 1.0 {
+            for j in 0..i {
+                let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = x.abs().min(self.0.side - x.abs());
+                r2 += image * image;
+            }
+                if r2 < self.0.cutoff {
+                    v += self.0.weights[i] * r2;
+                }
+            }
+        }
+    }
+    v += q[0][0] * q[3][1];
+);
