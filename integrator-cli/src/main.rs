@@ -45,7 +45,7 @@ enum Task {
     ///   file, systems
     ///   systems: system, line, parts, equations, separable, quadratic_kinetic, autonomous, drift, kick,
     ///            operations (written, shared, energies, together), compose, composition, admissible
-    ///   drift, kick: form (plain, line, plane, row, tiles), places
+    ///   drift, kick: form (plain, lists, line, plane, row, tiles, neighbours), others (the form beside pairs), places
     ///   places: loops, additions, multiplications, divisions, roots, functions, branches, coordinates
     ///   composition, admissible: name, order, symmetric, forces_per_step, stability_limit
     #[command(verbatim_doc_comment)]
