@@ -13,7 +13,7 @@ const LOOPS: [(&str, &str, &str); 5] = [
 
 /// Energies of a pair: a name, the text, and for few and for many bodies whether the motion is one of bodies, and whether
 /// action is reaction.
-const ENERGIES: [(&str, &str, [Option<bool>; 2]); 16] = [
+const ENERGIES: [(&str, &str, [Option<bool>; 2]); 19] = [
     ("attraction", "v -= self.g * self.m[i] * self.m[j] / r2.sqrt();", [Some(true); 2]),
     ("a factor on either side", "v -= self.m[i] * self.g / r2.sqrt() * self.m[j];", [Some(true); 2]),
     ("a quotient of parameters", "v -= self.m[i] / self.m[0] * self.m[j] / r2.sqrt();", [Some(true); 2]),
@@ -25,6 +25,9 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 16] = [
     ("another parameter of either", "v += self.m[i] * self.k[j] * r2;", ORDERED),
     ("an index as a number", "v += i as f64 * r2;", ORDERED),
     ("neighbours in a chain", "if i - j > 1 { v += r2; }", ORDERED),
+    ("a list of partners", "if self.next[j] == i { v += r2; }", ORDERED),
+    ("an integer of either", "if self.molecule[i] != self.molecule[j] { v += r2; }", ORDERED),
+    ("a condition of one", "if self.molecule[i] == 3 { v += r2; }", ORDERED),
     ("a remainder of both", "if (i + j) % 3 == 1 { v += r2; }", [None; 2]),
     ("a parameter of both", "v += self.table[i][j] * r2;", [None; 2]),
     ("one body twice", "v += q[i][0].powi(2) * q[j][1];", [None; 2]),
@@ -121,7 +124,7 @@ macro_rules! image {
 
 /// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
 /// cutoff: whether there is one, and whether distances are those in a box.
-const CUTOFFS: [(&str, &str, &str, Option<bool>); 29] = [
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 30] = [
     ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
     ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
     ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
@@ -160,6 +163,7 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 29] = [
     ("a power that is cut", OPEN, "v += (1.0 - r2 / self.cutoff).max(0.0).powi(2);", Some(false)),
     ("a distance that is cut", OPEN, "v += self.k * 0f64.max(self.cutoff - 2.0 * r2.sqrt()).powi(3);", Some(false)),
     ("a cut of what grows", OPEN, "v += (r2 * self.cutoff).max(0.0).powi(2);", None),
+    ("a type beside it", OPEN, "if self.kind[i] != self.kind[j] && r2 < self.cutoff { v += 1.0 / r2; }", Some(false)),
     (
         "pieces in different boxes",
         BOX,

@@ -8,6 +8,12 @@ use std::any::type_name;
 const BODIES: usize = 400;
 const SIDE: f64 = 9.0;
 
+#[derive(Clone, PartialEq)]
+enum Kind {
+    Water,
+    Salt,
+}
+
 /// Bodies with charges, weights, bonds and angles in a box.
 #[derive(Clone)]
 struct Parameters {
@@ -19,6 +25,9 @@ struct Parameters {
     offset: f64,
     charges: Vec<f64>,
     weights: Vec<f64>,
+    molecules: Vec<usize>,
+    kinds: Vec<Kind>,
+    partners: Vec<usize>,
     bonds: Vec<[usize; 2]>,
     angles: Vec<(usize, usize, usize)>,
 }
@@ -35,6 +44,9 @@ impl Parameters {
             offset: 7.0,
             charges: along(1.3),
             weights: along(2.1),
+            molecules: (0..BODIES).map(|i| i * 7 % BODIES / 3).collect(),
+            kinds: (0..BODIES).map(|i| if i % 3 == 0 { Kind::Salt } else { Kind::Water }).collect(),
+            partners: (0..BODIES).map(|i| (i + 1) % BODIES).collect(),
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
             angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
         }
@@ -249,10 +261,34 @@ potential!(the_shorter_way, self, q, v,
                 r2 += image * image;
             }
                 if r2 < self.0.cutoff {
-                    v += self.0.weights[i] * r2;
+                    v += self.0.offset * r2;
                 }
             }
         }
     }
     v += q[0][0] * q[3][1];
+);
+
+potential!(
+    types,
+    self,
+    q,
+    v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            if self.0.molecules[i] != self.0.molecules[j] && r2 < self.0.cutoff {
+                v += 1.0 / (1.0 + r2);
+            }
+            if self.0.kinds[i] == self.0.kinds[j] && r2 < self.0.shorter {
+                v += (self.0.shorter - r2).powi(2);
+            }
+            if self.0.kinds[i] == Kind::Salt && r2 < self.0.shorter {
+                v += r2;
+            }
+            if self.0.partners[j] == i && r2 < self.0.cutoff {
+                v += 0.5 * r2 * r2;
+            }
+        }
+    }
 );

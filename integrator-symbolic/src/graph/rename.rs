@@ -24,6 +24,10 @@ pub(crate) trait Parameters {
     fn behind_first(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
         None
     }
+    /// A condition of parameters as one on numbers of one body each, for a pair of bodies; `None` where its text does not show it.
+    fn flag(&mut self, _graph: &mut Graph, _id: ParameterId, _pair: [LoopId; 2]) -> Option<NodeId> {
+        None
+    }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
     /// The same where it has no name yet.

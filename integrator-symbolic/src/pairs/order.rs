@@ -133,8 +133,13 @@ impl Order {
 }
 
 /// An energy whose conditions on the numbers of the bodies of a pair, and on integers of these, are conditions on real numbers.
-/// `None` where an integer of both bodies is no sum, difference or product.
-pub(super) fn with_numbers(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2]) -> Option<NodeId> {
+/// `None` where an integer of both bodies is no sum, difference or product, and where a condition of both is no equality.
+pub(super) fn with_numbers(
+    graph: &mut Graph,
+    energy: NodeId,
+    pair: [LoopId; 2],
+    parameters: &mut dyn Parameters,
+) -> Option<NodeId> {
     let mut fits = true;
     let energy = rewritten(graph, energy, |graph, id| {
         let of_pair = |graph: &Graph, index| {
@@ -143,23 +148,17 @@ pub(super) fn with_numbers(graph: &mut Graph, energy: NodeId, pair: [LoopId; 2])
         };
         let found = match graph.node(id) {
             Node::CompareIndex(comparison, a, b) if of_pair(graph, a) + of_pair(graph, b) > 0 => {
-                let numbers = [a, b].map(|index| number(graph, index, pair));
-                let [Some(a), Some(b)] = numbers else {
-                    fits = false;
-                    return None;
-                };
-                graph.compare(comparison, a, b)
+                let [a, b] = [a, b].map(|index| number(graph, index, pair));
+                a.zip(b).map(|(a, b)| graph.compare(comparison, a, b))
             }
-            Node::FromIndex(index) if of_pair(graph, index) > 1 => match number(graph, index, pair) {
-                Some(number) => number,
-                None => {
-                    fits = false;
-                    return None;
-                }
-            },
+            Node::FromIndex(index) if of_pair(graph, index) > 1 => number(graph, index, pair),
+            Node::Flag(flag) if pair.iter().any(|by| graph.loops.of_parameter(flag).contains(*by)) => {
+                parameters.flag(graph, flag, pair)
+            }
             _ => return None,
         };
-        Some(found)
+        fits &= found.is_some();
+        found
     });
     fits.then_some(energy)
 }

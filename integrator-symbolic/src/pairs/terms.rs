@@ -125,7 +125,7 @@ impl<'p> Terms<'p> {
         }
         energy = self.where_conditions_hold(graph, energy);
         if self.are_many {
-            energy = with_numbers(graph, energy, pair)?;
+            energy = with_numbers(graph, energy, pair, self.parameters)?;
         }
         if !reads_only(graph, energy, &pair, self.parameters) {
             return None;

@@ -1,7 +1,7 @@
 //! The source of the user's parameter expressions, rewritten for other indices.
 
 use crate::graph::{
-    Graph, ParameterId,
+    Graph, NodeId, ParameterId,
     index::{LoopId, LoopSet},
     rename::{Parameters, Place, Renaming},
 };
@@ -9,6 +9,7 @@ use crate::model::{
     Parameter,
     parameters::{
         factors::factors,
+        flags::OTHER_BODY,
         running_index::{loop_of, mentions, running_index, with_indices},
     },
 };
@@ -80,6 +81,10 @@ impl Parameters for Texts<'_> {
         Some(self.id(graph, text, graph.loops.of_parameter(id)))
     }
 
+    fn flag(&mut self, graph: &mut Graph, id: ParameterId, pair: [LoopId; 2]) -> Option<NodeId> {
+        self.flag_of_pair(graph, id, pair)
+    }
+
     fn name_if_new(&mut self, new: LoopId, like: LoopId) {
         if !self.running.contains_key(&new) {
             self.name(new, like);
@@ -118,7 +123,7 @@ impl<'m> Texts<'m> {
         free.unwrap_or_else(|| base.clone())
     }
 
-    fn text(&self, id: ParameterId) -> TokenStream {
+    pub(super) fn text(&self, id: ParameterId) -> TokenStream {
         self.parameters[id.0 as usize].text.clone()
     }
 
@@ -149,7 +154,7 @@ impl<'m> Texts<'m> {
     }
 
     /// The parameter with this text, new or known.
-    fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
+    pub(super) fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
         if self.known.is_empty() {
             let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
             let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());
@@ -219,10 +224,12 @@ fn asks_for_indices(condition: &TokenStream) -> bool {
     })
 }
 
-/// Whether a text is an expression without closures and blocks.
+/// Whether a text is an expression without blocks, and without closures but those over other bodies.
 fn is_plain(text: &TokenStream) -> bool {
-    text.clone().into_iter().all(|token| match token {
-        TokenTree::Punct(mark) => mark.as_char() != '|',
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    let is_other = |at: usize| matches!(tokens.get(at), Some(TokenTree::Ident(name)) if name == OTHER_BODY);
+    (0..).zip(&tokens).all(|(at, token)| match token {
+        TokenTree::Punct(mark) => mark.as_char() != '|' || is_other(at + 1) || at > 0 && is_other(at - 1),
         TokenTree::Group(group) => group.delimiter() != Delimiter::Brace && is_plain(&group.stream()),
         TokenTree::Ident(_) | TokenTree::Literal(_) => true,
     })

@@ -1,0 +1,91 @@
+//! Conditions of parameters as conditions on numbers of one body each, for sums over pairs.
+//!
+//! In: the text of a condition, such as `self.kind[i] != self.kind[j]`. Out: a comparison of prepared numbers. Always true: it
+//! holds where the text does, whatever types the parameters have.
+
+use super::{
+    parameter_text::Texts,
+    running_index::{loop_of, mentions, running_index, with_indices},
+};
+use crate::graph::{
+    Comparison, Graph, NodeId, ParameterId,
+    index::{LoopId, LoopSet},
+    rename::{Parameters, Renaming},
+};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+/// The index of another body in a closure.
+pub(super) const OTHER_BODY: &str = "__other_body";
+
+impl Texts<'_> {
+    /// The condition for a pair; `None` of one that is neither of one body nor an equality.
+    pub(super) fn flag_of_pair(&mut self, graph: &mut Graph, id: ParameterId, pair: [LoopId; 2]) -> Option<NodeId> {
+        let (text, loops) = (self.text(id), graph.loops.of_parameter(id));
+        let own = |loops: LoopSet| pair.into_iter().filter(move |by| loops.contains(*by));
+        if own(loops).count() < 2 {
+            let number = self.id(graph, quote!(((#text) as u8 as f64)), loops);
+            let (zero, number) = (graph.constant(0.0), graph.parameter(number));
+            return Some(graph.compare(Comparison::Less, zero, number));
+        }
+        let (sides, equal) = sides(&text)?;
+        let of = |side: &TokenStream| pair.into_iter().filter(|by| mentions(side, *by)).collect::<Vec<_>>();
+        let [[first], [second]] = [&of(&sides[0])[..], &of(&sides[1])[..]] else { return None };
+        let (bodies, is_of_pair) = ([*first, *second], first != second && loops.iter().count() == 2);
+        let alike = with_index(&sides[1], *second, &running_index(*first).into()).to_string() == sides[0].to_string();
+        let numbers = match alike {
+            true => Some([class(&sides[0], *first), class(&sides[1], *second)]),
+            // What is compared with an index is an integer of its type.
+            false => sides.iter().any(is_of_indices).then(|| sides.each_ref().map(|side| quote!(((#side) as f64)))),
+        };
+        let numbers = numbers.filter(|_| is_of_pair)?;
+        let mut of_body = |text: &TokenStream, by: LoopId| {
+            let number = self.id(graph, text.clone(), LoopSet::of(by));
+            let other = pair.into_iter().find(|other| *other != by)?;
+            self.rename(graph, number, Renaming::one(by, other))?;
+            Some(graph.parameter(number))
+        };
+        let [a, b] = [of_body(&numbers[0], bodies[0])?, of_body(&numbers[1], bodies[1])?];
+        let condition = graph.compare(Comparison::Equal, a, b);
+        Some(if equal { condition } else { graph.not(condition) })
+    }
+}
+
+/// The number of the first body for which a text has the same value.
+fn class(text: &TokenStream, by: LoopId) -> TokenStream {
+    let (index, other) = (running_index(by), format_ident!("{OTHER_BODY}"));
+    let parenthesis = Group::new(Delimiter::Parenthesis, quote!(*#other));
+    let of_other = with_index(text, by, &TokenTree::Group(parenthesis));
+    quote!(((0..=#index).find(|#other| #of_other == #text).unwrap_or(#index) as f64))
+}
+
+fn with_index(text: &TokenStream, by: LoopId, index: &TokenTree) -> TokenStream {
+    with_indices(text, &|other| (other == by).then(|| index.clone()))
+}
+
+/// The two sides of an equality, and whether it is one; `None` of what is neither `a == b` nor `a != b`.
+fn sides(text: &TokenStream) -> Option<([TokenStream; 2], bool)> {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    if let [TokenTree::Group(group)] = &tokens[..] {
+        return sides(&group.stream());
+    }
+    let mark = |at: usize| match tokens.get(at) {
+        Some(TokenTree::Punct(mark)) => mark.as_char(),
+        _ => ' ',
+    };
+    let found: Vec<usize> = (0..tokens.len()).filter(|at| "=!<>&|?;".contains(mark(*at)) && mark(*at) != ' ').collect();
+    let [at, next] = found[..] else { return None };
+    let is_equality = next == at + 1 && mark(next) == '=' && matches!(mark(at), '=' | '!');
+    let side = |tokens: &[TokenTree]| tokens.iter().cloned().collect::<TokenStream>();
+    is_equality.then(|| ([side(&tokens[..at]), side(&tokens[next + 1..])], mark(at) == '='))
+}
+
+/// Whether a text consists of indices of loops and of numbers.
+fn is_of_indices(text: &TokenStream) -> bool {
+    text.clone().into_iter().all(|token| match token {
+        TokenTree::Ident(name) => loop_of(&name).is_some(),
+        TokenTree::Group(group) => is_of_indices(&group.stream()),
+        TokenTree::Punct(mark) => matches!(mark.as_char(), '+' | '-' | '*'),
+        TokenTree::Literal(_) => true,
+    })
+}
