@@ -25,9 +25,9 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 19] = [
     ("another parameter of either", "v += self.m[i] * self.k[j] * r2;", ORDERED),
     ("an index as a number", "v += i as f64 * r2;", ORDERED),
     ("neighbours in a chain", "if i - j > 1 { v += r2; }", ORDERED),
-    ("a list of partners", "if self.next[j] == i { v += r2; }", ORDERED),
     ("an integer of either", "if self.molecule[i] != self.molecule[j] { v += r2; }", ORDERED),
-    ("a condition of one", "if self.molecule[i] == 3 { v += r2; }", ORDERED),
+    ("a list of partners", "if self.next[j] == i { v += r2; }", ORDERED),
+    ("a condition of one", "if self.kind[i] == 3 { v += r2; }", ORDERED),
     ("a remainder of both", "if (i + j) % 3 == 1 { v += r2; }", [None; 2]),
     ("a parameter of both", "v += self.table[i][j] * r2;", [None; 2]),
     ("one body twice", "v += q[i][0].powi(2) * q[j][1];", [None; 2]),
@@ -88,6 +88,29 @@ fn pairs_are_found_whatever_their_order() {
                 assert_eq!(found, Some(expected_layout), "{name}, {order}, {length}");
                 let reciprocal = expected.map(|expected| format!("const RECIPROCAL : bool = {expected}"));
                 assert!(reciprocal.is_none_or(|reciprocal| text.contains(&reciprocal)), "{name}, {order}, {length}");
+            }
+        }
+    }
+}
+
+/// The loops never read the list at the last body, so that it may be too short for it.
+#[test]
+fn a_list_of_the_lesser_body_alone_is_not_read_for_the_last_one() {
+    for (number, of_lesser, of_greater) in [
+        ("self . k [", "v += self.k[LESSER] * r2;", "v += self.k[GREATER] * r2;"),
+        (
+            "self . next [",
+            "if self.next[LESSER] == GREATER { v += r2; }",
+            "if self.next[GREATER] == LESSER { v += r2; }",
+        ),
+        ("self . kind [", "if self.kind[LESSER] == 3 { v += r2; }", "if self.kind[GREATER] == 3 { v += r2; }"),
+    ] {
+        for ((_, open, close), lesser, greater) in [(LOOPS[0], "j", "i"), (LOOPS[2], "i", "j")] {
+            for (energy, is_guarded) in [(of_lesser, true), (of_greater, false)] {
+                let energy = energy.replace("LESSER", lesser).replace("GREATER", greater);
+                let text = stepper("len", "[[f64; 3]]", [open, &energy, close]);
+                assert!(text.contains("runtime :: ManyRows") && text.contains(number), "{energy}: {text}");
+                assert_eq!(text.contains("+ 1 < length"), is_guarded, "{energy}, {open}: {text}");
             }
         }
     }

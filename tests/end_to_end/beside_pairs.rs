@@ -28,6 +28,9 @@ struct Parameters {
     molecules: Vec<usize>,
     kinds: Vec<Kind>,
     partners: Vec<usize>,
+    /// Without the last body, which is never the lesser one of a pair.
+    following: Vec<usize>,
+    strengths: Vec<f64>,
     bonds: Vec<[usize; 2]>,
     angles: Vec<(usize, usize, usize)>,
 }
@@ -46,7 +49,9 @@ impl Parameters {
             weights: along(2.1),
             molecules: (0..BODIES).map(|i| i * 7 % BODIES / 3).collect(),
             kinds: (0..BODIES).map(|i| if i % 3 == 0 { Kind::Salt } else { Kind::Water }).collect(),
-            partners: (0..BODIES).map(|i| (i + 1) % BODIES).collect(),
+            partners: (0..BODIES).map(|i| (i + BODIES - 1) % BODIES).collect(),
+            following: (1..BODIES).collect(),
+            strengths: (1..BODIES).map(|i| 0.001 * i as f64).collect(),
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
             angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
         }
@@ -174,7 +179,7 @@ potential!(no_cutoff, self, q, v,
     for i in 0..q.len() {
         for j in 0..i {
             let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
-            v -= self.0.charges[i] * self.0.weights[j] / (0.1 + r2).sqrt();
+            v -= (self.0.charges[i] * self.0.weights[j] + 0.1 * self.0.weights[i] * self.0.charges[j]) / (0.1 + r2).sqrt();
         }
     }
     for &[a, b] in &self.0.bonds {
@@ -286,8 +291,26 @@ potential!(
             if self.0.kinds[i] == Kind::Salt && r2 < self.0.shorter {
                 v += r2;
             }
-            if self.0.partners[j] == i && r2 < self.0.cutoff {
+            if self.0.partners[i] == j && r2 < self.0.cutoff {
                 v += 0.5 * r2 * r2;
+            }
+        }
+    }
+);
+
+potential!(
+    lists_without_the_last_body,
+    self,
+    q,
+    v,
+    for i in 0..q.len() {
+        for j in 0..i {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            if r2 < self.0.cutoff {
+                v += self.0.strengths[j] / (1.0 + r2);
+                if self.0.following[j] == i {
+                    v += r2 * r2;
+                }
             }
         }
     }

@@ -28,6 +28,10 @@ pub(crate) trait Parameters {
     fn flag(&mut self, _graph: &mut Graph, _id: ParameterId, _pair: [LoopId; 2]) -> Option<NodeId> {
         None
     }
+    /// A number, or an integer as one, where the index of a loop is not the last one, and zero there; `None` as for others.
+    fn before_last(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
+        None
+    }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
     /// The same where it has no name yet.

@@ -16,6 +16,8 @@ use std::collections::HashMap;
 #[derive(Clone, Copy)]
 pub(super) struct Order {
     pair: [LoopId; 2],
+    /// The body with the smaller number, which is never the last one.
+    lesser: LoopId,
     /// The condition that the numbers of the bodies have the order of the loops.
     holds: NodeId,
     /// One where they have it, else minus one.
@@ -23,8 +25,8 @@ pub(super) struct Order {
 }
 
 /// The constants that are chosen by the order.
-#[derive(Clone, Copy, PartialEq)]
-enum Chosen {
+#[derive(Clone, Copy)]
+enum Constants {
     InConditions,
     All,
 }
@@ -39,7 +41,8 @@ impl Order {
         let [less, greater] = if ascending { [first, second] } else { [second, first] };
         let holds = graph.compare(Comparison::Less, less, greater);
         let [plus, minus] = [1.0, -1.0].map(|sign| graph.constant(sign));
-        Self { pair, holds, sign: graph.select(holds, plus, minus) }
+        let lesser = pair[usize::from(!ascending)];
+        Self { pair, lesser, holds, sign: graph.select(holds, plus, minus) }
     }
 
     /// The form of a node with the bodies exchanged: whether it is that of the node itself, and if so, whether it is its
@@ -61,12 +64,14 @@ impl Order {
     ) -> Option<NodeId> {
         let known = graph.truth(true);
         let energy = rewritten(graph, energy, |_, id| if id == self.holds { Some(known) } else { None });
-        let candidates = [(None, false), (None, true), (Some(Chosen::InConditions), false)];
-        let others = [(Some(Chosen::InConditions), true), (Some(Chosen::All), false), (Some(Chosen::All), true)];
+        let chosen = self.chosen(graph, energy, parameters);
+        let candidates = [(None, false), (None, true), (Some(Constants::InConditions), false)];
+        let others =
+            [(Some(Constants::InConditions), true), (Some(Constants::All), false), (Some(Constants::All), true)];
         for (constants, displacements) in candidates.into_iter().chain(others) {
             let mut candidate = energy;
-            if let Some(chosen) = constants {
-                candidate = self.choose(graph, candidate, chosen, parameters);
+            if let Some(constants) = constants {
+                candidate = choose(graph, candidate, constants, chosen.as_ref()?);
             }
             if displacements {
                 candidate = self.sign_displacements(graph, candidate);
@@ -80,32 +85,30 @@ impl Order {
         None
     }
 
-    /// Chooses constants of one body by the order.
-    fn choose(&self, graph: &mut Graph, energy: NodeId, chosen: Chosen, parameters: &mut dyn Parameters) -> NodeId {
-        let mut replaced = HashMap::new();
+    /// The constants of one body, each with the choice by the order that takes its place. A list that is read at the number of the
+    /// lesser body alone may lack the last body.
+    fn chosen(
+        &self,
+        graph: &mut Graph,
+        energy: NodeId,
+        parameters: &mut dyn Parameters,
+    ) -> Option<HashMap<NodeId, NodeId>> {
+        let mut chosen = HashMap::new();
+        let known = graph.len();
         for id in graph.reachable([energy]) {
             let bodies = self.bodies_of(graph.loops_of(id));
-            if let ([by], Node::Parameter(_) | Node::FromIndex(_)) = (&bodies[..], graph.node(id)) {
-                let other = if *by == self.pair[0] { self.pair[1] } else { self.pair[0] };
-                if let Some(other) = rename(graph, id, Renaming::one(*by, other), parameters) {
-                    replaced.insert(id, graph.select(self.holds, id, other));
+            let ([by], Node::Parameter(_) | Node::FromIndex(_)) = (&bodies[..], graph.node(id)) else { continue };
+            let other = if *by == self.pair[0] { self.pair[1] } else { self.pair[0] };
+            let renamed = rename(graph, id, Renaming::one(*by, other), parameters)?;
+            let mut both = [id, renamed];
+            if *by == self.lesser && renamed.position() >= known {
+                for (node, by) in both.iter_mut().zip([*by, other]) {
+                    *node = before_last(graph, *node, by, parameters)?;
                 }
             }
+            chosen.insert(id, graph.select(self.holds, both[0], both[1]));
         }
-        match chosen {
-            Chosen::All => rewritten(graph, energy, |_, id| replaced.get(&id).copied()),
-            Chosen::InConditions => rewritten(graph, energy, |graph, id| match graph.node(id) {
-                condition @ Node::Compare(..) if graph.is_prepared(id) => {
-                    let children: Vec<_> = condition.children().collect();
-                    let new: HashMap<_, _> = children
-                        .into_iter()
-                        .map(|child| (child, rewritten(graph, child, |_, id| replaced.get(&id).copied())))
-                        .collect();
-                    Some(graph.rebuilt(condition.map(|child| new[&child])))
-                }
-                _ => None,
-            }),
-        }
+        Some(chosen)
     }
 
     /// The bodies of the pair whose numbers are among these loops.
@@ -129,6 +132,34 @@ impl Order {
             }
         }
         rewritten(graph, energy, |_, id| replaced.get(&id).copied())
+    }
+}
+
+/// A constant of a body, or zero for the last one.
+fn before_last(graph: &mut Graph, id: NodeId, by: LoopId, parameters: &mut dyn Parameters) -> Option<NodeId> {
+    let parameter = match graph.node(id) {
+        Node::Parameter(parameter) => parameter,
+        Node::FromIndex(index) => match graph.loops.index(index) {
+            Index::Parameter(parameter) => parameter,
+            _ => return Some(id),
+        },
+        _ => return None,
+    };
+    let guarded = parameters.before_last(graph, parameter, by)?;
+    Some(graph.parameter(guarded))
+}
+
+/// An energy with choices in place of constants.
+fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &HashMap<NodeId, NodeId>) -> NodeId {
+    match constants {
+        Constants::All => rewritten(graph, energy, |_, id| chosen.get(&id).copied()),
+        Constants::InConditions => rewritten(graph, energy, |graph, id| match graph.node(id) {
+            Node::Compare(comparison, a, b) if graph.is_prepared(id) => {
+                let [a, b] = [a, b].map(|side| rewritten(graph, side, |_, id| chosen.get(&id).copied()));
+                Some(graph.compare(comparison, a, b))
+            }
+            _ => None,
+        }),
     }
 }
 

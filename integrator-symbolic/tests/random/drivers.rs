@@ -152,10 +152,16 @@ impl Machine<'_> {
             (None, None) => foreign("a flow that nobody carries out"),
         };
         let replaces = drifts && lattice.is_none();
+        let others = match &driven.bodies {
+            Some(bodies) if !drifts => self.other_terms(bodies, &motion, time),
+            _ => Ok(None),
+        };
         self.driven = driven;
-        for (row, added) in coordinates.iter_mut().zip(added?) {
-            for (slot, added) in row.iter_mut().zip(added) {
-                *slot = if replaces { added } else { slot.add(&added.mul(&step)).of_kind(Kind::Scalar) };
+        for added in [Some(added?), others?].into_iter().flatten() {
+            for (row, added) in coordinates.iter_mut().zip(added) {
+                for (slot, added) in row.iter_mut().zip(added) {
+                    *slot = if replaces { added } else { slot.add(&added.mul(&step)).of_kind(Kind::Scalar) };
+                }
             }
         }
         let shape = motion.field(moved)?.items()?.iter().any(|item| matches!(item, Value::List(_)));
@@ -171,6 +177,13 @@ impl Machine<'_> {
         }
         self.store(&call.receiver, Value::Struct(Rc::new(fields)))?;
         Ok(Value::Unit)
+    }
+
+    /// The gradient of the terms beside pairs, if there are any.
+    fn other_terms(&mut self, bodies: &Bodies<'_>, motion: &Value, time: &Number) -> Outcome<Option<Vec<Vec<Number>>>> {
+        let Some(other_terms) = bodies.functions.get("other_terms").copied() else { return Ok(None) };
+        let (_, after) = self.run(other_terms, vec![motion.clone(), time.clone().into()], Some(0))?;
+        Ok(Some(after.field("p")?.items()?.iter().map(components).collect::<Outcome<_>>()?))
     }
 
     /// The energy by pairs, as of bodies that are listed; of an odd number nothing, as of bodies that are too few to be listed.

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::graph::{
     Comparison, Graph, NodeId, ParameterId,
-    index::{LoopId, LoopSet},
+    index::{Index, LoopId, LoopSet},
     rename::{Parameters, Renaming},
 };
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -39,13 +39,17 @@ impl Texts<'_> {
             false => sides.iter().any(is_of_indices).then(|| sides.each_ref().map(|side| quote!(((#side) as f64)))),
         };
         let numbers = numbers.filter(|_| is_of_pair)?;
-        let mut of_body = |text: &TokenStream, by: LoopId| {
+        let mut of_body = |side: &TokenStream, text: &TokenStream, by: LoopId| {
+            if side.to_string() == running_index(by).to_string() {
+                let index = graph.loops.intern(Index::Running(by));
+                return Some(graph.number_of(index));
+            }
             let number = self.id(graph, text.clone(), LoopSet::of(by));
             let other = pair.into_iter().find(|other| *other != by)?;
             self.rename(graph, number, Renaming::one(by, other))?;
             Some(graph.parameter(number))
         };
-        let [a, b] = [of_body(&numbers[0], bodies[0])?, of_body(&numbers[1], bodies[1])?];
+        let [a, b] = [of_body(&sides[0], &numbers[0], bodies[0])?, of_body(&sides[1], &numbers[1], bodies[1])?];
         let condition = graph.compare(Comparison::Equal, a, b);
         Some(if equal { condition } else { graph.not(condition) })
     }

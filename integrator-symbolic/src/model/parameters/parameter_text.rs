@@ -85,6 +85,13 @@ impl Parameters for Texts<'_> {
         self.flag_of_pair(graph, id, pair)
     }
 
+    fn before_last(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId) -> Option<ParameterId> {
+        let (text, index) = (self.text(id), running_index(by));
+        let guarded = quote!((if #index + 1 < length { (#text) as f64 } else { 0.0 }));
+        (is_plain(&text) && graph.loops.of_parameter(id) == LoopSet::of(by))
+            .then(|| self.id(graph, guarded, LoopSet::of(by)))
+    }
+
     fn name_if_new(&mut self, new: LoopId, like: LoopId) {
         if !self.running.contains_key(&new) {
             self.name(new, like);
@@ -224,9 +231,24 @@ fn asks_for_indices(condition: &TokenStream) -> bool {
     })
 }
 
-/// Whether a text is an expression without blocks, and without closures but those over other bodies.
+/// Whether a text is an expression without closures but those over other bodies, and without blocks but those of a condition on
+/// indices and the number of bodies.
 fn is_plain(text: &TokenStream) -> bool {
     let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    if let [
+        TokenTree::Ident(choice),
+        condition @ ..,
+        TokenTree::Group(guarded),
+        TokenTree::Ident(_),
+        TokenTree::Group(other),
+    ] = &tokens[..]
+        && choice == "if"
+        && condition.iter().any(|token| matches!(token, TokenTree::Ident(name) if name == "length"))
+    {
+        return asks_for_indices(&condition.iter().cloned().collect())
+            && is_plain(&guarded.stream())
+            && is_plain(&other.stream());
+    }
     let is_other = |at: usize| matches!(tokens.get(at), Some(TokenTree::Ident(name)) if name == OTHER_BODY);
     (0..).zip(&tokens).all(|(at, token)| match token {
         TokenTree::Punct(mark) => mark.as_char() != '|' || is_other(at + 1) || at > 0 && is_other(at - 1),
