@@ -40,7 +40,7 @@ impl Texts<'_> {
         };
         let numbers = numbers.filter(|_| is_of_pair)?;
         let mut of_body = |side: &TokenStream, text: &TokenStream, by: LoopId| {
-            if side.to_string() == running_index(by).to_string() {
+            if running_index(by) == side.to_string() {
                 let index = graph.loops.intern(Index::Running(by));
                 return Some(graph.number_of(index));
             }
