@@ -11,6 +11,7 @@ use crate::{
         index::{Index, LoopId},
     },
 };
+use std::collections::{HashMap, HashSet};
 
 /// The distance beyond which the bodies of a pair do not act on each other.
 #[derive(Clone, Debug, PartialEq)]
@@ -218,26 +219,42 @@ impl Distances {
             axes.push((axis, None));
             return Some(());
         }
-        let mut sides = Vec::new();
-        for node in reachable {
-            let factors = match graph.node(node) {
-                Node::Mul(a, b) | Node::Add(a, b) => vec![a, b],
-                Node::Binary(_, _, divisor) => vec![divisor],
-                Node::Select(_, a, b) => vec![a, b],
-                _ => continue,
-            };
-            sides.extend(factors.into_iter().map(|factor| graph.without_sign(factor)));
-        }
+        // The multiple of a side that is added last contains the side itself, which is known before it.
+        let mut sides: Vec<NodeId> = reachable.into_iter().flat_map(|node| self.sides_in(graph, node)).collect();
         sides.sort();
         sides.dedup();
-        let side = sides.into_iter().find(|side| {
-            graph.is_prepared(*side) && graph.as_constant(*side).is_none_or(|side| side != 0.0) && {
-                let mut image = Image { graph, side: *side, both };
-                image.is_displacement(id)
-            }
-        })?;
+        let side = sides.into_iter().rev().find(|side| Image::new(graph, *side, both).is_displacement(id))?;
         axes.push((axis, Some(side)));
         Some(())
+    }
+
+    /// The numbers that may be the side of a box where a node makes a displacement that of another image.
+    fn sides_in(&self, graph: &mut Graph, node: NodeId) -> Vec<NodeId> {
+        let factors = |graph: &Graph, id: NodeId| match graph.node(id) {
+            Node::Mul(a, b) => vec![id, a, b],
+            _ => vec![id],
+        };
+        let candidates = match graph.node(node) {
+            Node::Mul(a, b) => vec![a, b],
+            Node::Binary(function, _, divisor) if function.name() == "remainder" => vec![divisor],
+            // One of two images, which differ by a multiple of the side.
+            Node::Select(_, a, b) | Node::Binary(_, a, b) => {
+                let terms = [a, b].into_iter().flat_map(|image| match graph.node(image) {
+                    Node::Add(a, b) => vec![a, b],
+                    _ => vec![image],
+                });
+                terms.flat_map(|term| factors(graph, term)).collect()
+            }
+            _ => Vec::new(),
+        };
+        let sides = candidates.into_iter().map(|candidate| graph.without_sign(candidate));
+        let sides: Vec<_> = sides.collect();
+        let is_side = |side: &NodeId| {
+            let loops = graph.loops_of(*side);
+            let is_zero = graph.as_constant(*side) == Some(0.0);
+            graph.is_prepared(*side) && !is_zero && !self.pair.iter().any(|by| loops.contains(*by))
+        };
+        sides.into_iter().filter(is_side).collect()
     }
 }
 
@@ -247,14 +264,31 @@ struct Image<'g> {
     side: NodeId,
     /// The displacement, and its opposite.
     both: [NodeId; 2],
+    /// The terms of sums that were asked for.
+    terms: HashMap<NodeId, Vec<Term>>,
+    displacements: HashMap<NodeId, bool>,
+    multiples: HashMap<NodeId, bool>,
 }
 
-impl Image<'_> {
+/// A term of a sum, and whether it is subtracted.
+type Term = (NodeId, bool);
+
+impl<'g> Image<'g> {
+    /// The most terms of a sum that may be a displacement; those of nested sums are as many as their paths.
+    const TERMS: usize = 8;
+
+    fn new(graph: &'g Graph, side: NodeId, both: [NodeId; 2]) -> Self {
+        let (terms, displacements, multiples) = Default::default();
+        Self { graph, side, both, terms, displacements, multiples }
+    }
+
     /// Whether a number is the displacement but for multiples of the side and its sign.
     fn is_displacement(&mut self, id: NodeId) -> bool {
-        let mut terms = Vec::new();
-        self.collect(id, false, &mut terms);
-        match terms[..] {
+        if let Some(known) = self.displacements.get(&id) {
+            return *known;
+        }
+        let terms = self.terms(id);
+        let found = match terms[..] {
             [(term, _)] => {
                 self.both.contains(&term)
                     || match self.graph.node(term) {
@@ -267,11 +301,13 @@ impl Image<'_> {
                     }
             }
             _ => self.is_difference(&terms),
-        }
+        };
+        self.displacements.insert(id, found);
+        found
     }
 
     /// Whether these terms are the two of the displacement.
-    fn is_difference(&self, terms: &[(NodeId, bool)]) -> bool {
+    fn is_difference(&self, terms: &[Term]) -> bool {
         let Node::Add(a, b) = self.graph.node(self.graph.without_sign(self.both[0])) else { return false };
         let own = [a, b].map(|term| self.graph.signed(term));
         let alike = |opposite: bool| {
@@ -281,60 +317,81 @@ impl Image<'_> {
         alike(false) || alike(true)
     }
 
-    /// Collects the terms of a sum that are no multiples of the side, each with its sign; opposite ones cancel.
-    fn collect(&self, id: NodeId, negative: bool, terms: &mut Vec<(NodeId, bool)>) {
-        match self.graph.node(id) {
-            _ if self.is_multiple(id) => {}
+    /// The terms of a sum that are no multiples of the side; opposite ones cancel.
+    fn terms(&mut self, id: NodeId) -> Vec<Term> {
+        if let Some(known) = self.terms.get(&id) {
+            return known.clone();
+        }
+        let opposite = |terms: Vec<Term>| terms.into_iter().map(|(term, negative)| (term, !negative)).collect();
+        let terms = match self.graph.node(id) {
+            _ if self.is_multiple(id) => Vec::new(),
             Node::Add(a, b) if !self.both.contains(&id) => {
-                self.collect(a, negative, terms);
-                self.collect(b, negative, terms);
+                let mut terms = self.terms(a);
+                for (term, negative) in self.terms(b) {
+                    match terms.iter().position(|known| *known == (term, !negative)) {
+                        Some(opposite) => drop(terms.swap_remove(opposite)),
+                        None => terms.push((term, negative)),
+                    }
+                }
+                terms
             }
-            Node::Neg(a) => self.collect(a, !negative, terms),
-            Node::Binary(function, a, b) if function.name() == "remainder" && b == self.side => {
-                self.collect(a, negative, terms);
-            }
+            Node::Neg(a) => opposite(self.terms(a)),
+            Node::Binary(function, a, b) if function.name() == "remainder" && b == self.side => self.terms(a),
             // One more multiple of the side in one of the branches.
             Node::Select(_, a, b) => {
-                let mut sides = [Vec::new(), Vec::new()];
-                self.collect(a, negative, &mut sides[0]);
-                self.collect(b, negative, &mut sides[1]);
+                let mut sides = [self.terms(a), self.terms(b)];
                 sides.iter_mut().for_each(|side| side.sort());
                 match sides {
-                    [a, b] if a == b => terms.extend(a),
-                    _ => terms.push((id, negative)),
+                    [a, b] if a == b => a,
+                    _ => vec![(id, false)],
                 }
             }
-            _ => match terms.iter().position(|known| *known == (id, !negative)) {
-                Some(opposite) => {
-                    terms.swap_remove(opposite);
-                }
-                None => terms.push((id, negative)),
-            },
-        }
+            _ => vec![(id, false)],
+        };
+        let terms = if terms.len() > Self::TERMS { vec![(id, false)] } else { terms };
+        self.terms.insert(id, terms.clone());
+        terms
     }
 
     /// Whether a number is a multiple of the side.
-    fn is_multiple(&self, id: NodeId) -> bool {
-        match self.graph.node(id) {
+    fn is_multiple(&mut self, id: NodeId) -> bool {
+        if let Some(known) = self.multiples.get(&id) {
+            return *known;
+        }
+        let found = match self.graph.node(id) {
             _ if id == self.side => true,
             Node::Constant(_) => self.graph.as_constant(id) == Some(0.0),
             Node::Neg(a) => self.is_multiple(a),
             Node::Unary(function, a) if function.name() == "abs" => self.is_multiple(a),
             Node::Add(a, b) | Node::Select(_, a, b) => self.is_multiple(a) && self.is_multiple(b),
-            Node::Mul(a, b) => self.is_multiple(a) && self.is_integer(b) || self.is_multiple(b) && self.is_integer(a),
-            _ => false,
-        }
-    }
-
-    fn is_integer(&self, id: NodeId) -> bool {
-        match self.graph.node(id) {
-            Node::Constant(_) => self.graph.as_constant(id).is_some_and(|number| number.fract() == 0.0),
-            Node::Neg(a) => self.is_integer(a),
-            Node::Add(a, b) | Node::Mul(a, b) | Node::Select(_, a, b) => self.is_integer(a) && self.is_integer(b),
-            Node::Unary(function, _) => {
-                ["round", "round_ties_even", "floor", "ceil", "trunc", "signum"].contains(&function.name())
+            Node::Mul(a, b) => {
+                self.is_multiple(a) && is_integer(self.graph, b) || self.is_multiple(b) && is_integer(self.graph, a)
             }
             _ => false,
-        }
+        };
+        self.multiples.insert(id, found);
+        found
     }
 }
+
+/// Whether a number is an integer: a sum or product of what is rounded, and of such constants.
+fn is_integer(graph: &Graph, root: NodeId) -> bool {
+    let mut open = vec![root];
+    let mut seen = HashSet::new();
+    while let Some(id) = open.pop() {
+        if !seen.insert(id) {
+            continue;
+        }
+        match graph.node(id) {
+            Node::Constant(_) if graph.as_constant(id).is_some_and(|number| number.fract() == 0.0) => {}
+            Node::Neg(a) => open.push(a),
+            Node::Add(a, b) | Node::Mul(a, b) | Node::Select(_, a, b) => open.extend([a, b]),
+            Node::Unary(function, _) if ROUNDED.contains(&function.name()) => {}
+            _ => return false,
+        }
+    }
+    true
+}
+
+/// The functions whose values are integers.
+const ROUNDED: [&str; 6] = ["round", "round_ties_even", "floor", "ceil", "trunc", "signum"];

@@ -6,6 +6,7 @@ use crate::graph::{
     index::{Index, IndexId, Loop, LoopId},
     rename::Parameters,
 };
+use std::collections::HashMap;
 
 /// The addends of an energy, by the loops around them.
 pub(super) struct Terms<'p> {
@@ -17,6 +18,8 @@ pub(super) struct Terms<'p> {
     pub(super) bodies: LoopId,
     /// The conditions of one body around what is collected, and whether they hold.
     conditions: Vec<(NodeId, bool)>,
+    /// The nodes of a body that were asked for a sum over partners.
+    partners: HashMap<(LoopId, NodeId), bool>,
     /// The loops over the two bodies of a pair.
     pub(super) pair: Option<[LoopId; 2]>,
     /// Whether the second body of a pair comes after the first; nothing where each pair comes twice.
@@ -44,6 +47,7 @@ impl<'p> Terms<'p> {
             parameters,
             bodies,
             conditions: Vec::new(),
+            partners: HashMap::new(),
             pair: None,
             ascending: None,
             pairs: Vec::new(),
@@ -71,6 +75,9 @@ impl<'p> Terms<'p> {
         self.others.push(term);
     }
 
+    /// The most conditions around a sum over partners: those of nested branches are as many as their paths.
+    const CONDITIONS: usize = 4;
+
     /// Collects the addends of the body with the index of `by`.
     fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) {
         if self.has_partners(graph, by, id) {
@@ -79,7 +86,9 @@ impl<'p> Terms<'p> {
                     .into_iter()
                     .for_each(|(term, factor)| self.collect_of_body(graph, by, first, term, factor));
             }
-            if let Node::Select(condition, a, b) = graph.node(id) {
+            if let Node::Select(condition, a, b) = graph.node(id)
+                && self.conditions.len() < Self::CONDITIONS
+            {
                 for (side, holds) in [(a, true), (b, false)] {
                     self.conditions.push((condition, holds));
                     self.collect_of_body(graph, by, first, side, factor);
@@ -158,8 +167,11 @@ impl<'p> Terms<'p> {
     }
 
     /// Whether a sum over partners is among the parts of a node.
-    fn has_partners(&self, graph: &Graph, by: LoopId, id: NodeId) -> bool {
-        match graph.node(id) {
+    fn has_partners(&mut self, graph: &Graph, by: LoopId, id: NodeId) -> bool {
+        if let Some(known) = self.partners.get(&(by, id)) {
+            return *known;
+        }
+        let found = match graph.node(id) {
             Node::Sum(other, _) => self.is_partner(graph, by, other).is_some(),
             Node::Neg(a) => self.has_partners(graph, by, a),
             Node::Add(a, b) => self.has_partners(graph, by, a) || self.has_partners(graph, by, b),
@@ -169,7 +181,9 @@ impl<'p> Terms<'p> {
                 self.has_partners(graph, by, a) || self.has_partners(graph, by, b)
             }
             _ => false,
-        }
+        };
+        self.partners.insert((by, id), found);
+        found
     }
 }
 
