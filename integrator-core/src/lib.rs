@@ -259,6 +259,7 @@ pub mod __private {
             counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
+            equal_values::EqualValues,
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},

@@ -17,7 +17,7 @@ use crate::{
     graph::{
         Graph, Node, NodeId, Part,
         index::{Index, IndexId, Loop, LoopId},
-        rename::{Parameters, Renaming},
+        rename::{End, Parameters, Renaming},
     },
 };
 pub(crate) use attraction::{attraction, inverse_mass, softening};
@@ -26,6 +26,7 @@ pub(crate) use central::pull;
 pub(crate) use cutoff::{Cutoff, cutoff};
 use exchange::Forms;
 use order::Order;
+pub(crate) use order::with_numbers_of_each;
 use terms::{Terms, addends};
 
 /// A potential of pairs.
@@ -34,9 +35,11 @@ pub(crate) struct Pairs {
     pub(crate) bodies: LoopId,
     /// The loops over the two bodies of a pair.
     pub(crate) pair: [LoopId; 2],
+    /// The ends at which the bodies of a pair have no partner; none where each pair comes twice, or among few bodies.
+    pub(crate) ends: [Option<End>; 2],
     /// The energy of a pair.
     pub(crate) energy: NodeId,
-    /// The same before the bodies of a pair were put in order.
+    /// The energy of a pair whose bodies come in the order of the loops, without choices by their numbers.
     pub(crate) written: NodeId,
     /// The gradient of a pair's energy by the coordinates of its first body.
     pub(crate) force: Vec<Contribution>,
@@ -73,7 +76,7 @@ pub(crate) fn pairs(
         Some(order) => (order.symmetric(graph, written, parameters)?, Some(order)),
     };
     let mut forms = Forms::new(pair, order, parameters);
-    if forms.of(graph, energy, false)? != forms.of(graph, energy, true)? {
+    if order.is_none() && forms.of(graph, energy, false)? != forms.of(graph, energy, true)? {
         return None;
     }
     let gradients = gradient(graph, energy, Part::Position);
@@ -93,7 +96,8 @@ pub(crate) fn pairs(
     let energy_alone = alone;
     let alone = gradient(graph, alone, Part::Position);
     let others = (others, of_others);
-    Some(Pairs { bodies, pair, energy, written, force, reciprocal, energy_alone, alone, others })
+    let ends = order.map_or([None; 2], |order| order.ends);
+    Some(Pairs { bodies, pair, ends, energy, written, force, reciprocal, energy_alone, alone, others })
 }
 
 fn total(graph: &mut Graph, terms: Vec<NodeId>) -> NodeId {

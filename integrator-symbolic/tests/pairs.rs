@@ -13,7 +13,7 @@ const LOOPS: [(&str, &str, &str); 5] = [
 
 /// Energies of a pair: a name, the text, and for few and for many bodies whether the motion is one of bodies, and whether
 /// action is reaction.
-const ENERGIES: [(&str, &str, [Option<bool>; 2]); 19] = [
+const ENERGIES: [(&str, &str, [Option<bool>; 2]); 20] = [
     ("attraction", "v -= self.g * self.m[i] * self.m[j] / r2.sqrt();", [Some(true); 2]),
     ("a factor on either side", "v -= self.m[i] * self.g / r2.sqrt() * self.m[j];", [Some(true); 2]),
     ("a quotient of parameters", "v -= self.m[i] / self.m[0] * self.m[j] / r2.sqrt();", [Some(true); 2]),
@@ -28,6 +28,7 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 19] = [
     ("an integer of either", "if self.molecule[i] != self.molecule[j] { v += r2; }", ORDERED),
     ("a list of partners", "if self.next[j] == i { v += r2; }", ORDERED),
     ("a condition of one", "if self.kind[i] == 3 { v += r2; }", ORDERED),
+    ("a quotient of a difference", "if j == (i - 1) / 2 { v += r2; }", [None; 2]),
     ("a remainder of both", "if (i + j) % 3 == 1 { v += r2; }", [None; 2]),
     ("a parameter of both", "v += self.table[i][j] * r2;", [None; 2]),
     ("one body twice", "v += q[i][0].powi(2) * q[j][1];", [None; 2]),
@@ -147,7 +148,7 @@ macro_rules! image {
 
 /// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
 /// cutoff: whether there is one, and whether distances are those in a box.
-const CUTOFFS: [(&str, &str, &str, Option<bool>); 30] = [
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 34] = [
     ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
     ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
     ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
@@ -207,6 +208,10 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 30] = [
         Some(true),
     ),
     ("half a side", image!("x - self.side * (x / self.side).round() * 0.5"), IF, Some(true)),
+    ("a side of each pair", image!("x - (self.m[i] - self.m[j]) * (x / (self.m[i] - self.m[j])).round()"), IF, None),
+    ("a side by numbers", image!("x - self.k * (i - j) as f64 * (x / (self.k * (i - j) as f64)).round()"), IF, None),
+    ("a side of each body", image!("x - self.m[i] * (x / self.m[i]).round()"), IF, None),
+    ("an offset", image!("x - self.side"), IF, None),
     ("no multiple of a side", image!("x - self.side * (x / self.side).sin()"), IF, None),
 ];
 
@@ -226,6 +231,11 @@ fn a_cutoff_is_proved_or_all_pairs_are_summed() {
         }
         assert_eq!(text.contains("fn sides <"), found == Some(true), "{name}: {text}");
     }
+    // The side is what the displacement is shifted by, not a factor of it.
+    let distance = image!("{ let side = 2.0 * self.half; x - side * (x / side).round() }");
+    let text = of_pairs("len", "[[f64; 3]]", distance, IF);
+    let sides = text.split("fn sides <").nth(1).and_then(|text| text.split('}').next()).expect("sides");
+    assert!(text.contains("prepared_") && !sides.contains("half"), "{sides}");
     let [few, many] = [9, 1500].map(|bodies| of_pairs(&bodies.to_string(), &format!("[[f64; 3]; {bodies}]"), BOX, IF));
     assert!(!few.contains("LISTED_FROM") && many.contains("LISTED_FROM"));
 }

@@ -98,11 +98,14 @@ struct Stepper<'i> {
 
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> (Self, Option<String>) {
-        let stated_energies = [model.kinetic, model.potential];
+        let mut stated_energies = [model.kinetic, model.potential];
         model.choose_in_the_middle();
-        let [kinetic, potential] = gradients(&mut model);
+        let [mut kinetic, mut potential] = gradients(&mut model);
         let documentation = motion_documentation(&mut model, &kinetic, &potential);
         let pattern = recognise(&mut model, [&kinetic, &potential]);
+        if pattern.restate(&mut model, &mut stated_energies[1]) {
+            [kinetic, potential] = gradients(&mut model);
+        }
 
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));

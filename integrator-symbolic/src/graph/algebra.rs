@@ -29,6 +29,13 @@ impl Graph {
         self.maybe_missing.insert(id);
     }
 
+    /// The same of a parameter with the text of another one, if it was declared of that.
+    pub(crate) fn declare_missing_like(&mut self, id: ParameterId, other: ParameterId) {
+        if self.maybe_missing.contains(&other) {
+            self.maybe_missing.insert(id);
+        }
+    }
+
     pub(crate) fn parameter(&mut self, id: ParameterId) -> NodeId {
         self.intern(Node::Parameter(id))
     }

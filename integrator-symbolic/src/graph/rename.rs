@@ -24,18 +24,32 @@ pub(crate) trait Parameters {
     fn behind_first(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
         None
     }
-    /// A condition of parameters as one on numbers of one body each, for a pair of bodies; `None` where its text does not show it.
-    fn flag(&mut self, _graph: &mut Graph, _id: ParameterId, _pair: [LoopId; 2]) -> Option<NodeId> {
+    /// A condition of parameters as one on a number of each body of a pair, which is not read at the end that is given; `None`
+    /// where its text does not show it.
+    fn flag(
+        &mut self,
+        _graph: &mut Graph,
+        _id: ParameterId,
+        _pair: [LoopId; 2],
+        _ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
         None
     }
-    /// A number, or an integer as one, where the index of a loop is not the last one, and zero there; `None` as for others.
-    fn before_last(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
+    /// A number, or an integer as one, for every index of a loop but one of its ends, and zero there; `None` as for others.
+    fn without(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId, _end: End) -> Option<ParameterId> {
         None
     }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
     /// The same where it has no name yet.
     fn name_if_new(&mut self, _new: LoopId, _like: LoopId) {}
+}
+
+/// The first or the last index of a loop over all bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    First,
+    Last,
 }
 
 /// What takes the place of a loop's index.

@@ -80,8 +80,8 @@ fn jacobi(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result
         other => return other,
     };
     let energies = [model.kinetic, model.potential];
-    let Model { graph, parameters, running, lengths, .. } = &mut *model;
-    let mut texts = Texts::new(parameters, running);
+    let Model { graph, parameters, running, lengths, root, .. } = &mut *model;
+    let mut texts = Texts::new(parameters, running, root);
     let canonical = energies.map(|energy| canonical(graph, energy, lengths[0], &mut texts).unwrap_or(energy));
     if canonical == energies {
         return Err(obstacle);
@@ -97,9 +97,9 @@ fn jacobi(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result
 /// The same of energies as they stand.
 fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<Jacobi, Obstacle> {
     let dimension = dimension(&model.shape)?;
-    let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
+    let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
     let length = lengths[0];
-    let mut texts = Texts::new(parameters, running);
+    let mut texts = Texts::new(parameters, running, root);
     let found = pairs(graph, *potential, length, false, &mut texts);
     let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
         Obstacle::Potential(

@@ -84,6 +84,8 @@ pub(crate) struct Model {
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
     pub(crate) running: HashMap<LoopId, Ident>,
+    /// The runtime crate.
+    pub(crate) root: syn::Path,
     /// The user's methods that are called as they are, by their ids.
     pub(crate) externals: Vec<Method>,
     /// The parameters that derivatives are taken by, in the order of the annotation.
@@ -282,6 +284,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         extents,
         parameters,
         running,
+        root: input.root.clone(),
         externals,
         sensitive,
         places: addends,
@@ -322,6 +325,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         extents,
         parameters: Vec::new(),
         running: HashMap::new(),
+        root: input.root.clone(),
         externals: Vec::new(),
         sensitive: Vec::new(),
         places: HashMap::new(),

@@ -8,7 +8,7 @@ use super::exchange::Forms;
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, Part,
     index::{Index, IndexId, LoopId, LoopSet},
-    rename::{Parameters, Renaming, rename},
+    rename::{End, Parameters, Renaming, rename},
 };
 use std::collections::HashMap;
 
@@ -16,8 +16,8 @@ use std::collections::HashMap;
 #[derive(Clone, Copy)]
 pub(super) struct Order {
     pair: [LoopId; 2],
-    /// The body with the smaller number, which is never the last one.
-    lesser: LoopId,
+    /// The ends at which the bodies have no partner: the last body is never the one with the smaller number.
+    pub(super) ends: [Option<End>; 2],
     /// The condition that the numbers of the bodies have the order of the loops.
     holds: NodeId,
     /// One where they have it, else minus one.
@@ -41,8 +41,11 @@ impl Order {
         let [less, greater] = if ascending { [first, second] } else { [second, first] };
         let holds = graph.compare(Comparison::Less, less, greater);
         let [plus, minus] = [1.0, -1.0].map(|sign| graph.constant(sign));
-        let lesser = pair[usize::from(!ascending)];
-        Self { pair, lesser, holds, sign: graph.select(holds, plus, minus) }
+        let mut ends = [Some(End::Last), Some(End::First)];
+        if !ascending {
+            ends.reverse();
+        }
+        Self { pair, ends, holds, sign: graph.select(holds, plus, minus) }
     }
 
     /// The form of a node with the bodies exchanged: whether it is that of the node itself, and if so, whether it is its
@@ -64,30 +67,33 @@ impl Order {
     ) -> Option<NodeId> {
         let known = graph.truth(true);
         let energy = rewritten(graph, energy, |_, id| if id == self.holds { Some(known) } else { None });
-        let chosen = self.chosen(graph, energy, parameters);
-        let candidates = [(None, false), (None, true), (Some(Constants::InConditions), false)];
-        let others =
-            [(Some(Constants::InConditions), true), (Some(Constants::All), false), (Some(Constants::All), true)];
-        for (constants, displacements) in candidates.into_iter().chain(others) {
-            let mut candidate = energy;
-            if let Some(constants) = constants {
-                candidate = choose(graph, candidate, constants, chosen.as_ref()?);
-            }
-            if displacements {
-                candidate = self.sign_displacements(graph, candidate);
-            }
-            let mut forms = Forms::new(self.pair, Some(*self), parameters);
-            let [here, there] = [false, true].map(|exchanged| forms.of(graph, candidate, exchanged));
-            if here.is_some() && here == there {
-                return Some(candidate);
+        let mut choices = None;
+        for constants in [None, Some(Constants::InConditions), Some(Constants::All)] {
+            let chosen = match constants {
+                None => energy,
+                Some(constants) => {
+                    let choices = match &mut choices {
+                        Some(choices) => choices,
+                        none => none.insert(self.choices(graph, energy, parameters)?),
+                    };
+                    choose(graph, energy, constants, choices)
+                }
+            };
+            for has_signs in [false, true] {
+                let candidate = if has_signs { self.sign_displacements(graph, chosen) } else { chosen };
+                let mut forms = Forms::new(self.pair, Some(*self), parameters);
+                let [here, there] = [false, true].map(|exchanged| forms.of(graph, candidate, exchanged));
+                if here.is_some() && here == there {
+                    return Some(candidate);
+                }
             }
         }
         None
     }
 
-    /// The constants of one body, each with the choice by the order that takes its place. A list that is read at the number of the
-    /// lesser body alone may lack the last body.
-    fn chosen(
+    /// The constants of one body, each with the choice by the order that takes its place. A list that is read for one body of the
+    /// pair alone may be too short where that has no partner, so it is not read there.
+    fn choices(
         &self,
         graph: &mut Graph,
         energy: NodeId,
@@ -98,12 +104,13 @@ impl Order {
         for id in graph.reachable([energy]) {
             let bodies = self.bodies_of(graph.loops_of(id));
             let ([by], Node::Parameter(_) | Node::FromIndex(_)) = (&bodies[..], graph.node(id)) else { continue };
-            let other = if *by == self.pair[0] { self.pair[1] } else { self.pair[0] };
+            let at = usize::from(*by == self.pair[1]);
+            let other = self.pair[1 - at];
             let renamed = rename(graph, id, Renaming::one(*by, other), parameters)?;
             let mut both = [id, renamed];
-            if *by == self.lesser && renamed.position() >= known {
+            if let Some(end) = self.ends[at].filter(|_| renamed.position() >= known) {
                 for (node, by) in both.iter_mut().zip([*by, other]) {
-                    *node = before_last(graph, *node, by, parameters)?;
+                    *node = without(graph, *node, by, end, parameters)?;
                 }
             }
             chosen.insert(id, graph.select(self.holds, both[0], both[1]));
@@ -135,8 +142,8 @@ impl Order {
     }
 }
 
-/// A constant of a body, or zero for the last one.
-fn before_last(graph: &mut Graph, id: NodeId, by: LoopId, parameters: &mut dyn Parameters) -> Option<NodeId> {
+/// A constant of a body, or zero at one end.
+fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut dyn Parameters) -> Option<NodeId> {
     let parameter = match graph.node(id) {
         Node::Parameter(parameter) => parameter,
         Node::FromIndex(index) => match graph.loops.index(index) {
@@ -145,7 +152,7 @@ fn before_last(graph: &mut Graph, id: NodeId, by: LoopId, parameters: &mut dyn P
         },
         _ => return None,
     };
-    let guarded = parameters.before_last(graph, parameter, by)?;
+    let guarded = parameters.without(graph, parameter, by, end)?;
     Some(graph.parameter(guarded))
 }
 
@@ -163,8 +170,9 @@ fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &Hash
     }
 }
 
-/// An energy whose conditions on the numbers of the bodies of a pair, and on integers of these, are conditions on real numbers.
-/// `None` where an integer of both bodies is no sum, difference or product, and where a condition of both is no equality.
+/// An energy in which conditions on the numbers of the bodies of a pair, and on integers of these, are conditions on real numbers.
+/// `None` if an integer of both bodies is no sum, difference or product, if another integer of a body contains a difference, which
+/// may be below zero for bodies without a partner, or if a condition on both bodies is no equality.
 pub(super) fn with_numbers(
     graph: &mut Graph,
     energy: NodeId,
@@ -182,9 +190,9 @@ pub(super) fn with_numbers(
                 let [a, b] = [a, b].map(|index| number(graph, index, pair));
                 a.zip(b).map(|(a, b)| graph.compare(comparison, a, b))
             }
-            Node::FromIndex(index) if of_pair(graph, index) > 1 => number(graph, index, pair),
+            Node::FromIndex(index) if of_pair(graph, index) > 0 => number(graph, index, pair),
             Node::Flag(flag) if pair.iter().any(|by| graph.loops.of_parameter(flag).contains(*by)) => {
-                parameters.flag(graph, flag, pair)
+                parameters.flag(graph, flag, pair, [None; 2])
             }
             _ => return None,
         };
@@ -194,7 +202,24 @@ pub(super) fn with_numbers(
     fits.then_some(energy)
 }
 
-/// An integer as a real number, in which no integer depends on both bodies of a pair.
+/// An energy in which conditions on parameters of both bodies of a pair are conditions on a number of each, where their texts show
+/// these: a table has a number for each body, not for each pair. `ends` are where the bodies have no partner.
+pub(crate) fn with_numbers_of_each(
+    graph: &mut Graph,
+    energy: NodeId,
+    pair: [LoopId; 2],
+    ends: [Option<End>; 2],
+    parameters: &mut dyn Parameters,
+) -> NodeId {
+    rewritten(graph, energy, |graph, id| match graph.node(id) {
+        Node::Flag(flag) if pair.iter().all(|by| graph.loops.of_parameter(flag).contains(*by)) => {
+            parameters.flag(graph, flag, pair, ends)
+        }
+        _ => None,
+    })
+}
+
+/// An integer as a real number, in which no integer depends on both bodies of a pair or contains a difference.
 fn number(graph: &mut Graph, index: IndexId, pair: [LoopId; 2]) -> Option<NodeId> {
     let loops = graph.loops.of_index(index);
     let both = |graph: &mut Graph, a, b| Some([number(graph, a, pair)?, number(graph, b, pair)?]);
@@ -204,7 +229,18 @@ fn number(graph: &mut Graph, index: IndexId, pair: [LoopId; 2]) -> Option<NodeId
         Index::Mul(a, b) => both(graph, a, b).map(|[a, b]| graph.mul(a, b)),
         Index::Typed(_, a) => number(graph, a, pair),
         _ if pair.iter().all(|by| loops.contains(*by)) => None,
-        _ => Some(graph.number_of(index)),
+        Index::Parameter(_) => Some(graph.number_of(index)),
+        _ => is_total(graph, index).then(|| graph.number_of(index)),
+    }
+}
+
+/// Whether an integer has a value for each body, whatever lists are at hand: not where a difference may be below zero.
+fn is_total(graph: &Graph, index: IndexId) -> bool {
+    match graph.loops.index(index) {
+        Index::Parameter(parameter) => graph.loops.of_parameter(parameter).is_empty(),
+        Index::Sub(..) => false,
+        Index::Div(a, b) | Index::Rem(a, b) => is_total(graph, a) && graph.loops.literal(b).is_some_and(|by| by > 0),
+        index => index.operands().is_none_or(|operands| operands.into_iter().all(|a| is_total(graph, a))),
     }
 }
 

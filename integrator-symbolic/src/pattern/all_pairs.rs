@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     differentiate::{Contribution, fold_branches},
-    graph::{NodeId, Part, Scope, index::LoopId},
+    graph::{NodeId, Part, Scope, index::LoopId, rename::End},
     model::{Model, Texts},
     pairs::{Cutoff, Pairs, cutoff, pairs, per_body, pull},
     program::{Sink, Store, is_direct},
@@ -23,6 +23,8 @@ const APART_FROM: u64 = 33;
 pub(crate) struct AllPairs {
     /// The loops over the two bodies of a pair.
     pub(crate) pair: [LoopId; 2],
+    /// The ends at which these bodies have no partner.
+    pub(crate) ends: [Option<End>; 2],
     /// How many coordinates a body has.
     pub(crate) dimension: u64,
     /// What is prepared of each body.
@@ -68,10 +70,10 @@ impl AllPairs {
         let (in_jacobi, count) = (model.jacobi().is_some(), model.shape.length.literal());
         let fewer_than = |bound| count.is_some_and(|count| count < bound);
         let are_many = !in_jacobi && !fewer_than(APART_FROM);
-        let Model { graph, parameters, running, kinetic, potential, lengths, .. } = &mut *model;
-        let mut texts = Texts::new(parameters, running);
+        let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
+        let mut texts = Texts::new(parameters, running, root);
         let length = *lengths.first()?;
-        let Pairs { bodies, pair, energy, written, force, reciprocal, energy_alone, alone, others } =
+        let Pairs { bodies, pair, ends, energy, written, force, reciprocal, energy_alone, alone, others } =
             pairs(graph, *potential, length, are_many, &mut texts)?;
         let (energy_of_others, others) = others;
         let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
@@ -79,7 +81,7 @@ impl AllPairs {
         if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
             return None;
         }
-        Texts::new(&mut model.parameters, &mut model.running).name_in_place(bodies, pair[0], &pair);
+        Texts::new(&mut model.parameters, &mut model.running, &model.root).name_in_place(bodies, pair[0], &pair);
 
         let cutoff = match in_jacobi || fewer_than(LISTED_FROM) {
             true => None,
@@ -112,7 +114,7 @@ impl AllPairs {
                 Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
             }
         };
-        Some(Self { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed })
+        Some(Self { pair, ends, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed })
     }
 }
 

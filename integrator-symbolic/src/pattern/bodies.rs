@@ -33,7 +33,7 @@ impl Constants {
 
     /// The place of what is prepared for the index of a loop.
     fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
-        let mut texts = Texts::new(&mut model.parameters, &mut model.running);
+        let mut texts = Texts::new(&mut model.parameters, &mut model.running, &model.root);
         let renaming = Renaming::one(by, self.bodies);
         let node = rename(&mut model.graph, id, renaming, &mut texts)?;
         let known = self.nodes.iter().position(|known| *known == node);

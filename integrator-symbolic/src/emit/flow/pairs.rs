@@ -44,8 +44,20 @@ impl ManyBody {
     /// What a potential of pairs and a kinetic energy of bodies are written as.
     pub(crate) fn of(emitter: &mut Emitter<'_>, pairs: &AllPairs) -> Self {
         let wide = &emitter.names.wide;
-        let AllPairs { pair, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed } =
-            pairs;
+        let AllPairs {
+            pair,
+            ends: _,
+            dimension,
+            constants,
+            drift,
+            acts,
+            force,
+            central,
+            reciprocal,
+            alone,
+            others,
+            listed,
+        } = pairs;
         let (pair, central) = (*pair, *central);
         let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
         let row = emitter.model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);

@@ -124,8 +124,8 @@ fn energies_in_their_one_form_have_the_same_values() {
     for [kinetic, potential] in kinetic.chain(POTENTIAL.iter().map(|potential| [KINETIC[0], *potential])) {
         let item = system("4", kinetic, &potential.replace('R', DISTANCES[0]));
         let mut model = crate::model::of_text(&item);
-        let Model { graph, parameters, running, lengths, kinetic, potential, .. } = &mut model;
-        let mut texts = Texts::new(parameters, running);
+        let Model { graph, parameters, running, lengths, kinetic, potential, root, .. } = &mut model;
+        let mut texts = Texts::new(parameters, running, root);
         let forms = [*kinetic, *potential]
             .map(|energy| [energy, canonical(graph, energy, lengths[0], &mut texts).expect("a sum over bodies")]);
         let texts: Vec<Expr> =

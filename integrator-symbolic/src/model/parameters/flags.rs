@@ -1,7 +1,8 @@
 //! Conditions of parameters as conditions on numbers of one body each, for sums over pairs.
 //!
 //! In: the text of a condition, such as `self.kind[i] != self.kind[j]`. Out: a comparison of prepared numbers. Always true: it
-//! holds where the text does, whatever types the parameters have.
+//! holds where the text does, whatever types the parameters have, if their `==` is an equivalence relation on the values (where
+//! `a == b` and `b == c`, `a == c`).
 
 use super::{
     parameter_text::Texts,
@@ -10,7 +11,7 @@ use super::{
 use crate::graph::{
     Comparison, Graph, NodeId, ParameterId,
     index::{Index, LoopId, LoopSet},
-    rename::{Parameters, Renaming},
+    rename::{End, Parameters, Renaming},
 };
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::{format_ident, quote};
@@ -19,8 +20,15 @@ use quote::{format_ident, quote};
 pub(super) const OTHER_BODY: &str = "__other_body";
 
 impl Texts<'_> {
-    /// The condition for a pair; `None` of one that is neither of one body nor an equality.
-    pub(super) fn flag_of_pair(&mut self, graph: &mut Graph, id: ParameterId, pair: [LoopId; 2]) -> Option<NodeId> {
+    /// The condition for a pair whose bodies have no partner at these ends; `None` of one that is neither of one body nor an
+    /// equality.
+    pub(super) fn flag_of_pair(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
         let (text, loops) = (self.text(id), graph.loops.of_parameter(id));
         let own = |loops: LoopSet| pair.into_iter().filter(move |by| loops.contains(*by));
         if own(loops).count() < 2 {
@@ -34,9 +42,14 @@ impl Texts<'_> {
         let (bodies, is_of_pair) = ([*first, *second], first != second && loops.iter().count() == 2);
         let alike = with_index(&sides[1], *second, &running_index(*first).into()).to_string() == sides[0].to_string();
         let numbers = match alike {
-            true => Some([class(&sides[0], *first), class(&sides[1], *second)]),
+            true => Some([self.class(&sides[0], *first), self.class(&sides[1], *second)]),
             // What is compared with an index is an integer of its type.
-            false => sides.iter().any(is_of_indices).then(|| sides.each_ref().map(|side| quote!(((#side) as f64)))),
+            false => sides.iter().any(is_of_indices).then(|| {
+                sides.each_ref().map(|side| match is_of_indices(side) {
+                    true => in_numbers(side),
+                    false => quote!(((#side) as f64)),
+                })
+            }),
         };
         let numbers = numbers.filter(|_| is_of_pair)?;
         let mut of_body = |side: &TokenStream, text: &TokenStream, by: LoopId| {
@@ -44,23 +57,28 @@ impl Texts<'_> {
                 let index = graph.loops.intern(Index::Running(by));
                 return Some(graph.number_of(index));
             }
+            let at = usize::from(by == pair[1]);
             let number = self.id(graph, text.clone(), LoopSet::of(by));
-            let other = pair.into_iter().find(|other| *other != by)?;
-            self.rename(graph, number, Renaming::one(by, other))?;
+            self.show(number, side);
+            self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;
+            let number = match ends[at].filter(|_| !alike) {
+                None => number,
+                Some(end) => self.without(graph, number, by, end)?,
+            };
             Some(graph.parameter(number))
         };
         let [a, b] = [of_body(&sides[0], &numbers[0], bodies[0])?, of_body(&sides[1], &numbers[1], bodies[1])?];
         let condition = graph.compare(Comparison::Equal, a, b);
         Some(if equal { condition } else { graph.not(condition) })
     }
-}
 
-/// The number of the first body for which a text has the same value.
-fn class(text: &TokenStream, by: LoopId) -> TokenStream {
-    let (index, other) = (running_index(by), format_ident!("{OTHER_BODY}"));
-    let parenthesis = Group::new(Delimiter::Parenthesis, quote!(*#other));
-    let of_other = with_index(text, by, &TokenTree::Group(parenthesis));
-    quote!(((0..=#index).find(|#other| #of_other == #text).unwrap_or(#index) as f64))
+    /// A number that two bodies have in common where a text has the same value for both.
+    fn class(&self, text: &TokenStream, by: LoopId) -> TokenStream {
+        let (root, index, other) = (self.root, running_index(by), format_ident!("{OTHER_BODY}"));
+        let parenthesis = Group::new(Delimiter::Parenthesis, quote!(*#other));
+        let of_other = with_index(text, by, &TokenTree::Group(parenthesis));
+        quote!((#root::__private::EqualValues(&(#text)).number(#index, |#other| #of_other == #text)))
+    }
 }
 
 fn with_index(text: &TokenStream, by: LoopId, index: &TokenTree) -> TokenStream {
@@ -92,4 +110,18 @@ fn is_of_indices(text: &TokenStream) -> bool {
         TokenTree::Punct(mark) => matches!(mark.as_char(), '+' | '-' | '*'),
         TokenTree::Literal(_) => true,
     })
+}
+
+/// A text of indices and numbers as one of real numbers, whose differences have a value for each body.
+fn in_numbers(text: &TokenStream) -> TokenStream {
+    let tokens = text.clone().into_iter().map(|token| match token {
+        TokenTree::Ident(_) | TokenTree::Literal(_) => quote!((#token as f64)),
+        TokenTree::Group(group) => {
+            let inner = in_numbers(&group.stream());
+            quote!((#inner))
+        }
+        TokenTree::Punct(mark) => quote!(#mark),
+    });
+    let tokens: TokenStream = tokens.collect();
+    quote!((#tokens))
 }

@@ -3,7 +3,7 @@
 use crate::graph::{
     Graph, NodeId, ParameterId,
     index::{LoopId, LoopSet},
-    rename::{Parameters, Place, Renaming},
+    rename::{End, Parameters, Place, Renaming},
 };
 use crate::model::{
     Parameter,
@@ -21,6 +21,8 @@ use std::collections::HashMap;
 pub(crate) struct Texts<'m> {
     parameters: &'m mut Vec<Parameter>,
     running: &'m mut HashMap<LoopId, Ident>,
+    /// The runtime crate.
+    pub(super) root: &'m syn::Path,
     /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
     known: HashMap<(LoopSet, String), ParameterId>,
 }
@@ -35,7 +37,17 @@ impl Parameters for Texts<'_> {
         if !is_plain(&text) {
             return None;
         }
+        let renamed_to = |to: LoopId| loops.iter().find(|from| renaming.of(*from) == Place::Loop(to));
+        let captured = |by: LoopId| !loops.contains(by) && mentions(&text, by);
+        if loops
+            .iter()
+            .any(|from| renamed_to(from).is_some() && matches!(renaming.of(from), Place::Loop(to) if captured(to)))
+        {
+            return None;
+        }
         let text = with_indices(&text, &|by| match renaming.of(by) {
+            // The index of a closure in the text changes places with one that it would capture.
+            _ if !loops.contains(by) => renamed_to(by).map(|from| running_index(from).into()),
             Place::Loop(to) => Some(running_index(to).into()),
             Place::Number(value) => Some(Literal::u64_unsuffixed(value).into()),
         });
@@ -43,7 +55,9 @@ impl Parameters for Texts<'_> {
             Place::Loop(to) => set.union(LoopSet::of(to)),
             Place::Number(_) => set,
         });
-        Some(self.id(graph, text, loops))
+        let renamed = self.id(graph, text, loops);
+        graph.declare_missing_like(renamed, id);
+        Some(renamed)
     }
 
     fn factors(&mut self, graph: &mut Graph, id: ParameterId) -> Vec<(ParameterId, i32)> {
@@ -81,15 +95,30 @@ impl Parameters for Texts<'_> {
         Some(self.id(graph, text, graph.loops.of_parameter(id)))
     }
 
-    fn flag(&mut self, graph: &mut Graph, id: ParameterId, pair: [LoopId; 2]) -> Option<NodeId> {
-        self.flag_of_pair(graph, id, pair)
+    fn flag(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        self.flag_of_pair(graph, id, pair, ends)
     }
 
-    fn before_last(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId) -> Option<ParameterId> {
+    fn without(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId, end: End) -> Option<ParameterId> {
         let (text, index) = (self.text(id), running_index(by));
-        let guarded = quote!((if #index + 1 < length { (#text) as f64 } else { 0.0 }));
-        (is_plain(&text) && graph.loops.of_parameter(id) == LoopSet::of(by))
-            .then(|| self.id(graph, guarded, LoopSet::of(by)))
+        let is_other = match end {
+            End::First => quote!(#index > 0),
+            End::Last => quote!(#index + 1 < length),
+        };
+        if !is_plain(&text) || graph.loops.of_parameter(id) != LoopSet::of(by) {
+            return None;
+        }
+        let guarded = self.id(graph, quote!((if #is_other { (#text) as f64 } else { 0.0 })), LoopSet::of(by));
+        let own = self.parameters[id.0 as usize].own.clone();
+        self.show(guarded, &own);
+        graph.declare_missing_like(guarded, id);
+        Some(guarded)
     }
 
     fn name_if_new(&mut self, new: LoopId, like: LoopId) {
@@ -106,8 +135,12 @@ impl Parameters for Texts<'_> {
 }
 
 impl<'m> Texts<'m> {
-    pub(crate) fn new(parameters: &'m mut Vec<Parameter>, running: &'m mut HashMap<LoopId, Ident>) -> Self {
-        Self { parameters, running, known: HashMap::new() }
+    pub(crate) fn new(
+        parameters: &'m mut Vec<Parameter>,
+        running: &'m mut HashMap<LoopId, Ident>,
+        root: &'m syn::Path,
+    ) -> Self {
+        Self { parameters, running, root, known: HashMap::new() }
     }
 
     /// Names the index of a loop that takes the place of others, one of which it is `like`: apart from those of all loops that
@@ -152,6 +185,11 @@ impl<'m> Texts<'m> {
     /// A parameter that is the same for all indices.
     pub(crate) fn fixed(&mut self, graph: &mut Graph, text: TokenStream) -> ParameterId {
         self.id(graph, text, LoopSet::EMPTY)
+    }
+
+    /// Shows a parameter of the macro's own to people as this text of the user.
+    pub(super) fn show(&mut self, id: ParameterId, text: &TokenStream) {
+        self.parameters[id.0 as usize].own = text.clone();
     }
 
     /// Shows a parameter of the macro's own to people as if the system had a field of this name.
@@ -231,8 +269,8 @@ fn asks_for_indices(condition: &TokenStream) -> bool {
     })
 }
 
-/// Whether a text is an expression without closures but those over other bodies, and without blocks but those of a condition on
-/// indices and the number of bodies.
+/// Whether a text is an expression without closures but those over indices and other bodies, and without blocks but those of
+/// conditions.
 fn is_plain(text: &TokenStream) -> bool {
     let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
     if let [
@@ -243,15 +281,16 @@ fn is_plain(text: &TokenStream) -> bool {
         TokenTree::Group(other),
     ] = &tokens[..]
         && choice == "if"
-        && condition.iter().any(|token| matches!(token, TokenTree::Ident(name) if name == "length"))
     {
-        return asks_for_indices(&condition.iter().cloned().collect())
-            && is_plain(&guarded.stream())
-            && is_plain(&other.stream());
+        let condition = condition.iter().cloned().collect();
+        return [condition, guarded.stream(), other.stream()].iter().all(is_plain);
     }
-    let is_other = |at: usize| matches!(tokens.get(at), Some(TokenTree::Ident(name)) if name == OTHER_BODY);
+    let is_index = |at: usize| match tokens.get(at) {
+        Some(TokenTree::Ident(name)) => name == OTHER_BODY || name == "usize" || loop_of(name).is_some(),
+        _ => false,
+    };
     (0..).zip(&tokens).all(|(at, token)| match token {
-        TokenTree::Punct(mark) => mark.as_char() != '|' || is_other(at + 1) || at > 0 && is_other(at - 1),
+        TokenTree::Punct(mark) => mark.as_char() != '|' || is_index(at + 1) || at > 0 && is_index(at - 1),
         TokenTree::Group(group) => group.delimiter() != Delimiter::Brace && is_plain(&group.stream()),
         TokenTree::Ident(_) | TokenTree::Literal(_) => true,
     })

@@ -142,7 +142,7 @@ impl<'i> Reader<'i> {
                 };
                 match self.graph.exact(energy, &extents, &factors_of) {
                     Err(obstacles) if obstacles.last() == Some(&Obstacle::ProductOfSums) => {
-                        let mut texts = Texts::new(&mut self.parameters, &mut self.running);
+                        let mut texts = Texts::new(&mut self.parameters, &mut self.running, &self.input.root);
                         self.graph.with_own_loops(energy, &mut texts).map(Exact::Quadratic).ok_or(obstacles)
                     }
                     judged => judged,
