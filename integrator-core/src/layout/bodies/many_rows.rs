@@ -4,7 +4,8 @@ use crate::{
     layout::bodies::{
         load_store::{load_constants, pack, row_of, unpack, values},
         neighbours::{Cutoffs, Neighbours, Sum},
-        pair_sums::{Bodies, BodyConstants, ManyBody, Unpacked, add, inter_row, intra_row},
+        other_terms::OtherTerms,
+        pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
     },
     scalar::{
         real::{Kernel, Real},
@@ -378,54 +379,6 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
             }
             gradient[first] = sum;
             first += count;
-        }
-    }
-}
-
-/// The flow of the terms beside pairs, whose gradient is computed in the user's own shape.
-struct OtherTerms<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
-    q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
-    p: &'s mut [[K::Slot<R::Row<WIDTH>>; D]],
-    bodies: usize,
-    parameters: &'s H::Parameters<R>,
-    step: R::Row<WIDTH>,
-    time: f64,
-}
-
-impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel
-    for OtherTerms<'_, H, R, K, D, S>
-{
-    type Out = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let Self { q, p, bodies, parameters, step, time } = self;
-        let zeros = || H::Coords::slots_from::<R>(bodies * D, |_| R::of(0.0));
-        let (mut unpacked, mut gradient) = (zeros(), zeros());
-        let (points, _) = H::Coords::slots_mut(&mut unpacked).as_chunks_mut::<D>();
-        for (row, points) in points.chunks_mut(WIDTH).enumerate() {
-            let mut numbers = [[R::of(0.0); WIDTH]; D];
-            for d in 0..D {
-                q[row][d].value().write(&mut numbers[d]);
-            }
-            for (lane, point) in points.iter_mut().enumerate() {
-                for d in 0..D {
-                    point[d] = numbers[d][lane];
-                }
-            }
-        }
-        H::other_terms::<R>(Unpacked { q: &unpacked, p: &mut gradient, parameters }, time);
-        let (points, _) = H::Coords::slots_mut(&mut gradient).as_chunks::<D>();
-        for (row, points) in points.chunks(WIDTH).enumerate() {
-            let mut numbers = [[R::of(0.0); WIDTH]; D];
-            for (lane, point) in points.iter().enumerate() {
-                for d in 0..D {
-                    numbers[d][lane] = point[d];
-                }
-            }
-            for d in 0..D {
-                p[row][d].fma(step, <R::Row<WIDTH> as Row<R>>::read(&numbers[d]));
-            }
         }
     }
 }

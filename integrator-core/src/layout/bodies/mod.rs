@@ -9,6 +9,7 @@ pub(crate) mod load_store;
 pub(crate) mod many_rows;
 pub(crate) mod neighbours;
 pub(crate) mod one_row;
+mod other_terms;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod pair_sums;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
