@@ -119,7 +119,7 @@ impl Distances {
         Some(Cutoff { square: graph.select(falls, square, everywhere), sides })
     }
 
-    /// The cutoff of what is there where a condition holds, or where it does not.
+    /// The cutoff of a branch that is taken if a condition is true, or if it is false.
     fn of_condition(&self, graph: &mut Graph, condition: NodeId, holds: bool) -> Option<Cutoff> {
         match (graph.node(condition), holds) {
             (Node::Not(inner), _) => self.of_condition(graph, inner, !holds),
@@ -228,7 +228,7 @@ impl Distances {
         Some(())
     }
 
-    /// The numbers that may be the side of a box where a node makes a displacement that of another image.
+    /// The numbers that may be the side of a box in a node that computes an image of a displacement.
     fn sides_in(&self, graph: &mut Graph, node: NodeId) -> Vec<NodeId> {
         let factors = |graph: &Graph, id: NodeId| match graph.node(id) {
             Node::Mul(a, b) => vec![id, a, b],
@@ -258,13 +258,13 @@ impl Distances {
     }
 }
 
-/// A displacement up to multiples of a side, and up to its sign: no shorter than that of the nearest images.
+/// Recognises displacements up to their sign and multiples of a side. They are not shorter than that of the nearest images.
 struct Image<'g> {
     graph: &'g Graph,
     side: NodeId,
     /// The displacement, and its opposite.
     both: [NodeId; 2],
-    /// The terms of sums that were asked for.
+    /// Results of `terms`, `is_displacement` and `is_multiple`.
     terms: HashMap<NodeId, Vec<Term>>,
     displacements: HashMap<NodeId, bool>,
     multiples: HashMap<NodeId, bool>,
@@ -274,7 +274,7 @@ struct Image<'g> {
 type Term = (NodeId, bool);
 
 impl<'g> Image<'g> {
-    /// The most terms of a sum that may be a displacement; those of nested sums are as many as their paths.
+    /// The maximum number of terms of a displacement. The number of terms of nested sums grows exponentially.
     const TERMS: usize = 8;
 
     fn new(graph: &'g Graph, side: NodeId, both: [NodeId; 2]) -> Self {
@@ -282,7 +282,7 @@ impl<'g> Image<'g> {
         Self { graph, side, both, terms, displacements, multiples }
     }
 
-    /// Whether a number is the displacement but for multiples of the side and its sign.
+    /// Whether a number is the displacement up to its sign and multiples of the side.
     fn is_displacement(&mut self, id: NodeId) -> bool {
         if let Some(known) = self.displacements.get(&id) {
             return *known;
@@ -374,7 +374,7 @@ impl<'g> Image<'g> {
     }
 }
 
-/// Whether a number is an integer: a sum or product of what is rounded, and of such constants.
+/// Whether a number is an integer: a sum or product of rounded numbers and of integer constants.
 fn is_integer(graph: &Graph, root: NodeId) -> bool {
     let mut open = vec![root];
     let mut seen = HashSet::new();

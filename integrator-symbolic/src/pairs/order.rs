@@ -1,8 +1,8 @@
 //! The order of the bodies of a pair, for energies that change if the bodies are exchanged.
 //!
-//! Loops over pairs fix which body is the first. A runtime that processes the pairs in any order computes the same energy if
-//! each constant of a body is chosen by the numbers of the two bodies, and each displacement has their sign. Always true: where
-//! the bodies come in the order of the loops, nothing changes.
+//! Loops over pairs determine which body is the first. The runtime processes pairs in any order. It computes the same energy if
+//! the energy selects each constant by comparing the indices of the two bodies, and multiplies each displacement by the sign of
+//! this comparison. Always true: if the bodies come in the order of the loops, the value of the energy does not change.
 
 use super::exchange::Forms;
 use crate::graph::{
@@ -16,11 +16,11 @@ use std::collections::HashMap;
 #[derive(Clone, Copy)]
 pub(super) struct Order {
     pair: [LoopId; 2],
-    /// The ends at which the bodies have no partner: the last body is never the one with the smaller number.
+    /// For each body of a pair, the end of the list at which it has no partner. The last body never has the smaller index.
     pub(super) ends: [Option<End>; 2],
-    /// The condition that the numbers of the bodies have the order of the loops.
+    /// The condition that the indices of the bodies are in the order of the loops.
     holds: NodeId,
-    /// One where they have it, else minus one.
+    /// One if the condition holds, else minus one.
     sign: NodeId,
 }
 
@@ -32,7 +32,7 @@ enum Constants {
 }
 
 impl Order {
-    /// That of a pair whose second body comes after the first, or before it.
+    /// The order of a pair. `ascending` means that the second body has the larger index.
     pub(super) fn of(graph: &mut Graph, pair: [LoopId; 2], ascending: bool) -> Self {
         let [first, second] = pair.map(|by| {
             let index = graph.loops.intern(Index::Running(by));
@@ -48,8 +48,8 @@ impl Order {
         Self { pair, ends, holds, sign: graph.select(holds, plus, minus) }
     }
 
-    /// The form of a node with the bodies exchanged: whether it is that of the node itself, and if so, whether it is its
-    /// negative.
+    /// How a node changes if the bodies are exchanged: `Some(true)` if it changes its sign, `Some(false)` if it stays the same,
+    /// `None` if the node does not determine it.
     pub(super) fn exchanged(&self, graph: &Graph, id: NodeId) -> Option<bool> {
         match graph.node(id) {
             _ if id == self.sign => Some(true),
@@ -58,7 +58,7 @@ impl Order {
         }
     }
 
-    /// An energy that is the same if the bodies are exchanged, and that of the loops where they are in order.
+    /// Returns an energy that is symmetric in the bodies and equal to `energy` if the bodies are in order.
     pub(super) fn symmetric(
         &self,
         graph: &mut Graph,
@@ -91,8 +91,8 @@ impl Order {
         None
     }
 
-    /// The constants of one body, each with the choice by the order that takes its place. A list that is read for one body of the
-    /// pair alone may be too short where that has no partner, so it is not read there.
+    /// Maps each constant of one body to the selection that replaces it. A list that only one body of the pair reads may lack the
+    /// element at the end where this body has no partner, so the replacement does not read it there.
     fn choices(
         &self,
         graph: &mut Graph,
@@ -118,12 +118,12 @@ impl Order {
         Some(chosen)
     }
 
-    /// The bodies of the pair whose numbers are among these loops.
+    /// The bodies of the pair whose indices are among these loops.
     fn bodies_of(&self, loops: LoopSet) -> Vec<LoopId> {
         self.pair.into_iter().filter(|by| loops.contains(*by)).collect()
     }
 
-    /// Gives displacements the sign of the order.
+    /// Multiplies displacements by the sign of the order.
     fn sign_displacements(&self, graph: &mut Graph, energy: NodeId) -> NodeId {
         let mut replaced = HashMap::new();
         for id in graph.reachable([energy]) {
@@ -142,7 +142,7 @@ impl Order {
     }
 }
 
-/// A constant of a body, or zero at one end.
+/// A constant of a body that is zero at one end of the list.
 fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut dyn Parameters) -> Option<NodeId> {
     let parameter = match graph.node(id) {
         Node::Parameter(parameter) => parameter,
@@ -156,7 +156,7 @@ fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut
     Some(graph.parameter(guarded))
 }
 
-/// An energy with choices in place of constants.
+/// Replaces constants of an energy by selections.
 fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &HashMap<NodeId, NodeId>) -> NodeId {
     match constants {
         Constants::All => rewritten(graph, energy, |_, id| chosen.get(&id).copied()),
@@ -170,9 +170,12 @@ fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &Hash
     }
 }
 
-/// An energy in which conditions on the numbers of the bodies of a pair, and on integers of these, are conditions on real numbers.
-/// `None` if an integer of both bodies is no sum, difference or product, if another integer of a body contains a difference, which
-/// may be below zero for bodies without a partner, or if a condition on both bodies is no equality.
+/// Replaces conditions on the indices of the bodies of a pair, and on integers computed from them, by conditions on real numbers.
+///
+/// Returns `None` if
+/// - an integer of both bodies is not a sum, difference or product,
+/// - another integer contains a difference, which may be negative for a body without a partner,
+/// - a condition on parameters of both bodies is not an equality.
 pub(super) fn with_numbers(
     graph: &mut Graph,
     energy: NodeId,
@@ -202,8 +205,8 @@ pub(super) fn with_numbers(
     fits.then_some(energy)
 }
 
-/// An energy in which conditions on parameters of both bodies of a pair are conditions on a number of each, where their texts show
-/// these: a table has a number for each body, not for each pair. `ends` are where the bodies have no partner.
+/// Replaces equalities of parameters of both bodies of a pair by equalities of one number per body, so that a table has one entry
+/// per body instead of one per pair. `ends` are the ends of the list at which the bodies have no partner.
 pub(crate) fn with_numbers_of_each(
     graph: &mut Graph,
     energy: NodeId,
@@ -219,7 +222,7 @@ pub(crate) fn with_numbers_of_each(
     })
 }
 
-/// An integer as a real number, in which no integer depends on both bodies of a pair or contains a difference.
+/// An integer as a real number. Integers inside of it depend on one body of the pair at most, and contain no difference.
 fn number(graph: &mut Graph, index: IndexId, pair: [LoopId; 2]) -> Option<NodeId> {
     let loops = graph.loops.of_index(index);
     let both = |graph: &mut Graph, a, b| Some([number(graph, a, pair)?, number(graph, b, pair)?]);
@@ -234,7 +237,7 @@ fn number(graph: &mut Graph, index: IndexId, pair: [LoopId; 2]) -> Option<NodeId
     }
 }
 
-/// Whether an integer has a value for each body, whatever lists are at hand: not where a difference may be below zero.
+/// Whether an integer has a value for every body: it reads no list, and no difference in it may be negative.
 fn is_total(graph: &Graph, index: IndexId) -> bool {
     match graph.loops.index(index) {
         Index::Parameter(parameter) => graph.loops.of_parameter(parameter).is_empty(),
@@ -244,7 +247,7 @@ fn is_total(graph: &Graph, index: IndexId) -> bool {
     }
 }
 
-/// A node in which others are replaced, from the outside in: what `replaced` returns is not looked into.
+/// Rebuilds a node with the replacements that `replaced` returns for nodes inside of it. Replacements are kept as they are.
 fn rewritten(
     graph: &mut Graph,
     root: NodeId,

@@ -1,4 +1,4 @@
-//! The terms of an energy: those of pairs of bodies, those of bodies alone, and all others.
+//! Separates the terms of an energy: terms of pairs of bodies, terms of single bodies, and other terms.
 
 use super::{order::with_numbers, over_all, reads_only};
 use crate::graph::{
@@ -11,24 +11,24 @@ use std::collections::HashMap;
 /// The addends of an energy, by the loops around them.
 pub(super) struct Terms<'p> {
     length: IndexId,
-    /// Whether conditions on numbers of bodies become conditions on real numbers.
+    /// Whether pairs may depend on the order of their bodies. Conditions on indices then become conditions on real numbers.
     are_many: bool,
     parameters: &'p mut dyn Parameters,
     /// The loop over all bodies.
     pub(super) bodies: LoopId,
-    /// The conditions of one body around what is collected, and whether they hold.
+    /// The conditions around the current term, each with its value in the branch of the term.
     conditions: Vec<(NodeId, bool)>,
-    /// The nodes of a body that were asked for a sum over partners.
+    /// Results of `has_partners`.
     partners: HashMap<(LoopId, NodeId), bool>,
     /// The loops over the two bodies of a pair.
     pub(super) pair: Option<[LoopId; 2]>,
-    /// Whether the second body of a pair comes after the first; nothing where each pair comes twice.
+    /// Whether the second body of a pair has the larger index; `None` if each pair comes twice.
     pub(super) ascending: Option<bool>,
-    /// The addends of a pair.
+    /// The terms of a pair.
     pub(super) pairs: Vec<NodeId>,
-    /// The addends of a body.
+    /// The terms of a single body.
     pub(super) alone: Vec<NodeId>,
-    /// All others.
+    /// Other terms.
     pub(super) others: Vec<NodeId>,
 }
 
@@ -58,7 +58,7 @@ impl<'p> Terms<'p> {
         terms
     }
 
-    /// Collects `factor` times a sum over bodies or pairs, or over several.
+    /// Collects the terms of `factor` times an energy.
     fn collect(&mut self, graph: &mut Graph, id: NodeId, factor: NodeId) {
         if let Node::Sum(by, body) = graph.node(id) {
             let range = graph.loops.get(by);
@@ -75,10 +75,10 @@ impl<'p> Terms<'p> {
         self.others.push(term);
     }
 
-    /// The most conditions around a sum over partners: those of nested branches are as many as their paths.
+    /// The maximum number of conditions around a sum over partners. The number of branches doubles with each.
     const CONDITIONS: usize = 4;
 
-    /// Collects the addends of the body with the index of `by`.
+    /// Collects the terms of the body with the index of `by`.
     fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) {
         if self.has_partners(graph, by, id) {
             if let Some(parts) = addends(graph, id, factor) {
@@ -110,7 +110,7 @@ impl<'p> Terms<'p> {
         }
     }
 
-    /// A term where the conditions around it hold.
+    /// A term that is zero unless the conditions around it have the values of its branch.
     fn where_conditions_hold(&self, graph: &mut Graph, term: NodeId) -> NodeId {
         let zero = graph.constant(0.0);
         self.conditions.iter().rev().fold(term, |term, (condition, holds)| match holds {
@@ -119,7 +119,7 @@ impl<'p> Terms<'p> {
         })
     }
 
-    /// The energy of a pair, if `factor` times a node is the sum of those of a body with its partners.
+    /// Returns the energy of a pair if `factor` times the node is a sum over the partners of a body.
     fn of_pair(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<NodeId> {
         let Node::Sum(other, body) = graph.node(id) else { return None };
         let twice = self.is_partner(graph, by, other)?;
@@ -187,7 +187,7 @@ impl<'p> Terms<'p> {
     }
 }
 
-/// The addends of `factor` times a node, each with its own factor; `None` of what is no sum and no multiple.
+/// The addends of `factor` times a node, each with its own factor; `None` if the node is neither a sum nor a multiple.
 pub(super) fn addends(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<Vec<(NodeId, NodeId)>> {
     Some(match graph.node(id) {
         Node::Add(a, b) => vec![(a, factor), (b, factor)],
