@@ -3,7 +3,8 @@
 //! In: roots that the algebra has built. Out: roots of equal value without any power except the square root. Always
 //! true:
 //!
-//! - A negative power that is used once becomes a division; one that is used several times becomes a shared reciprocal.
+//! - A negative power that is used once becomes a division; one that is used several times, or in a loop that does not change
+//!   it, becomes a shared reciprocal.
 //! - Several negative powers of one base share the reciprocal of the base. In a sum of two of them, the smaller one is
 //!   factored out.
 //! - Values that conditions compare are lowered by their own formula only. Every function with such a condition hence
@@ -143,11 +144,12 @@ impl Lowering {
         }
     }
 
-    /// What a factor of a product divides by, if it is a negative power that is used nowhere else, or if a condition compares
-    /// the product.
+    /// What a factor of a product divides by, if it is a negative power that is used nowhere else and changes whenever the
+    /// product does, or if a condition compares the product.
     fn divisor(&self, graph: &mut Graph, product: NodeId, factor: NodeId) -> Option<NodeId> {
         let is_compared = self.compared.contains(&product) && !self.leaves.contains(&factor);
-        let is_used_once = |base| self.uses[&factor] == 1 && self.reciprocals.get(base) == Some(&1);
+        let changes = graph.loops_of(product).is_subset(graph.loops_of(factor));
+        let is_used_once = |base| changes && self.uses[&factor] == 1 && self.reciprocals.get(base) == Some(&1);
         match graph.node(factor) {
             Node::Power(base, halves @ ..=-1) if is_used_once(&base) || is_compared => {
                 Some(positive(graph, self.lowered[&base], halves.unsigned_abs()))

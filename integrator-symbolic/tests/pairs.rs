@@ -117,6 +117,17 @@ fn a_list_of_the_lesser_body_alone_is_not_read_for_the_last_one() {
     }
 }
 
+/// A constant numerator or a product of masses: the components of the force share one reciprocal.
+#[test]
+fn a_pair_divides_once_for_all_coordinates() {
+    for numerator in ["-1.0", "self.m[i] * self.m[j]", "-self.g"] {
+        let energy = format!("v += {numerator} / r2.sqrt();");
+        let text = stepper("len", "[[f64; 3]]", ["for i in 0..N { for j in 0..i {", &energy, "} }"]);
+        let pair = text.split("fn pair <").nth(1).and_then(|text| text.split("fn ").next()).expect("a pair");
+        assert_eq!(pair.matches("div_pow_3_2").count() + pair.matches(" / ").count(), 1, "{numerator}: {pair}");
+    }
+}
+
 /// What moves one body by another one's momentum, or all by their mean, needs the plain loops.
 #[test]
 fn a_kinetic_energy_that_couples_bodies_keeps_the_plain_loops() {
