@@ -256,10 +256,11 @@ pub mod __private {
         system::{
             MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy, System,
             by_value::by_value,
+            classes::{ByClass, classes},
             counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
-            equal_values::EqualValues,
+            equal_values::{Both, EqualValues},
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},

@@ -13,7 +13,7 @@ const LOOPS: [(&str, &str, &str); 5] = [
 
 /// Energies of a pair: a name, the text, and for few and for many bodies whether the motion is one of bodies, and whether
 /// action is reaction.
-const ENERGIES: [(&str, &str, [Option<bool>; 2]); 20] = [
+const ENERGIES: [(&str, &str, [Option<bool>; 2]); 26] = [
     ("attraction", "v -= self.g * self.m[i] * self.m[j] / r2.sqrt();", [Some(true); 2]),
     ("a factor on either side", "v -= self.m[i] * self.g / r2.sqrt() * self.m[j];", [Some(true); 2]),
     ("a quotient of parameters", "v -= self.m[i] / self.m[0] * self.m[j] / r2.sqrt();", [Some(true); 2]),
@@ -31,6 +31,12 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 20] = [
     ("a quotient of a difference", "if j == (i - 1) / 2 { v += r2; }", [None; 2]),
     ("a remainder of both", "if (i + j) % 3 == 1 { v += r2; }", [None; 2]),
     ("a parameter of both", "v += self.table[i][j] * r2;", [None; 2]),
+    ("a table by type", "v += self.table[self.kind[i]][self.kind[j] as usize] * r2;", ORDERED),
+    ("a flat table by type", "v += self.table[self.kind[i] * self.kinds + self.kind[j]] * r2;", ORDERED),
+    ("fields of a table", "v += self.kinds[self.atoms[i].kind][self.atoms[j].kind].depth * r2;", ORDERED),
+    ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += r2; }", ORDERED),
+    ("a table by type and index", "v += self.table[self.kind[i]][j] * r2;", [None; 2]),
+    ("a table by two types", "v += self.table[self.kind[i]][self.kind[j] + self.charge[j]] * r2;", [None; 2]),
     ("one body twice", "v += q[i][0].powi(2) * q[j][1];", [None; 2]),
     ("a third body", "v += r2 * q[0][0];", [None; 2]),
     ("neighbours in the list", "v += r2 * q[i - j][0];", [None; 2]),

@@ -33,6 +33,10 @@ struct Parameters {
     strengths: Vec<f64>,
     /// Without the first body, which is never the greater one of a pair.
     preceding: Vec<usize>,
+    /// Strengths and reaches of pairs of types; the types are those of molecules modulo three.
+    strengths_of_types: Vec<[f64; 3]>,
+    reaches_of_types: Vec<Vec<f64>>,
+    types: Vec<usize>,
     bonds: Vec<[usize; 2]>,
     angles: Vec<(usize, usize, usize)>,
 }
@@ -55,6 +59,10 @@ impl Parameters {
             following: (1..BODIES).collect(),
             strengths: (1..BODIES).map(|i| 0.001 * i as f64).collect(),
             preceding: (1..BODIES).map(|i| (i * 5) % i).collect(),
+            strengths_of_types: vec![[1.0, 0.5, 0.2], [0.7, 0.9, 1.3], [0.1, 0.4, 2.0]],
+            // The lower triangle.
+            reaches_of_types: vec![vec![2.0], vec![1.1, 1.7], vec![0.9, 1.5, 2.2]],
+            types: (0..BODIES).map(|i| i * 5 % 7 % 3).collect(),
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
             angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
         }
@@ -357,5 +365,21 @@ potential!(driven_bonds, self, q, v, time = time;
     }
     for &[a, b] in &self.0.bonds {
         v += (2.0 + time).sin() * (q[a][0] - q[b][0]).powi(2);
+    }
+);
+
+potential!(tables_by_type, self, q, v;
+    for i in 0..q.len() {
+        for j in i + 1..q.len() {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            let (a, b) = (self.0.types[i], self.0.types[j]);
+            let reach = if a < b { self.0.reaches_of_types[b][a] } else { self.0.reaches_of_types[a][b] };
+            if r2 < self.0.cutoff {
+                v += self.0.strengths_of_types[self.0.types[i]][self.0.types[j]] / (1.0 + r2 / reach);
+                if self.0.types[i] == 1 && self.0.types[j] == 2 || self.0.types[i] + self.0.types[j] == 0 {
+                    v += r2;
+                }
+            }
+        }
     }
 );

@@ -30,6 +30,36 @@ impl<T: ?Sized> Deref for EqualValues<'_, T> {
     }
 }
 
+/// Two values of a type that may have no `==`.
+#[derive(Debug)]
+pub struct Both<'a, T: ?Sized>(pub &'a T, pub &'a T);
+
+/// Values that cannot be compared.
+#[derive(Debug)]
+pub struct Incomparable;
+
+impl Incomparable {
+    /// Takes them for different ones.
+    pub fn are_equal(&self) -> bool {
+        false
+    }
+}
+
+impl<T: PartialEq + ?Sized> Both<'_, T> {
+    /// Whether the values are equal.
+    pub fn are_equal(&self) -> bool {
+        self.0 == self.1
+    }
+}
+
+impl<T: ?Sized> Deref for Both<'_, T> {
+    type Target = Incomparable;
+
+    fn deref(&self) -> &Incomparable {
+        &Incomparable
+    }
+}
+
 macro_rules! integers {
     ($($integer:ty)*) => {
         $(
@@ -73,6 +103,13 @@ mod tests {
         check!([true, false, true]);
         check!(['a', 'b', 'a', char::MAX]);
         check!([Some(0.5), None, Some(0.5)]);
+    }
+
+    #[test]
+    fn values_without_equality_are_different() {
+        struct Opaque;
+        assert!(Both(&[1, 2], &[1, 2]).are_equal() && !Both(&1.5, &2.5).are_equal());
+        assert!(!Both(&Opaque, &Opaque).are_equal());
     }
 
     #[test]

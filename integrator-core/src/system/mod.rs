@@ -2,6 +2,7 @@
 //! of the user.
 
 pub(crate) mod by_value;
+pub(crate) mod classes;
 pub(crate) mod counts;
 pub(crate) mod device_text;
 pub(crate) mod elements;

@@ -40,6 +40,12 @@ impl Graph {
         self.intern(Node::Parameter(id))
     }
 
+    /// The entry of a table in a row and a column.
+    pub(crate) fn entry(&mut self, table: ParameterId, row: NodeId, column: NodeId) -> NodeId {
+        self.parameter(table);
+        self.intern(Node::Entry(table, row, column))
+    }
+
     pub(crate) fn coordinate(&mut self, element: Element) -> NodeId {
         self.intern(Node::Coordinate(element))
     }

@@ -103,6 +103,8 @@ pub(crate) enum Node {
     Constant(u64),
     /// An expression of parameters alone.
     Parameter(ParameterId),
+    /// The entry of a table of parameters with these two numbers, which are prepared.
+    Entry(ParameterId, NodeId, NodeId),
     /// A coordinate.
     Coordinate(Element),
     /// The explicit time.
@@ -176,6 +178,7 @@ impl Node {
             | Node::Mul(a, b)
             | Node::Div(a, b)
             | Node::Binary(_, a, b)
+            | Node::Entry(_, a, b)
             | Node::Compare(_, a, b)
             | Node::And(a, b)
             | Node::Or(a, b) => [Some(a), Some(b), None],
@@ -211,6 +214,7 @@ impl Node {
             Node::Mul(a, b) => Node::Mul(of(a), of(b)),
             Node::Div(a, b) => Node::Div(of(a), of(b)),
             Node::Binary(function, a, b) => Node::Binary(function, of(a), of(b)),
+            Node::Entry(table, a, b) => Node::Entry(table, of(a), of(b)),
             Node::Compare(comparison, a, b) => Node::Compare(comparison, of(a), of(b)),
             Node::And(a, b) => Node::And(of(a), of(b)),
             Node::Or(a, b) => Node::Or(of(a), of(b)),
@@ -387,6 +391,11 @@ impl Graph {
         (0..self.len() as u32).map(NodeId).filter(|id| seen[id.position()]).collect()
     }
 
+    /// The node of a parameter, if there is one.
+    pub(crate) fn known_parameter(&self, id: ParameterId) -> Option<NodeId> {
+        self.ids.get(&Node::Parameter(id)).copied()
+    }
+
     /// The id of `node`, new or known. Only the constructors call this.
     fn intern(&mut self, node: Node) -> NodeId {
         if let Some(id) = self.ids.get(&node) {
@@ -464,7 +473,7 @@ impl Graph {
 
     /// Whether a node is an element that a list may not have.
     fn may_be_missing(&self, node: Node) -> bool {
-        matches!(node, Node::Parameter(id) if self.maybe_missing.contains(&id))
+        matches!(node, Node::Parameter(id) | Node::Entry(id, ..) if self.maybe_missing.contains(&id))
     }
 
     /// Whether a node is total where its children are.

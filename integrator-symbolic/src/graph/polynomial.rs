@@ -33,9 +33,11 @@ impl Graph {
                 },
                 Node::Unary(_, a) | Node::Fold(_, _, a) => of(a).filter(|degree| *degree == 0),
                 Node::External(_, arguments) => arguments.iter().all(|argument| of(argument) == Some(0)).then_some(0),
-                Node::Binary(_, a, b) | Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
-                    of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0)
-                }
+                Node::Binary(_, a, b)
+                | Node::Entry(_, a, b)
+                | Node::Compare(_, a, b)
+                | Node::And(a, b)
+                | Node::Or(a, b) => of(a).zip(of(b)).filter(|pair| *pair == (0, 0)).map(|_| 0),
                 Node::CompareIndex(..) | Node::Flag(_) => Some(0),
                 Node::Not(a) => of(a).filter(|degree| *degree == 0),
                 // A choice between polynomials is one where no coordinate decides.

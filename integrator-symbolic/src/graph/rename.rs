@@ -35,6 +35,17 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
+    /// A parameter of both bodies of a pair as the entry of a table, by the classes of the bodies that it distinguishes; `None`
+    /// where its text does not show these.
+    fn entry(
+        &mut self,
+        _graph: &mut Graph,
+        _id: ParameterId,
+        _pair: [LoopId; 2],
+        _ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        None
+    }
     /// A number, or an integer as one, for every index of a loop but one of its ends, and zero there; `None` as for others.
     fn without(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId, _end: End) -> Option<ParameterId> {
         None
@@ -147,6 +158,7 @@ pub(crate) fn rename(
         Node::Power(a, halves) => Node::Power(of(graph, a)?, halves),
         Node::Unary(function, a) => Node::Unary(function, of(graph, a)?),
         Node::Binary(function, a, b) => Node::Binary(function, of(graph, a)?, of(graph, b)?),
+        Node::Entry(table, a, b) => Node::Entry(table, of(graph, a)?, of(graph, b)?),
         Node::Sum(by, body) => Node::Sum(by, of(graph, body)?),
         Node::Fold(fold, by, body) => Node::Fold(fold, by, of(graph, body)?),
         Node::Compare(comparison, a, b) => Node::Compare(comparison, of(graph, a)?, of(graph, b)?),

@@ -52,12 +52,20 @@ pub(crate) struct Parameter {
     pub(crate) own: TokenStream,
     /// The same, evaluated where the functions evaluate it.
     pub(crate) text: TokenStream,
+    /// The code of all its values at once, where that is not an expression of each.
+    pub(crate) whole: Option<TokenStream>,
 }
 
 impl Parameter {
     /// Its text, with the indices of loops as they are called.
     pub(crate) fn named_text(&self, running: &HashMap<LoopId, Ident>) -> TokenStream {
         with_indices(&self.text, &|by| running.get(&by).cloned().map(Into::into))
+    }
+
+    /// The code of all its values at once, if there is any.
+    pub(crate) fn named_whole(&self, running: &HashMap<LoopId, Ident>) -> Option<TokenStream> {
+        let whole = self.whole.as_ref()?;
+        Some(with_indices(whole, &|by| running.get(&by).cloned().map(Into::into)))
     }
 }
 
@@ -665,7 +673,7 @@ impl<'i> Reader<'i> {
             return *id;
         }
         let id = ParameterId(self.parameters.len() as u32);
-        self.parameters.push(Parameter { own: shown, text });
+        self.parameters.push(Parameter { own: shown, text, whole: None });
         self.parameter_ids.insert(key, id);
         self.graph.loops.declare_parameter(id, loops);
         if may_be_missing {

@@ -49,6 +49,7 @@ enum Form {
     Factors(u64, Vec<(Signed, i32)>),
     Unary(Function, Signed),
     Binary(Function, Signed, Signed),
+    Entry(ParameterId, Signed, Signed),
     Sum(LoopId, Signed),
     Compare(Comparison, Signed, Signed),
     Not(Signed),
@@ -127,6 +128,9 @@ impl<'p> Forms<'p> {
                 let odd = row.parity == Parity::Odd;
                 let form = self.id(Form::Binary(function, first.unsigned_if(odd), second));
                 return Some(form.negated_if(odd && first.negative));
+            }
+            Node::Entry(table, a, b) => {
+                Form::Entry(table, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
             }
             Node::Sum(by, body) => {
                 let body = self.of(graph, body, exchanged)?;

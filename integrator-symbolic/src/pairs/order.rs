@@ -6,7 +6,7 @@
 
 use super::exchange::Forms;
 use crate::graph::{
-    Comparison, Element, Graph, Node, NodeId, Part,
+    Comparison, Element, Graph, Node, NodeId, ParameterId, Part,
     index::{Index, IndexId, LoopId, LoopSet},
     rename::{End, Parameters, Renaming, rename},
 };
@@ -34,6 +34,7 @@ enum Constants {
 impl Order {
     /// The order of a pair. `ascending` means that the second body has the larger index.
     pub(super) fn of(graph: &mut Graph, pair: [LoopId; 2], ascending: bool) -> Self {
+        let ends = ends(Some(ascending));
         let [first, second] = pair.map(|by| {
             let index = graph.loops.intern(Index::Running(by));
             graph.number_of(index)
@@ -41,10 +42,6 @@ impl Order {
         let [less, greater] = if ascending { [first, second] } else { [second, first] };
         let holds = graph.compare(Comparison::Less, less, greater);
         let [plus, minus] = [1.0, -1.0].map(|sign| graph.constant(sign));
-        let mut ends = [Some(End::Last), Some(End::First)];
-        if !ascending {
-            ends.reverse();
-        }
         Self { pair, ends, holds, sign: graph.select(holds, plus, minus) }
     }
 
@@ -142,6 +139,15 @@ impl Order {
     }
 }
 
+/// The ends at which the bodies of a pair have no partner, by the order of the loops; none if each pair comes twice.
+pub(super) fn ends(ascending: Option<bool>) -> [Option<End>; 2] {
+    match ascending {
+        Some(true) => [Some(End::Last), Some(End::First)],
+        Some(false) => [Some(End::First), Some(End::Last)],
+        None => [None; 2],
+    }
+}
+
 /// A constant of a body that is zero at one end of the list.
 fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut dyn Parameters) -> Option<NodeId> {
     let parameter = match graph.node(id) {
@@ -172,14 +178,15 @@ fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &Hash
 
 /// Replaces conditions on the indices of the bodies of a pair, and on integers computed from them, by conditions on real numbers.
 ///
-/// Returns `None` if
+/// Parameters of both bodies become entries of tables. Returns `None` if
 /// - an integer of both bodies is not a sum, difference or product,
 /// - another integer contains a difference, which may be negative for a body without a partner,
-/// - a condition on parameters of both bodies is not an equality.
+/// - a parameter of both bodies depends on more than a value of each.
 pub(super) fn with_numbers(
     graph: &mut Graph,
     energy: NodeId,
     pair: [LoopId; 2],
+    ends: [Option<End>; 2],
     parameters: &mut dyn Parameters,
 ) -> Option<NodeId> {
     let mut fits = true;
@@ -195,7 +202,10 @@ pub(super) fn with_numbers(
             }
             Node::FromIndex(index) if of_pair(graph, index) > 0 => number(graph, index, pair),
             Node::Flag(flag) if pair.iter().any(|by| graph.loops.of_parameter(flag).contains(*by)) => {
-                parameters.flag(graph, flag, pair, [None; 2])
+                parameters.flag(graph, flag, pair, ends)
+            }
+            Node::Parameter(parameter) if is_of_both(graph, parameter, pair) => {
+                parameters.entry(graph, parameter, pair, ends)
             }
             _ => return None,
         };
@@ -205,8 +215,8 @@ pub(super) fn with_numbers(
     fits.then_some(energy)
 }
 
-/// Replaces equalities of parameters of both bodies of a pair by equalities of one number per body, so that a table has one entry
-/// per body instead of one per pair. `ends` are the ends of the list at which the bodies have no partner.
+/// Replaces parameters of both bodies of a pair by functions of one number per body, so that a run prepares numbers of bodies
+/// instead of numbers of pairs. `ends` are the ends of the list at which the bodies have no partner.
 pub(crate) fn with_numbers_of_each(
     graph: &mut Graph,
     energy: NodeId,
@@ -215,11 +225,16 @@ pub(crate) fn with_numbers_of_each(
     parameters: &mut dyn Parameters,
 ) -> NodeId {
     rewritten(graph, energy, |graph, id| match graph.node(id) {
-        Node::Flag(flag) if pair.iter().all(|by| graph.loops.of_parameter(flag).contains(*by)) => {
-            parameters.flag(graph, flag, pair, ends)
+        Node::Flag(flag) if is_of_both(graph, flag, pair) => parameters.flag(graph, flag, pair, ends),
+        Node::Parameter(parameter) if is_of_both(graph, parameter, pair) => {
+            parameters.entry(graph, parameter, pair, ends)
         }
         _ => None,
     })
+}
+
+fn is_of_both(graph: &Graph, parameter: ParameterId, pair: [LoopId; 2]) -> bool {
+    pair.iter().all(|by| graph.loops.of_parameter(parameter).contains(*by))
 }
 
 /// An integer as a real number. Integers inside of it depend on one body of the pair at most, and contain no difference.

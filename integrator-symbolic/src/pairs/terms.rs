@@ -1,6 +1,9 @@
 //! Separates the terms of an energy: terms of pairs of bodies, terms of single bodies, and other terms.
 
-use super::{order::with_numbers, over_all, reads_only};
+use super::{
+    order::{ends, with_numbers},
+    over_all, reads_only,
+};
 use crate::graph::{
     Comparison, Graph, Node, NodeId,
     index::{Index, IndexId, Loop, LoopId},
@@ -134,7 +137,8 @@ impl<'p> Terms<'p> {
         }
         energy = self.where_conditions_hold(graph, energy);
         if self.are_many {
-            energy = with_numbers(graph, energy, pair, self.parameters)?;
+            let ascending = (!twice).then_some(!before);
+            energy = with_numbers(graph, energy, pair, ends(ascending), self.parameters)?;
         }
         if !reads_only(graph, energy, &pair, self.parameters) {
             return None;

@@ -13,7 +13,7 @@ use crate::{
         read_by_methods::ReadByMethods,
     },
     graph::{
-        NodeId,
+        Node, NodeId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
@@ -58,7 +58,14 @@ impl Constants {
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
             let (kind, value) = match content {
-                Content::Number(id) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
+                Content::Number(id) => match (whole(emitter.model, id), table.levels.first()) {
+                    (None, _) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
+                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(values[#index])),
+                    (Some(whole), None) => {
+                        let runtime = &names.runtime;
+                        (quote!(#runtime::ByClass<#scalar>), whole)
+                    }
+                },
                 Content::Integer(id) => {
                     let text = emitter.model.text(id);
                     (quote!(usize), quote!(#text))
@@ -103,9 +110,22 @@ impl Constants {
                 slopes.extend(quote!(#name: #slope,));
             }
             let value = table.prepared(value, content, names);
+            let value = match (content, table.levels.first()) {
+                (Content::Number(id), Some(_)) => match whole(emitter.model, id) {
+                    Some(whole) => quote!({
+                        let values = #whole;
+                        #value
+                    }),
+                    None => value,
+                },
+                _ => value,
+            };
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
+                (Content::Number(id), None) if whole(emitter.model, id).is_some() => {
+                    Some(quote!(a.#name.is_like(&b.#name)))
+                }
                 _ => None,
             });
             if !matches!(content, Content::External(_) | Content::OwnFlow(_)) {
@@ -222,6 +242,12 @@ impl Constants {
             }
         }
     }
+}
+
+/// The code of all values of a prepared constant at once, with the indices of loops as they are called.
+fn whole(model: &Model, id: NodeId) -> Option<TokenStream> {
+    let Node::Parameter(parameter) = model.graph.node(id) else { return None };
+    model.parameters[parameter.0 as usize].named_whole(&model.running)
 }
 
 /// The expression of a number that is made of parameters alone.

@@ -173,6 +173,13 @@ impl Printer<'_> {
             Node::Unary(function, a) => self.method(fields, a, self.method_name(function), None),
             Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
             Node::External(id, arguments) => self.external(fields, id, arguments),
+            Node::Entry(table, row, column) => {
+                let [row, column] = [row, column].map(|number| self.expression(fields, number).tokens);
+                let table = self.graph.known_parameter(table).unwrap_or(id);
+                let name = fields.number(self.graph, self.parameters, table);
+                let table = self.prepared(name, LoopSet::EMPTY);
+                Printed::new(Binding::Atom, quote!(#table.entry(#row, #column)))
+            }
             // Sums and choices are always named; the blocks inside theirs compute them.
             Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),

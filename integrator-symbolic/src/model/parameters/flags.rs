@@ -20,8 +20,7 @@ use quote::{format_ident, quote};
 pub(super) const OTHER_BODY: &str = "__other_body";
 
 impl Texts<'_> {
-    /// The condition for a pair whose bodies have no partner at these ends; `None` of one that is neither of one body nor an
-    /// equality.
+    /// The condition for a pair whose bodies have no partner at these ends; `None` if it depends on more than a value of each body.
     pub(super) fn flag_of_pair(
         &mut self,
         graph: &mut Graph,
@@ -36,7 +35,24 @@ impl Texts<'_> {
             let (zero, number) = (graph.constant(0.0), graph.parameter(number));
             return Some(graph.compare(Comparison::Less, zero, number));
         }
-        let (sides, equal) = sides(&text)?;
+        let condition = self.equality(graph, &text, pair, ends, loops);
+        condition.or_else(|| {
+            let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8), pair, ends)?;
+            let zero = graph.constant(0.0);
+            Some(graph.compare(Comparison::Less, zero, entry))
+        })
+    }
+
+    /// An equality of values of the two bodies.
+    fn equality(
+        &mut self,
+        graph: &mut Graph,
+        text: &TokenStream,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+        loops: LoopSet,
+    ) -> Option<NodeId> {
+        let (sides, equal) = sides(text)?;
         let of = |side: &TokenStream| pair.into_iter().filter(|by| mentions(side, *by)).collect::<Vec<_>>();
         let [[first], [second]] = [&of(&sides[0])[..], &of(&sides[1])[..]] else { return None };
         let (bodies, is_of_pair) = ([*first, *second], first != second && loops.iter().count() == 2);

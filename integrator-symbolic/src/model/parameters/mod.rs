@@ -1,5 +1,6 @@
 //! Expressions of parameters: their tokens, and the loops and conditions around them.
 
+mod classes;
 pub(crate) mod factors;
 mod flags;
 pub(crate) mod parameter_text;

@@ -8,6 +8,7 @@ use crate::graph::{
 use crate::model::{
     Parameter,
     parameters::{
+        classes::THIS_BODY,
         factors::factors,
         flags::OTHER_BODY,
         running_index::{loop_of, mentions, running_index, with_indices},
@@ -57,6 +58,7 @@ impl Parameters for Texts<'_> {
         });
         let renamed = self.id(graph, text, loops);
         graph.declare_missing_like(renamed, id);
+        self.parameters[renamed.0 as usize].whole = self.parameters[id.0 as usize].whole.clone();
         Some(renamed)
     }
 
@@ -105,16 +107,35 @@ impl Parameters for Texts<'_> {
         self.flag_of_pair(graph, id, pair, ends)
     }
 
+    fn entry(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        let text = self.text(id);
+        self.entry_of_pair(graph, id, &text, pair, ends)
+    }
+
     fn without(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId, end: End) -> Option<ParameterId> {
         let (text, index) = (self.text(id), running_index(by));
         let is_other = match end {
             End::First => quote!(#index > 0),
             End::Last => quote!(#index + 1 < length),
         };
+        if self.parameters[id.0 as usize].whole.is_some() {
+            return Some(id);
+        }
         if !is_plain(&text) || graph.loops.of_parameter(id) != LoopSet::of(by) {
             return None;
         }
-        let guarded = self.id(graph, quote!((if #is_other { (#text) as f64 } else { 0.0 })), LoopSet::of(by));
+        let guarded = quote!((if #is_other { (#text) as f64 } else { 0.0 }));
+        let guard = quote!(if #is_other).to_string();
+        if text.to_string().trim_start_matches('(').starts_with(&guard) {
+            return Some(id);
+        }
+        let guarded = self.id(graph, guarded, LoopSet::of(by));
         let own = self.parameters[id.0 as usize].own.clone();
         self.show(guarded, &own);
         graph.declare_missing_like(guarded, id);
@@ -163,6 +184,10 @@ impl<'m> Texts<'m> {
         free.unwrap_or_else(|| base.clone())
     }
 
+    pub(super) fn own_text(&self, id: ParameterId) -> TokenStream {
+        self.parameters[id.0 as usize].own.clone()
+    }
+
     pub(super) fn text(&self, id: ParameterId) -> TokenStream {
         self.parameters[id.0 as usize].text.clone()
     }
@@ -187,6 +212,19 @@ impl<'m> Texts<'m> {
         self.id(graph, text, LoopSet::EMPTY)
     }
 
+    /// A parameter whose values are computed at once, each of which is also an expression.
+    pub(super) fn whole(
+        &mut self,
+        graph: &mut Graph,
+        text: TokenStream,
+        loops: LoopSet,
+        whole: TokenStream,
+    ) -> ParameterId {
+        let id = self.id(graph, text, loops);
+        self.parameters[id.0 as usize].whole = Some(whole);
+        id
+    }
+
     /// Shows a parameter of the macro's own to people as this text of the user.
     pub(super) fn show(&mut self, id: ParameterId, text: &TokenStream) {
         self.parameters[id.0 as usize].own = text.clone();
@@ -207,7 +245,7 @@ impl<'m> Texts<'m> {
         }
         *self.known.entry((loops, text.to_string())).or_insert_with(|| {
             let made = ParameterId(self.parameters.len() as u32);
-            self.parameters.push(Parameter { own: text.clone(), text });
+            self.parameters.push(Parameter { own: text.clone(), text, whole: None });
             graph.loops.declare_parameter(made, loops);
             made
         })
@@ -286,7 +324,9 @@ fn is_plain(text: &TokenStream) -> bool {
         return [condition, guarded.stream(), other.stream()].iter().all(is_plain);
     }
     let is_index = |at: usize| match tokens.get(at) {
-        Some(TokenTree::Ident(name)) => name == OTHER_BODY || name == "usize" || loop_of(name).is_some(),
+        Some(TokenTree::Ident(name)) => {
+            name == OTHER_BODY || name == THIS_BODY || name == "usize" || loop_of(name).is_some()
+        }
         _ => false,
     };
     (0..).zip(&tokens).all(|(at, token)| match token {

@@ -6,10 +6,16 @@ use syn::{BinOp, Expr, Lit, Path};
 
 /// A number that is looked up where its lists have it, and is NaN elsewhere; `None` of a text that reads no lists.
 pub(crate) fn looked_up(text: &TokenStream, root: &Path) -> Option<TokenStream> {
+    let there = is_there(text, root)?;
+    Some(quote!((if #there { #text } else { f64::NAN })))
+}
+
+/// The condition that the lists in a text have its elements; `None` of a text that reads no lists.
+pub(crate) fn is_there(text: &TokenStream, root: &Path) -> Option<TokenStream> {
     let expression = syn::parse2::<Expr>(text.clone()).ok()?;
     let mut found = Vec::new();
     list(&expression, root, &mut found);
-    (!found.is_empty()).then(|| quote!((if #(#found)&&* { #text } else { f64::NAN })))
+    (!found.is_empty()).then(|| quote!(#(#found)&&*))
 }
 
 /// Adds what has to hold for the lists in an expression to have its elements, those needed first in front. What a closure

@@ -30,7 +30,7 @@ impl Reader<'_> {
     fn declare_sensitive(&mut self, name: &Ident) -> ParameterId {
         let id = ParameterId(self.parameters.len() as u32);
         let text = quote!(self.#name);
-        self.parameters.push(Parameter { own: text.clone(), text });
+        self.parameters.push(Parameter { own: text.clone(), text, whole: None });
         self.graph.loops.declare_parameter(id, LoopSet::EMPTY);
         self.sensitive.insert(name.to_string(), id);
         id

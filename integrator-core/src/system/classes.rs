@@ -1,0 +1,180 @@
+//! Classes of bodies with equal values, and tables over pairs of classes.
+
+use crate::{
+    scalar::{real::Real, simd::row::Row},
+    state::digest::{Digest, Digested},
+    system::{not_finite::Constants, prepared::OfMembers},
+};
+use alloc::{vec, vec::Vec};
+use core::ops::Range;
+
+/// The first and the last body of a class.
+type Ends = [usize; 2];
+
+/// The class of each of these bodies, and the ends of each class. Classes are numbered in the order of their first bodies.
+fn classified(bodies: Range<usize>, is_equal: &dyn Fn(usize, usize) -> bool) -> (Vec<usize>, Vec<Ends>) {
+    let (mut of_bodies, mut ends): (Vec<usize>, Vec<Ends>) = (Vec::new(), Vec::new());
+    for body in bodies {
+        // Bodies of a class are often next to each other.
+        let same_as_last = of_bodies.last().copied().filter(|class| is_equal(ends[*class][0], body));
+        let class = same_as_last.or_else(|| ends.iter().position(|[first, _]| is_equal(*first, body)));
+        let class = class.unwrap_or_else(|| {
+            ends.push([body; 2]);
+            ends.len() - 1
+        });
+        ends[class][1] = body;
+        of_bodies.push(class);
+    }
+    (of_bodies, ends)
+}
+
+/// Returns the number of the class of each body, and zero for those out of range.
+pub fn classes(bodies: Range<usize>, length: usize, is_equal: &dyn Fn(usize, usize) -> bool) -> Vec<f64> {
+    let mut numbers = vec![0.0; length];
+    let (of_bodies, _) = classified(bodies.clone(), is_equal);
+    for (body, class) in bodies.zip(of_bodies) {
+        numbers[body] = class as f64;
+    }
+    numbers
+}
+
+/// Values of a function of pairs, by the classes of their bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByClass<R> {
+    /// The number of classes of the second body.
+    columns: usize,
+    /// The rows, one for each class of the first body.
+    entries: Vec<R>,
+}
+
+impl ByClass<f64> {
+    /// Creates the table. Entries of classes without a pair are zero.
+    ///
+    /// `value` is `None` for two bodies that are no pair. Whether some bodies of two classes are a pair shows at the ends of
+    /// the classes, since pairs are all bodies `i < j`, all `i > j` or all `i != j`.
+    pub fn new(
+        bodies: [Range<usize>; 2],
+        is_equal: [&dyn Fn(usize, usize) -> bool; 2],
+        value: &dyn Fn(usize, usize) -> Option<f64>,
+    ) -> Self {
+        let [rows, columns] = bodies;
+        let (rows, columns) = (classified(rows, is_equal[0]).1, classified(columns, is_equal[1]).1);
+        let entry = |row: &Ends, column: &Ends| {
+            let pairs = [[row[0], column[1]], [row[1], column[0]]];
+            pairs.into_iter().find_map(|[i, j]| value(i, j)).unwrap_or(0.0)
+        };
+        let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| entry(row, column)));
+        Self { columns: columns.len(), entries: entries.collect() }
+    }
+}
+
+/// The most entries that are compared one by one, in all lanes, which is faster than to read one for each lane.
+const COMPARED: usize = 16;
+
+impl<R: Real> ByClass<R> {
+    /// Returns the entries in these rows and columns.
+    #[inline(always)]
+    pub fn entry<W: Row<R>>(&self, row: W, column: W) -> W {
+        let place = row.fma(W::of(self.columns as f64), column);
+        let first = self.entries.first().copied().unwrap_or(R::of(0.0));
+        let mut entries = W::splat(first);
+        if self.entries.len() <= COMPARED {
+            for (at, entry) in self.entries.iter().enumerate().skip(1) {
+                entries = W::select(place.equal(W::of(at as f64)), W::splat(*entry), entries);
+            }
+            return entries;
+        }
+        let (mut places, mut found) = ([R::of(0.0); 8], [first; 8]);
+        place.write(&mut places);
+        for body in 0..W::LANES / R::LANES {
+            found[body] = match R::LANES {
+                1 => self.entries.get(places[body].lane(0) as usize).copied().unwrap_or(first),
+                _ => R::state(&|lane| {
+                    let entry = self.entries.get(places[body].lane(lane) as usize).unwrap_or(&first);
+                    entry.lane(lane)
+                }),
+            };
+        }
+        W::read(&found)
+    }
+    /// Whether another table has as many rows and columns.
+    pub fn is_like(&self, other: &Self) -> bool {
+        self.columns == other.columns && self.entries.len() == other.entries.len()
+    }
+}
+
+impl<R: Real> OfMembers<ByClass<f64>> for ByClass<R> {
+    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c ByClass<f64>) -> Self
+    where
+        ByClass<f64>: 'c,
+    {
+        Self { columns: of_lane(0).columns, entries: OfMembers::in_lanes(&|lane| &of_lane(lane).entries) }
+    }
+}
+
+impl Constants for ByClass<f64> {
+    fn not_finite(&self) -> Option<(Vec<usize>, f64)> {
+        let value = self.entries.iter().copied().find(|entry| !entry.is_finite())?;
+        Some((Vec::new(), value))
+    }
+}
+
+impl<R: Digested> Digested for ByClass<R> {
+    fn add_to(&self, digest: &mut Digest) {
+        digest.add(&self.columns);
+        digest.add(&self.entries);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::simd::lanes::Lanes;
+    use core::cmp::Ordering;
+
+    const KINDS: [char; 6] = ['b', 'b', 'a', 'c', 'a', 'a'];
+
+    #[test]
+    fn classes_are_numbered_by_their_first_bodies() {
+        let is_equal = |a: usize, b: usize| KINDS[a] == KINDS[b];
+        assert_eq!(classes(0..6, 6, &is_equal), [0.0, 0.0, 1.0, 2.0, 1.0, 1.0]);
+        assert_eq!(classes(1..6, 6, &is_equal), [0.0, 0.0, 1.0, 2.0, 1.0, 1.0]);
+        assert_eq!(classes(0..2, 3, &is_equal), [0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn an_entry_is_the_value_of_a_pair_with_these_values() {
+        let is_equal = |a: usize, b: usize| KINDS[a] == KINDS[b];
+        let is_pair = |order: Ordering, i: usize, j: usize| i.cmp(&j) == order;
+        for (order, bodies) in [(Ordering::Less, [0..5, 1..6]), (Ordering::Greater, [1..6, 0..5])] {
+            let number = |i: usize, j: usize| f64::from(u32::from(KINDS[i]) * 1000 + u32::from(KINDS[j]));
+            let value = |i: usize, j: usize| is_pair(order, i, j).then(|| number(i, j));
+            let table = ByClass::new(bodies.clone(), [&is_equal, &is_equal], &value);
+            let [rows, columns] = bodies.map(|bodies| classes(bodies, 6, &is_equal));
+            for (i, row) in rows.iter().enumerate() {
+                for (j, column) in columns.iter().enumerate().filter(|(j, _)| is_pair(order, i, *j)) {
+                    assert_eq!(table.entry(*row, *column), number(i, j), "{order:?}: {i}, {j}");
+                }
+            }
+        }
+        // No pair, no value.
+        let table = ByClass::new([0..5, 1..6], [&is_equal, &is_equal], &|i, j| (i < j).then_some(1.0));
+        assert_eq!(table.entries[6..], [0.0, 1.0, 0.0], "{table:?}");
+    }
+
+    #[test]
+    fn vectors_read_the_entries_of_each_lane() {
+        type Both = Lanes<f64, 8>;
+        for classes in [1, 3, 7] {
+            let is_equal = |a: usize, b: usize| a % classes == b % classes;
+            let value = |i: usize, j: usize| Some((10 * (i % classes) + j % classes) as f64);
+            let table = ByClass::new([0..20, 0..20], [&is_equal, &is_equal], &value);
+            let numbers = [5, 3].map(|step| Both::state(&|lane| (lane * step % classes) as f64));
+            let entries = table.entry(numbers[0], numbers[1]);
+            for lane in 0..8 {
+                let expected = 10.0 * numbers[0].lane(lane) + numbers[1].lane(lane);
+                assert_eq!(entries.lane(lane), expected, "{classes} classes, lane {lane}");
+            }
+        }
+    }
+}

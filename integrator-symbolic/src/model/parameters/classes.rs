@@ -1,0 +1,156 @@
+//! Parameters of two bodies as tables over classes of bodies, such as `self.table[self.kind[i]][self.kind[j]]`.
+//!
+//! In: the text of a number or condition. Out: the entry of a table in a row and a column, which are prepared numbers of the
+//! bodies. Always true: the entry is the value of the text for a pair with equal values, which the loops visit.
+
+use super::{
+    flags::OTHER_BODY,
+    parameter_text::Texts,
+    presence::is_there,
+    running_index::{running_index, with_indices},
+};
+use crate::graph::{
+    Graph, NodeId, ParameterId,
+    index::{LoopId, LoopSet},
+    rename::{End, Parameters, Renaming},
+};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+/// The index of the body whose class is determined.
+pub(super) const THIS_BODY: &str = "__this_body";
+
+impl Texts<'_> {
+    /// The entry for a pair; `None` if the text depends on more than one value of each body. `own` is the text of the parameter
+    /// as a number.
+    pub(super) fn entry_of_pair(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        own: &TokenStream,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        let text = self.text(id);
+        if graph.loops.of_parameter(id).iter().count() > 2 {
+            return None;
+        }
+        let values = pair.map(|by| value_of(&text, by));
+        let [Some(first), Some(second)] = values else { return None };
+        let bodies = ends.map(|end| match end {
+            None => quote!(0..length),
+            Some(End::First) => quote!(1..length),
+            Some(End::Last) => quote!(0..length.saturating_sub(1)),
+        });
+        let root = self.root;
+        let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
+        let equal = [(&first, pair[0]), (&second, pair[1])].map(|(value, by)| {
+            let [(a, has_a), (b, has_b)] = [&other, &this].map(|index| {
+                let value = with_index(value, by, index.clone().into());
+                let there = is_there(&value, root).unwrap_or_else(|| quote!(true));
+                (value, there)
+            });
+            let equal = quote!(#root::__private::Both(&(#a), &(#b)).are_equal());
+            quote!(&|#other, #this| (#has_a) == (#has_b) && !((#has_a) && !#equal))
+        });
+        let numbers = [0, 1].map(|at| {
+            let (by, bodies, equal) = (pair[at], &bodies[at], &equal[at]);
+            let index = running_index(by);
+            let whole = quote!(#root::__private::classes(#bodies, length, #equal));
+            let number = self.whole(graph, quote!((#whole)[#index]), LoopSet::of(by), whole);
+            self.show(number, [&first, &second][at]);
+            self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;
+            Some(graph.parameter(number))
+        });
+        let [row, column] = [numbers[0]?, numbers[1]?];
+        let [first, second] = pair.map(running_index);
+        let order = match ends {
+            [Some(End::Last), _] => quote!(#first < #second),
+            [Some(End::First), _] => quote!(#first > #second),
+            [None, _] => quote!(#first != #second),
+        };
+        let ([rows, columns], [of_rows, of_columns]) = (&equal, &bodies);
+        let whole = quote!(#root::__private::ByClass::new(
+            [#of_rows, #of_columns],
+            [#rows, #columns],
+            &|#first, #second| if #order { ::core::option::Option::Some((#own) as f64) } else { ::core::option::Option::None }
+        ));
+        let table = self.whole(graph, whole.clone(), LoopSet::EMPTY, whole);
+        let shown = self.own_text(id);
+        self.show(table, &shown);
+        graph.declare_missing_like(table, id);
+        Some(graph.entry(table, row, column))
+    }
+}
+
+fn with_index(text: &TokenStream, by: LoopId, index: TokenTree) -> TokenStream {
+    with_indices(text, &|other| (other == by).then(|| index.clone()))
+}
+
+/// The value of a body that a text reads, such as `self.kind[i]` or `self.atoms[i].kind as usize`; `None` if it reads the index
+/// of the body elsewhere, or several values.
+fn value_of(text: &TokenStream, by: LoopId) -> Option<TokenStream> {
+    let mut found: Option<TokenStream> = None;
+    let mut fits = true;
+    collect(text, by, &mut |value| match &found {
+        Some(known) => fits &= value.as_ref().is_some_and(|value| value.to_string() == known.to_string()),
+        None => {
+            fits &= value.is_some();
+            found = value;
+        }
+    });
+    found.filter(|_| fits)
+}
+
+/// Reports every value that a text reads of a body; `None` where it reads the index itself.
+fn collect(text: &TokenStream, by: LoopId, report: &mut impl FnMut(Option<TokenStream>)) {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    for (at, token) in tokens.iter().enumerate() {
+        match token {
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Bracket && is_index(&group.stream(), by) => {
+                report(path_to(&tokens, at));
+            }
+            // Whether a list has an element is known where the element is.
+            TokenTree::Group(group) if is_index(&group.stream(), by) && follows(&tokens, at, "has") => {}
+            TokenTree::Group(group) => collect(&group.stream(), by, report),
+            TokenTree::Ident(name) if *name == running_index(by) => report(None),
+            _ => {}
+        }
+    }
+}
+
+fn follows(tokens: &[TokenTree], at: usize, name: &str) -> bool {
+    at > 0 && matches!(&tokens[at - 1], TokenTree::Ident(ident) if ident == name)
+}
+
+fn is_index(text: &TokenStream, by: LoopId) -> bool {
+    running_index(by) == text.to_string()
+}
+
+/// The path `self.name[i].field as usize` around the brackets at a place; `None` if there is no such path.
+fn path_to(tokens: &[TokenTree], at: usize) -> Option<TokenStream> {
+    let is_dot = |at: usize| matches!(tokens.get(at), Some(TokenTree::Punct(mark)) if mark.as_char() == '.');
+    let ident = |at: usize| match tokens.get(at) {
+        Some(TokenTree::Ident(name)) => Some(name.to_string()),
+        _ => None,
+    };
+    // Names and positions of fields.
+    let is_field = |at: usize| ident(at).is_some() || matches!(tokens.get(at), Some(TokenTree::Literal(_)));
+    let mut from = at.checked_sub(1)?;
+    while from >= 2 && is_field(from) && is_dot(from - 1) {
+        from -= 2;
+    }
+    if ident(from)? != "self" || from + 1 == at {
+        return None;
+    }
+    let mut to = at + 1;
+    let is_called = |at: usize| matches!(tokens.get(at), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
+    while is_dot(to) && is_field(to + 1) && !is_called(to + 2) {
+        to += 2;
+    }
+    // Values of a type without `==` can be compared as integers.
+    if ident(to).is_some_and(|name| name == "as") && ident(to + 1).is_some() {
+        to += 2;
+    }
+    Some(tokens[from..to].iter().cloned().collect())
+}
