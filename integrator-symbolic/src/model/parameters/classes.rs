@@ -37,7 +37,9 @@ impl Texts<'_> {
         }
         let values = pair.map(|by| value_of(&text, by));
         let [Some(first), Some(second)] = values else { return None };
-        let bodies = ends.map(|end| match end {
+        // A list that is read for either body has all elements.
+        let alike = with_index(&second, pair[1], running_index(pair[0]).into()).to_string() == first.to_string();
+        let bodies = ends.map(|end| match end.filter(|_| !alike) {
             None => quote!(0..length),
             Some(End::First) => quote!(1..length),
             Some(End::Last) => quote!(0..length.saturating_sub(1)),
