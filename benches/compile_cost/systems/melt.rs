@@ -2,6 +2,8 @@ use integrator_core::prelude::*;
 
 pub struct System {
     pub cutoff: f64,
+    pub types: Vec<usize>,
+    pub depths: Vec<Vec<f64>>,
     pub bonds: Vec<[usize; 2]>,
 }
 
@@ -17,7 +19,7 @@ impl System {
                 let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
                 let square = x * x + y * y + z * z;
                 if square < self.cutoff * self.cutoff {
-                    energy += 4.0 * (square.powi(-6) - square.powi(-3));
+                    energy += self.depths[self.types[i]][self.types[j]] * (square.powi(-6) - square.powi(-3));
                 }
             }
         }
@@ -30,7 +32,8 @@ impl System {
 }
 
 pub fn system() -> System {
-    System { cutoff: 2.5, bonds: (1..5).map(|i| [i - 1, i]).collect() }
+    let (types, depths) = (vec![0, 1, 0, 0, 1], vec![vec![4.0, 6.0], vec![6.0, 2.0]]);
+    System { cutoff: 2.5, types, depths, bonds: (1..5).map(|i| [i - 1, i]).collect() }
 }
 
 pub fn start() -> Phase<Vec<[f64; 3]>> {
