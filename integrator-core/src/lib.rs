@@ -256,11 +256,11 @@ pub mod __private {
         system::{
             MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy, System,
             by_value::by_value,
-            classes::{ByClass, classes},
+            classes::{ByClass, classes, numbers_of_values},
             counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
-            equal_values::{Both, EqualValues},
+            equal_values::{Both, SmallInteger},
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},

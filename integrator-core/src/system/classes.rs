@@ -38,6 +38,20 @@ pub fn classes(bodies: Range<usize>, length: usize, is_equal: &dyn Fn(usize, usi
     numbers
 }
 
+/// Returns a number for each body, the same for bodies with equal values: the value where that is a `small` integer, which
+/// takes no search, and a negative number elsewhere.
+pub fn numbers_of_values(
+    length: usize,
+    small: &dyn Fn(usize) -> Option<f64>,
+    is_equal: &dyn Fn(usize, usize) -> bool,
+) -> Vec<f64> {
+    let others: Vec<usize> = (0..length).filter(|body| small(*body).is_none()).collect();
+    let (of_others, _) = classified(0..others.len(), &|a, b| is_equal(others[a], others[b]));
+    let mut of_others = of_others.into_iter();
+    let number = |body| small(body).or_else(|| of_others.next().map(|class| -1.0 - class as f64)).unwrap_or(0.0);
+    (0..length).map(number).collect()
+}
+
 /// Values of a function of pairs, by the classes of their bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByClass<R> {
@@ -129,7 +143,7 @@ impl<R: Digested> Digested for ByClass<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::simd::lanes::Lanes;
+    use crate::{scalar::simd::lanes::Lanes, system::equal_values::SmallInteger};
     use core::cmp::Ordering;
 
     const KINDS: [char; 6] = ['b', 'b', 'a', 'c', 'a', 'a'];
@@ -140,6 +154,28 @@ mod tests {
         assert_eq!(classes(0..6, 6, &is_equal), [0.0, 0.0, 1.0, 2.0, 1.0, 1.0]);
         assert_eq!(classes(1..6, 6, &is_equal), [0.0, 0.0, 1.0, 2.0, 1.0, 1.0]);
         assert_eq!(classes(0..2, 3, &is_equal), [0.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn equal_values_have_equal_numbers_and_others_have_not() {
+        macro_rules! check {
+            ($values:expr) => {
+                let values = $values;
+                let small = |body: usize| SmallInteger(&values[body]).value();
+                let numbers = numbers_of_values(values.len(), &small, &|a, b| values[a] == values[b]);
+                for (a, of_a) in numbers.iter().enumerate() {
+                    for (b, of_b) in numbers.iter().enumerate() {
+                        assert_eq!(values[a] == values[b], of_a == of_b, "{a}, {b}: {numbers:?}");
+                    }
+                }
+            };
+        }
+        check!([3_usize, 7, 3, usize::MAX, 0, usize::MAX - 1, usize::MAX]);
+        check!([-1_i64, 1, 0, i64::MIN, -1, 1 << 24, 1 << 24, (1 << 24) - 1]);
+        check!(["a", "b", "a"]);
+        check!([true, false, true]);
+        check!(['a', 'b', 'a', char::MAX]);
+        check!([Some(0.5), None, Some(0.5)]);
     }
 
     #[test]

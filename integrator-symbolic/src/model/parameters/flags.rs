@@ -5,6 +5,7 @@
 //! `a == b` and `b == c`, `a == c`).
 
 use super::{
+    classes::THIS_BODY,
     parameter_text::Texts,
     running_index::{loop_of, mentions, running_index, with_indices},
 };
@@ -13,7 +14,7 @@ use crate::graph::{
     index::{Index, LoopId, LoopSet},
     rename::{End, Parameters, Renaming},
 };
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::{TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 /// The index of another body in a closure.
@@ -58,23 +59,29 @@ impl Texts<'_> {
         let (bodies, is_of_pair) = ([*first, *second], first != second && loops.iter().count() == 2);
         let alike = with_index(&sides[1], *second, &running_index(*first).into()).to_string() == sides[0].to_string();
         let numbers = match alike {
-            true => Some([self.class(&sides[0], *first), self.class(&sides[1], *second)]),
+            true => Some(
+                [self.class(&sides[0], *first), self.class(&sides[1], *second)]
+                    .map(|[text, whole]| (text, Some(whole))),
+            ),
             // What is compared with an index is an integer of its type.
             false => sides.iter().any(is_of_indices).then(|| {
                 sides.each_ref().map(|side| match is_of_indices(side) {
-                    true => in_numbers(side),
-                    false => quote!(((#side) as f64)),
+                    true => (in_numbers(side), None),
+                    false => (quote!(((#side) as f64)), None),
                 })
             }),
         };
         let numbers = numbers.filter(|_| is_of_pair)?;
-        let mut of_body = |side: &TokenStream, text: &TokenStream, by: LoopId| {
+        let mut of_body = |side: &TokenStream, (text, whole): &(TokenStream, Option<TokenStream>), by: LoopId| {
             if running_index(by) == side.to_string() {
                 let index = graph.loops.intern(Index::Running(by));
                 return Some(graph.number_of(index));
             }
             let at = usize::from(by == pair[1]);
-            let number = self.id(graph, text.clone(), LoopSet::of(by));
+            let number = match whole {
+                Some(whole) => self.whole(graph, text.clone(), LoopSet::of(by), whole.clone()),
+                None => self.id(graph, text.clone(), LoopSet::of(by)),
+            };
             self.show(number, side);
             self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;
             let number = match ends[at].filter(|_| !alike) {
@@ -88,12 +95,17 @@ impl Texts<'_> {
         Some(if equal { condition } else { graph.not(condition) })
     }
 
-    /// A number that two bodies have in common where a text has the same value for both.
-    fn class(&self, text: &TokenStream, by: LoopId) -> TokenStream {
-        let (root, index, other) = (self.root, running_index(by), format_ident!("{OTHER_BODY}"));
-        let parenthesis = Group::new(Delimiter::Parenthesis, quote!(*#other));
-        let of_other = with_index(text, by, &TokenTree::Group(parenthesis));
-        quote!((#root::__private::EqualValues(&(#text)).number(#index, |#other| #of_other == #text)))
+    /// A number that two bodies have in common where a text has the same value for both, and the code of the numbers of all.
+    fn class(&self, text: &TokenStream, by: LoopId) -> [TokenStream; 2] {
+        let (root, index) = (self.root, running_index(by));
+        let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
+        let [a, b] = [&other, &this].map(|index| with_index(text, by, &index.clone().into()));
+        let whole = quote!(#root::__private::numbers_of_values(
+            length,
+            &|#this| #root::__private::SmallInteger(&(#b)).value(),
+            &|#other, #this| #a == #b
+        ));
+        [quote!((#whole)[#index]), whole]
     }
 }
 
