@@ -377,6 +377,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
             let node = self.graph.node(id);
             let children = node.children().map(|child| self.waits_of(path, child, kind, known)).max().unwrap_or(0);
             let like = match (node, kind) {
+                _ if self.is_selection(id) => false,
                 (Node::Sum(..) | Node::Fold(..) | Node::Select(..), _) if self.strategy.waiting == Waiting::ForAny => {
                     true
                 }

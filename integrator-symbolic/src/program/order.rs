@@ -93,7 +93,19 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
 
     /// Whether a node gets its value in an inner block.
     pub(super) fn is_made_inside(&self, id: NodeId) -> bool {
-        matches!(self.graph.node(id), Node::Sum(..) | Node::Fold(..) | Node::Select(..))
+        match self.graph.node(id) {
+            Node::Sum(..) | Node::Fold(..) => true,
+            Node::Select(..) => !self.is_selection(id),
+            _ => false,
+        }
+    }
+
+    /// Whether a choice is one of two prepared numbers, which takes an instruction and no branch.
+    pub(super) fn is_selection(&self, id: NodeId) -> bool {
+        let Node::Select(_, a, b) = self.graph.node(id) else { return false };
+        // With fewer loops it is prepared itself.
+        let is_computed = self.graph.is_prepared(id) && self.graph.loops_of(id).iter().count() > 1;
+        is_computed && [a, b].iter().all(|side| (self.leaf)(self.graph, *side))
     }
 
     fn inner_item(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {

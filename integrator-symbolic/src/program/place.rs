@@ -104,7 +104,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
                 let iteration = self.inside(home, Scope::Loop(by), waits);
                 self.end(&iteration, End::Add { sum: id, value: body });
             }
-            Node::Select(condition, first, second) => {
+            Node::Select(condition, first, second) if !self.is_selection(id) => {
                 self.note_use(condition, home);
                 // A choice begins as zero, which needs no branch; the negative zero does.
                 let zero = |value: &NodeId| self.graph.as_constant(*value).is_some_and(|value| value.to_bits() == 0);

@@ -305,8 +305,12 @@ impl Cuda<'_, '_> {
                                                    derivative\nnote: a device cannot call Rust functions"
                 )))
             }
-            // Sums and choices are always named; the blocks inside theirs compute them.
-            Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(body),
+            // Of two prepared numbers; the blocks inside of all other choices, and of sums, compute them.
+            Node::Select(condition, a, b) => {
+                let [condition, a, b] = [condition, a, b].map(|id| self.expression(id).1);
+                Printed::atom(format!("({condition} ? {a} : {b})"))
+            }
+            Node::Sum(_, body) | Node::Fold(_, _, body) => self.expression(body),
             condition => Printed::atom(self.condition(condition)),
         }
     }

@@ -180,8 +180,18 @@ impl Printer<'_> {
                 let table = self.prepared(name, LoopSet::EMPTY);
                 Printed::new(Binding::Atom, quote!(#table.entry(#row, #column)))
             }
-            // Sums and choices are always named; the blocks inside theirs compute them.
-            Node::Sum(_, body) | Node::Fold(_, _, body) | Node::Select(_, body, _) => self.expression(fields, body),
+            // Of two prepared numbers; the blocks inside of all other choices, and of sums, compute them.
+            Node::Select(condition, a, b) => {
+                let [condition, a, b] = [condition, a, b].map(|id| self.expression(fields, id).tokens);
+                match self.dialect {
+                    Dialect::Generic => {
+                        let scalar = self.scalar;
+                        Printed::new(Binding::Atom, quote!(#scalar::select(#condition, #a, #b)))
+                    }
+                    Dialect::Single => Printed::new(Binding::Atom, quote!((if #condition { #a } else { #b }))),
+                }
+            }
+            Node::Sum(_, body) | Node::Fold(_, _, body) => self.expression(fields, body),
             condition => Printed::new(Binding::Atom, self.condition(fields, condition)),
         }
     }
