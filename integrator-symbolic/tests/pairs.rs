@@ -13,7 +13,7 @@ const LOOPS: [(&str, &str, &str); 5] = [
 
 /// Energies of a pair: a name, the text, and for few and for many bodies whether the motion is one of bodies, and whether
 /// action is reaction.
-const ENERGIES: [(&str, &str, [Option<bool>; 2]); 26] = [
+const ENERGIES: [(&str, &str, [Option<bool>; 2]); 27] = [
     ("attraction", "v -= self.g * self.m[i] * self.m[j] / r2.sqrt();", [Some(true); 2]),
     ("a factor on either side", "v -= self.m[i] * self.g / r2.sqrt() * self.m[j];", [Some(true); 2]),
     ("a quotient of parameters", "v -= self.m[i] / self.m[0] * self.m[j] / r2.sqrt();", [Some(true); 2]),
@@ -35,6 +35,7 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 26] = [
     ("a flat table by type", "v += self.table[self.kind[i] * self.kinds + self.kind[j]] * r2;", ORDERED),
     ("fields of a table", "v += self.kinds[self.atoms[i].kind][self.atoms[j].kind].depth * r2;", ORDERED),
     ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += r2; }", ORDERED),
+    ("a method of a value", "v += self.table[self.kind[i].index()][self.kind[j].index()] * r2;", [None; 2]),
     ("a table by type and index", "v += self.table[self.kind[i]][j] * r2;", [None; 2]),
     ("a table by two types", "v += self.table[self.kind[i]][self.kind[j] + self.charge[j]] * r2;", [None; 2]),
     ("one body twice", "v += q[i][0].powi(2) * q[j][1];", [None; 2]),
@@ -121,6 +122,16 @@ fn a_list_of_the_lesser_body_alone_is_not_read_for_the_last_one() {
             }
         }
     }
+}
+
+/// In loops in which each pair comes twice, a body may be its own partner in another sum, of which a table of pairs knows nothing.
+#[test]
+fn sums_with_bodies_themselves_are_evaluated_as_written() {
+    let open = "for i in 0..N { for j in 0..N { if i != j {";
+    let close =
+        "} } } for i in 0..N { for j in 0..N { v += self.table[self.kind[i]][self.kind[j]] * q[i][0] * q[j][0]; } }";
+    let text = stepper("len", "[[f64; 3]]", [open, "v += r2;", close]);
+    assert!(!text.contains("compile_error") && !text.contains("ByClass"), "{text}");
 }
 
 /// A constant numerator or a product of masses: the components of the force share one reciprocal.

@@ -383,3 +383,43 @@ potential!(tables_by_type, self, q, v;
         }
     }
 );
+
+/// Bodies whose forces have a common factor, and a table by type.
+struct Scaled {
+    strength: f64,
+    types: Vec<usize>,
+    table: Vec<[f64; 2]>,
+}
+
+const SCALED: usize = 40;
+
+#[hamiltonian(sensitive(strength))]
+impl Scaled {
+    fn kinetic(&self, p: &[[f64; 3]; SCALED]) -> f64 {
+        p.iter().flatten().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[[f64; 3]; SCALED]) -> f64 {
+        let mut v = 0.0;
+        for i in 0..SCALED {
+            for j in 0..i {
+                let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+                v += self.strength * self.table[self.types[i]][self.types[j]] / (1.0 + r2);
+            }
+        }
+        v
+    }
+}
+
+/// The momentum after a step from rest is a multiple of the factor.
+#[test]
+fn a_derivative_by_a_parameter_reads_tables_by_type() -> Result<(), Error> {
+    let types = (0..SCALED).map(|i| i % 3 / 2).collect();
+    let system = Scaled { strength: 0.7, types, table: vec![[1.0, 0.5], [2.0, 0.3]] };
+    let q = std::array::from_fn(|i| [0, 1, 2].map(|d| (1.3 * i as f64 + 0.4 * d as f64).sin()));
+    let mut tangent = system.sensitivities(Euler, Phase::new(q, [[0.0; 3]; SCALED]), [], 0.5)?;
+    tangent.advance(1)?;
+    let (state, vector) = (tangent.state(), &tangent.vectors()[0]);
+    let found: Vec<_> = vector.p.iter().map(|p| p.map(|p| 0.7 * p)).collect();
+    are_near(&found, &state.p, ROUNDING);
+    Ok(())
+}

@@ -38,13 +38,17 @@ pub fn classes(bodies: Range<usize>, length: usize, is_equal: &dyn Fn(usize, usi
     numbers
 }
 
-/// Returns a number for each body, the same for bodies with equal values: the value where that is a `small` integer, which
-/// takes no search, and a negative number elsewhere.
+/// Returns a number for each body, the same for bodies with equal values. Small integers are their own numbers and need no
+/// search. Other values get negative numbers.
 pub fn numbers_of_values(
     length: usize,
     small: &dyn Fn(usize) -> Option<f64>,
     is_equal: &dyn Fn(usize, usize) -> bool,
 ) -> Vec<f64> {
+    // A body without a partner is never compared, and lists may lack it.
+    if length < 2 {
+        return vec![0.0; length];
+    }
     let others: Vec<usize> = (0..length).filter(|body| small(*body).is_none()).collect();
     let (of_others, _) = classified(0..others.len(), &|a, b| is_equal(others[a], others[b]));
     let mut of_others = of_others.into_iter();
@@ -64,8 +68,8 @@ pub struct ByClass<R> {
 impl ByClass<f64> {
     /// Creates the table. Entries of classes without a pair are zero.
     ///
-    /// `value` is `None` for two bodies that are no pair. Whether some bodies of two classes are a pair shows at the ends of
-    /// the classes, since pairs are all bodies `i < j`, all `i > j` or all `i != j`.
+    /// `value` is `None` for two bodies that are no pair. Pairs are all bodies `i < j`, all `i > j` or all `i != j`. So two
+    /// classes contain a pair if and only if the first body of one and the last body of the other are a pair.
     pub fn new(
         bodies: [Range<usize>; 2],
         is_equal: [&dyn Fn(usize, usize) -> bool; 2],
@@ -89,27 +93,35 @@ impl<R: Real> ByClass<R> {
     /// Returns the entries in these rows and columns.
     #[inline(always)]
     pub fn entry<W: Row<R>>(&self, row: W, column: W) -> W {
-        let place = row.fma(W::of(self.columns as f64), column);
         let first = self.entries.first().copied().unwrap_or(R::of(0.0));
         let mut entries = W::splat(first);
         if self.entries.len() <= COMPARED {
+            let place = row.fma(W::of(self.columns as f64), column);
             for (at, entry) in self.entries.iter().enumerate().skip(1) {
                 entries = W::select(place.equal(W::of(at as f64)), W::splat(*entry), entries);
             }
             return entries;
         }
-        let (mut places, mut found) = ([R::of(0.0); 8], [first; 8]);
-        place.write(&mut places);
+        let (mut rows, mut columns, mut found) = ([R::of(0.0); 8], [R::of(0.0); 8], [first; 8]);
+        row.write(&mut rows);
+        column.write(&mut columns);
         for body in 0..W::LANES / R::LANES {
+            // In integers, since the place of an entry may be too large for a short number.
+            let entry = |lane| {
+                let place = rows[body].lane(lane) as usize * self.columns + columns[body].lane(lane) as usize;
+                self.entries.get(place).unwrap_or(&first)
+            };
             found[body] = match R::LANES {
-                1 => self.entries.get(places[body].lane(0) as usize).copied().unwrap_or(first),
-                _ => R::state(&|lane| {
-                    let entry = self.entries.get(places[body].lane(lane) as usize).unwrap_or(&first);
-                    entry.lane(lane)
-                }),
+                1 => *entry(0),
+                _ => R::state(&|lane| entry(lane).lane(lane)),
             };
         }
         W::read(&found)
+    }
+    /// Returns a table of as many zeros.
+    pub fn zeros(mut self) -> Self {
+        self.entries.fill(R::of(0.0));
+        self
     }
     /// Whether another table has as many rows and columns.
     pub fn is_like(&self, other: &Self) -> bool {
@@ -196,6 +208,16 @@ mod tests {
         // No pair, no value.
         let table = ByClass::new([0..5, 1..6], [&is_equal, &is_equal], &|i, j| (i < j).then_some(1.0));
         assert_eq!(table.entries[6..], [0.0, 1.0, 0.0], "{table:?}");
+    }
+
+    /// The place of an entry of a large table has more bits than a short number.
+    #[test]
+    fn short_numbers_find_every_entry() {
+        const CLASSES: usize = 4097;
+        let mut table = ByClass { columns: CLASSES, entries: vec![0.0_f32; CLASSES * CLASSES] };
+        table.entries[CLASSES * CLASSES - 2] = 1.0;
+        let last = (CLASSES - 1) as f32;
+        assert_eq!([last - 2.0, last - 1.0, last].map(|column| table.entry(last, column)), [0.0, 1.0, 0.0]);
     }
 
     #[test]

@@ -24,8 +24,8 @@ pub(crate) trait Parameters {
     fn behind_first(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId) -> Option<ParameterId> {
         None
     }
-    /// A condition of parameters as one on a number of each body of a pair, which is not read at the end that is given; `None`
-    /// where its text does not show it.
+    /// A condition of parameters as one on a number of each body of a pair. The number of a body is not read at the end that is
+    /// given for the body. `None` if the text depends on more than that.
     fn flag(
         &mut self,
         _graph: &mut Graph,
@@ -46,8 +46,15 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
-    /// A number, or an integer as one, for every index of a loop but one of its ends, and zero there; `None` as for others.
-    fn without(&mut self, _graph: &mut Graph, _id: ParameterId, _by: LoopId, _end: End) -> Option<ParameterId> {
+    /// The parameter as a number that is zero at one end of a loop and does not read its list there; `None` as for others.
+    fn without(
+        &mut self,
+        _graph: &mut Graph,
+        _id: ParameterId,
+        _is_integer: bool,
+        _by: LoopId,
+        _end: End,
+    ) -> Option<ParameterId> {
         None
     }
     /// Calls the index of a new loop nearly as that of another one.

@@ -150,15 +150,15 @@ pub(super) fn ends(ascending: Option<bool>) -> [Option<End>; 2] {
 
 /// A constant of a body that is zero at one end of the list.
 fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut dyn Parameters) -> Option<NodeId> {
-    let parameter = match graph.node(id) {
-        Node::Parameter(parameter) => parameter,
+    let (parameter, is_integer) = match graph.node(id) {
+        Node::Parameter(parameter) => (parameter, false),
         Node::FromIndex(index) => match graph.loops.index(index) {
-            Index::Parameter(parameter) => parameter,
+            Index::Parameter(parameter) => (parameter, true),
             _ => return Some(id),
         },
         _ => return None,
     };
-    let guarded = parameters.without(graph, parameter, by, end)?;
+    let guarded = parameters.without(graph, parameter, is_integer, by, end)?;
     Some(graph.parameter(guarded))
 }
 

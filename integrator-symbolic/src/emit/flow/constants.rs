@@ -60,7 +60,7 @@ impl Constants {
             let (kind, value) = match content {
                 Content::Number(id) => match (whole(emitter.model, id), table.levels.first()) {
                     (None, _) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
-                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(values[#index])),
+                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
                     (Some(whole), None) => {
                         let runtime = &names.runtime;
                         (quote!(#runtime::ByClass<#scalar>), whole)
@@ -113,7 +113,7 @@ impl Constants {
             let value = match (content, table.levels.first()) {
                 (Content::Number(id), Some(_)) => match whole(emitter.model, id) {
                     Some(whole) => quote!({
-                        let values = #whole;
+                        let __values = #whole;
                         #value
                     }),
                     None => value,
@@ -262,6 +262,9 @@ fn prepared_number(emitter: &mut Emitter<'_>, id: NodeId) -> TokenStream {
 /// is no number of its own stays what it is.
 fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &TokenStream) -> TokenStream {
     match content {
+        Content::Number(id) if whole(emitter.model, id).is_some() && emitter.model.graph.loops_of(id).is_empty() => {
+            quote!(#value.zeros())
+        }
         Content::Number(id) => match emitter.model.sensitive.get(parameter).copied() {
             Some(parameter) => {
                 let slope = emitter.model.graph.by_parameter(id, parameter);

@@ -296,6 +296,7 @@ impl Cuda<'_, '_> {
                 let function = self.reads.native("powf").unwrap_or_else(|| "powf".to_owned());
                 Printed::atom(format!("{function}({a}, {exponent})"))
             }
+            Node::Entry(..) => Printed::atom(self.refuse("`gpu` does not support parameters of two bodies")),
             Node::Unary(function, a) => self.function(function, &[a]),
             Node::Binary(function, a, b) => self.function(function, &[a, b]),
             Node::External(id, _) => {

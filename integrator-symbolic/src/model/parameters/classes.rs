@@ -75,7 +75,7 @@ impl Texts<'_> {
         let whole = quote!(#root::__private::ByClass::new(
             [#of_rows, #of_columns],
             [#rows, #columns],
-            &|#first, #second| if #order { ::core::option::Option::Some((#own) as f64) } else { ::core::option::Option::None }
+            &|#first, #second| if #order { ::core::option::Option::Some(#own) } else { ::core::option::Option::None }
         ));
         let table = self.whole(graph, whole.clone(), LoopSet::EMPTY, whole);
         let shown = self.own_text(id);
@@ -145,13 +145,25 @@ fn path_to(tokens: &[TokenTree], at: usize) -> Option<TokenStream> {
     if ident(from)? != "self" || from + 1 == at {
         return None;
     }
+    let mark_before = |places: usize| match from.checked_sub(places).map(|at| &tokens[at]) {
+        Some(TokenTree::Punct(mark)) => mark.as_char(),
+        _ => ' ',
+    };
+    let before = mark_before(1);
+    let is_reference = before == '&' && mark_before(2) != '&';
     let mut to = at + 1;
     let is_called = |at: usize| matches!(tokens.get(at), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
     while is_dot(to) && is_field(to + 1) && !is_called(to + 2) {
         to += 2;
     }
+    // A method or a function that takes a reference may read more of a value than its `==` compares.
+    if is_dot(to) || is_reference {
+        return None;
+    }
     // Values of a type without `==` can be compared as integers.
-    if ident(to).is_some_and(|name| name == "as") && ident(to + 1).is_some() {
+    let is_path = matches!(tokens.get(to + 2), Some(TokenTree::Punct(mark)) if mark.as_char() == ':');
+    let is_cast = ident(to).is_some_and(|name| name == "as") && ident(to + 1).is_some();
+    if is_cast && !is_path && !matches!(before, '-' | '*' | '!') {
         to += 2;
     }
     Some(tokens[from..to].iter().cloned().collect())

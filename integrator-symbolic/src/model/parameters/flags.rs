@@ -38,7 +38,7 @@ impl Texts<'_> {
         }
         let condition = self.equality(graph, &text, pair, ends, loops);
         condition.or_else(|| {
-            let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8), pair, ends)?;
+            let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8 as f64), pair, ends)?;
             let zero = graph.constant(0.0);
             Some(graph.compare(Comparison::Less, zero, entry))
         })
@@ -86,7 +86,7 @@ impl Texts<'_> {
             self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;
             let number = match ends[at].filter(|_| !alike) {
                 None => number,
-                Some(end) => self.without(graph, number, by, end)?,
+                Some(end) => self.without(graph, number, false, by, end)?,
             };
             Some(graph.parameter(number))
         };

@@ -58,7 +58,9 @@ impl Parameters for Texts<'_> {
         });
         let renamed = self.id(graph, text, loops);
         graph.declare_missing_like(renamed, id);
-        self.parameters[renamed.0 as usize].whole = self.parameters[id.0 as usize].whole.clone();
+        if !loops.is_empty() {
+            self.parameters[renamed.0 as usize].whole = self.parameters[id.0 as usize].whole.clone();
+        }
         Some(renamed)
     }
 
@@ -118,7 +120,14 @@ impl Parameters for Texts<'_> {
         self.entry_of_pair(graph, id, &text, pair, ends)
     }
 
-    fn without(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId, end: End) -> Option<ParameterId> {
+    fn without(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        is_integer: bool,
+        by: LoopId,
+        end: End,
+    ) -> Option<ParameterId> {
         let (text, index) = (self.text(id), running_index(by));
         let is_other = match end {
             End::First => quote!(#index > 0),
@@ -130,7 +139,8 @@ impl Parameters for Texts<'_> {
         if !is_plain(&text) || graph.loops.of_parameter(id) != LoopSet::of(by) {
             return None;
         }
-        let guarded = quote!((if #is_other { (#text) as f64 } else { 0.0 }));
+        let number = if is_integer { quote!((#text) as f64) } else { text.clone() };
+        let guarded = quote!((if #is_other { #number } else { 0.0 }));
         let guard = quote!(if #is_other).to_string();
         if text.to_string().trim_start_matches('(').starts_with(&guard) {
             return Some(id);
