@@ -45,10 +45,6 @@ impl Pattern {
     /// Replaces the potential of pairs, and the same as stated, by equal ones that prepare less; `false` if nothing changes.
     pub(crate) fn restate(&self, model: &mut Model, stated: &mut NodeId) -> bool {
         let Self::AllPairs(pairs) = self else { return false };
-        // In loops in which each pair comes twice, other terms may have bodies with themselves, which tables lack.
-        if pairs.ends == [None; 2] {
-            return false;
-        }
         let Model { graph, parameters, running, potential, root, .. } = model;
         let mut texts = Texts::new(parameters, running, root);
         let known = *potential;

@@ -68,7 +68,7 @@ pub struct ByClass<R> {
 impl ByClass<f64> {
     /// Creates the table. Entries of classes without a pair are zero.
     ///
-    /// `value` is `None` for two bodies that are no pair. Pairs are all bodies `i < j`, all `i > j` or all `i != j`. So two
+    /// `value` is `None` for two bodies that are no pair. Pairs are all bodies `i < j`, or all `i > j`. So two
     /// classes contain a pair if and only if the first body of one and the last body of the other are a pair.
     pub fn new(
         bodies: [Range<usize>; 2],

@@ -42,7 +42,7 @@ impl Graph {
 
     /// The entry of a table in a row and a column.
     pub(crate) fn entry(&mut self, table: ParameterId, row: NodeId, column: NodeId) -> NodeId {
-        self.parameter(table);
+        let table = self.parameter(table);
         self.intern(Node::Entry(table, row, column))
     }
 

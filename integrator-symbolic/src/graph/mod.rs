@@ -103,8 +103,8 @@ pub(crate) enum Node {
     Constant(u64),
     /// An expression of parameters alone.
     Parameter(ParameterId),
-    /// The entry of a table of parameters with these two numbers, which are prepared.
-    Entry(ParameterId, NodeId, NodeId),
+    /// The entry of a table, which is a parameter and no child, in a row and a column, which are prepared numbers.
+    Entry(NodeId, NodeId, NodeId),
     /// A coordinate.
     Coordinate(Element),
     /// The explicit time.
@@ -391,11 +391,6 @@ impl Graph {
         (0..self.len() as u32).map(NodeId).filter(|id| seen[id.position()]).collect()
     }
 
-    /// The node of a parameter, if there is one.
-    pub(crate) fn known_parameter(&self, id: ParameterId) -> Option<NodeId> {
-        self.ids.get(&Node::Parameter(id)).copied()
-    }
-
     /// The id of `node`, new or known. Only the constructors call this.
     fn intern(&mut self, node: Node) -> NodeId {
         if let Some(id) = self.ids.get(&node) {
@@ -473,7 +468,11 @@ impl Graph {
 
     /// Whether a node is an element that a list may not have.
     fn may_be_missing(&self, node: Node) -> bool {
-        matches!(node, Node::Parameter(id) | Node::Entry(id, ..) if self.maybe_missing.contains(&id))
+        match node {
+            Node::Parameter(id) => self.maybe_missing.contains(&id),
+            Node::Entry(table, ..) => self.may_be_missing(self.node(table)),
+            _ => false,
+        }
     }
 
     /// Whether a node is total where its children are.

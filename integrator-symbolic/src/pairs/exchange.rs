@@ -49,7 +49,7 @@ enum Form {
     Factors(u64, Vec<(Signed, i32)>),
     Unary(Function, Signed),
     Binary(Function, Signed, Signed),
-    Entry(ParameterId, Signed, Signed),
+    Entry(NodeId, Signed, Signed),
     Sum(LoopId, Signed),
     Compare(Comparison, Signed, Signed),
     Not(Signed),

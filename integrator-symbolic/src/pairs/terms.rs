@@ -136,14 +136,14 @@ impl<'p> Terms<'p> {
             energy = graph.mul(two, energy);
         }
         energy = self.where_conditions_hold(graph, energy);
+        let ascending = (!twice).then_some(!before);
         if self.are_many {
-            let ascending = (!twice).then_some(!before);
             energy = with_numbers(graph, energy, pair, ends(ascending), self.parameters)?;
         }
         if !reads_only(graph, energy, &pair, self.parameters) {
             return None;
         }
-        (self.pair, self.ascending) = (Some(pair), (!twice).then_some(!before));
+        (self.pair, self.ascending) = (Some(pair), ascending);
         Some(energy)
     }
 

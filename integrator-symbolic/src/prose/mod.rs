@@ -230,7 +230,7 @@ impl Formulas<'_> {
         match graph.node(id) {
             Node::Constant(bits) => Formula::number(f64::from_bits(bits)),
             Node::Parameter(parameter) => written(&self.model.own_text(parameter)),
-            Node::Entry(table, ..) => written(&self.model.own_text(table)),
+            Node::Entry(table, ..) => self.read(table),
             Node::Coordinate(element) => Formula::atom(Kind::Coordinate, self.coordinate(element)),
             Node::Time | Node::Middle => Formula::atom(Kind::Coordinate, "t".to_owned()),
             Node::Step => Formula::atom(Kind::Coordinate, "h".to_owned()),

@@ -57,13 +57,15 @@ impl Constants {
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
+            let whole = content.node().and_then(|id| whole(emitter.model, id));
+            let is_by_class = whole.is_some() && table.levels.is_empty();
             let (kind, value) = match content {
-                Content::Number(id) => match (whole(emitter.model, id), table.levels.first()) {
+                Content::Number(id) => match (&whole, table.levels.first()) {
                     (None, _) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                     (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
                     (Some(whole), None) => {
                         let runtime = &names.runtime;
-                        (quote!(#runtime::ByClass<#scalar>), whole)
+                        (quote!(#runtime::ByClass<#scalar>), whole.clone())
                     }
                 },
                 Content::Integer(id) => {
@@ -106,26 +108,24 @@ impl Constants {
             let documentation = prose::documentation(emitter.model, content.node());
             let kind = table.kind(kind, names);
             for (number, slopes) in prepared.slopes.iter_mut().enumerate() {
-                let slope = table.prepared(slope(&mut emitter, content, number, &value), content, names);
+                let slope = match is_by_class {
+                    true => quote!(#value.zeros()),
+                    false => table.prepared(slope(&mut emitter, content, number, &value), content, names),
+                };
                 slopes.extend(quote!(#name: #slope,));
             }
             let value = table.prepared(value, content, names);
-            let value = match (content, table.levels.first()) {
-                (Content::Number(id), Some(_)) => match whole(emitter.model, id) {
-                    Some(whole) => quote!({
-                        let __values = #whole;
-                        #value
-                    }),
-                    None => value,
-                },
-                _ => value,
+            let value = match whole.filter(|_| !is_by_class) {
+                Some(whole) => quote!({
+                    let __values = #whole;
+                    #value
+                }),
+                None => value,
             };
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
-                (Content::Number(id), None) if whole(emitter.model, id).is_some() => {
-                    Some(quote!(a.#name.is_like(&b.#name)))
-                }
+                _ if is_by_class => Some(quote!(a.#name.is_like(&b.#name))),
                 _ => None,
             });
             if !matches!(content, Content::External(_) | Content::OwnFlow(_)) {
@@ -262,9 +262,6 @@ fn prepared_number(emitter: &mut Emitter<'_>, id: NodeId) -> TokenStream {
 /// is no number of its own stays what it is.
 fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &TokenStream) -> TokenStream {
     match content {
-        Content::Number(id) if whole(emitter.model, id).is_some() && emitter.model.graph.loops_of(id).is_empty() => {
-            quote!(#value.zeros())
-        }
         Content::Number(id) => match emitter.model.sensitive.get(parameter).copied() {
             Some(parameter) => {
                 let slope = emitter.model.graph.by_parameter(id, parameter);

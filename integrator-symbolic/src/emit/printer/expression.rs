@@ -175,7 +175,6 @@ impl Printer<'_> {
             Node::External(id, arguments) => self.external(fields, id, arguments),
             Node::Entry(table, row, column) => {
                 let [row, column] = [row, column].map(|number| self.expression(fields, number).tokens);
-                let table = self.graph.known_parameter(table).unwrap_or(id);
                 let name = fields.number(self.graph, self.parameters, table);
                 let table = self.prepared(name, LoopSet::EMPTY);
                 Printed::new(Binding::Atom, quote!(#table.entry(#row, #column)))

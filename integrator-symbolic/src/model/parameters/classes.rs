@@ -7,7 +7,7 @@ use super::{
     flags::OTHER_BODY,
     parameter_text::Texts,
     presence::is_there,
-    running_index::{running_index, with_indices},
+    running_index::{running_index, with_index},
 };
 use crate::graph::{
     Graph, NodeId, ParameterId,
@@ -32,13 +32,15 @@ impl Texts<'_> {
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
         let text = self.text(id);
+        // If each pair comes twice, other sums over the same loops may have bodies with themselves, which tables lack.
+        let [Some(first_end), Some(_)] = ends else { return None };
         if graph.loops.of_parameter(id).iter().count() > 2 {
             return None;
         }
         let values = pair.map(|by| value_of(&text, by));
         let [Some(first), Some(second)] = values else { return None };
         // A list that is read for either body has all elements.
-        let alike = with_index(&second, pair[1], running_index(pair[0]).into()).to_string() == first.to_string();
+        let alike = with_index(&second, pair[1], running_index(pair[0])).to_string() == first.to_string();
         let bodies = ends.map(|end| match end.filter(|_| !alike) {
             None => quote!(0..length),
             Some(End::First) => quote!(1..length),
@@ -48,7 +50,7 @@ impl Texts<'_> {
         let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
         let equal = [(&first, pair[0]), (&second, pair[1])].map(|(value, by)| {
             let [(a, has_a), (b, has_b)] = [&other, &this].map(|index| {
-                let value = with_index(value, by, index.clone().into());
+                let value = with_index(value, by, index.clone());
                 let there = is_there(&value, root).unwrap_or_else(|| quote!(true));
                 (value, there)
             });
@@ -66,10 +68,9 @@ impl Texts<'_> {
         });
         let [row, column] = [numbers[0]?, numbers[1]?];
         let [first, second] = pair.map(running_index);
-        let order = match ends {
-            [Some(End::Last), _] => quote!(#first < #second),
-            [Some(End::First), _] => quote!(#first > #second),
-            [None, _] => quote!(#first != #second),
+        let order = match first_end {
+            End::Last => quote!(#first < #second),
+            End::First => quote!(#first > #second),
         };
         let ([rows, columns], [of_rows, of_columns]) = (&equal, &bodies);
         let whole = quote!(#root::__private::ByClass::new(
@@ -83,10 +84,6 @@ impl Texts<'_> {
         graph.declare_missing_like(table, id);
         Some(graph.entry(table, row, column))
     }
-}
-
-fn with_index(text: &TokenStream, by: LoopId, index: TokenTree) -> TokenStream {
-    with_indices(text, &|other| (other == by).then(|| index.clone()))
 }
 
 /// The value of a body that a text reads, such as `self.kind[i]` or `self.atoms[i].kind as usize`; `None` if it reads the index

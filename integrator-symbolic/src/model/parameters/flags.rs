@@ -7,7 +7,7 @@
 use super::{
     classes::THIS_BODY,
     parameter_text::Texts,
-    running_index::{loop_of, mentions, running_index, with_indices},
+    running_index::{loop_of, mentions, running_index, with_index},
 };
 use crate::graph::{
     Comparison, Graph, NodeId, ParameterId,
@@ -57,7 +57,7 @@ impl Texts<'_> {
         let of = |side: &TokenStream| pair.into_iter().filter(|by| mentions(side, *by)).collect::<Vec<_>>();
         let [[first], [second]] = [&of(&sides[0])[..], &of(&sides[1])[..]] else { return None };
         let (bodies, is_of_pair) = ([*first, *second], first != second && loops.iter().count() == 2);
-        let alike = with_index(&sides[1], *second, &running_index(*first).into()).to_string() == sides[0].to_string();
+        let alike = with_index(&sides[1], *second, running_index(*first)).to_string() == sides[0].to_string();
         let numbers = match alike {
             true => Some(
                 [self.class(&sides[0], *first), self.class(&sides[1], *second)]
@@ -99,7 +99,7 @@ impl Texts<'_> {
     fn class(&self, text: &TokenStream, by: LoopId) -> [TokenStream; 2] {
         let (root, index) = (self.root, running_index(by));
         let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
-        let [a, b] = [&other, &this].map(|index| with_index(text, by, &index.clone().into()));
+        let [a, b] = [&other, &this].map(|index| with_index(text, by, index.clone()));
         let whole = quote!(#root::__private::numbers_of_values(
             length,
             &|#this| #root::__private::SmallInteger(&(#b)).value(),
@@ -107,10 +107,6 @@ impl Texts<'_> {
         ));
         [quote!((#whole)[#index]), whole]
     }
-}
-
-fn with_index(text: &TokenStream, by: LoopId, index: &TokenTree) -> TokenStream {
-    with_indices(text, &|other| (other == by).then(|| index.clone()))
 }
 
 /// The two sides of an equality, and whether it is one; `None` of what is neither `a == b` nor `a != b`.

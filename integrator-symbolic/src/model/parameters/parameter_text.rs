@@ -11,7 +11,7 @@ use crate::model::{
         classes::THIS_BODY,
         factors::factors,
         flags::OTHER_BODY,
-        running_index::{loop_of, mentions, running_index, with_indices},
+        running_index::{loop_of, mentions, running_index, with_index, with_indices},
     },
 };
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
@@ -95,7 +95,7 @@ impl Parameters for Texts<'_> {
     fn behind_first(&mut self, graph: &mut Graph, id: ParameterId, by: LoopId) -> Option<ParameterId> {
         let (text, index) = (self.text(id), running_index(by));
         let behind = TokenTree::Group(Group::new(Delimiter::Parenthesis, quote!(#index.max(1))));
-        let text = is_plain(&text).then(|| with_indices(&text, &|other| (other == by).then(|| behind.clone())))?;
+        let text = is_plain(&text).then(|| with_index(&text, by, behind))?;
         Some(self.id(graph, text, graph.loops.of_parameter(id)))
     }
 

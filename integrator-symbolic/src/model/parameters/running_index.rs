@@ -37,6 +37,12 @@ pub(crate) fn with_indices(text: &TokenStream, of: &dyn Fn(LoopId) -> Option<Tok
     renamed.collect()
 }
 
+/// A text with something else for the index of one loop.
+pub(crate) fn with_index(text: &TokenStream, by: LoopId, index: impl Into<TokenTree>) -> TokenStream {
+    let index = index.into();
+    with_indices(text, &|other| (other == by).then(|| index.clone()))
+}
+
 /// Whether a text mentions the index of a loop.
 pub(crate) fn mentions(text: &TokenStream, by: LoopId) -> bool {
     text.clone().into_iter().any(|token| match token {
