@@ -14,7 +14,7 @@ use crate::{
     differentiate::{Contribution, gradient},
     graph::{NodeId, Part},
     judge::coordinates::KEPLER_PARTS,
-    model::{Length, Model, Split},
+    model::{ExactPart, Length, Model, Split},
     pattern::{Pattern, recognise},
     prose::motion_documentation,
     scheme::Class,
@@ -328,7 +328,7 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
             });
         }
         Split::Jacobi(_) => KEPLER_PARTS.map(str::to_owned).into(),
-        _ => model.parts.iter().map(|part| part.name.to_string()).collect(),
+        _ => model.parts.iter().map(ExactPart::name).collect(),
     };
     let separable = (!model.is_separable() || model.jacobi().is_some()).then(|| {
         quote!(

@@ -65,7 +65,7 @@ fn check_sensitive(input: &Input, model: &Model, errors: &mut Errors) {
             let message = format!(
                 "the exact flow of `{}` has no derivative with respect to `self.{name}`\nhelp: split H into T(p) and \
                  V(q), or write `split = none`",
-                part.name
+                part.name()
             );
             errors.at(name, message);
         }

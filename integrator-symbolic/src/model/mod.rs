@@ -39,8 +39,8 @@ use std::collections::HashMap;
 use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 pub(crate) use system::external::{Method, strip};
 pub(crate) use system::invariant::Invariant;
-pub(crate) use system::parts::ExactPart;
 use system::parts::part_shape;
+pub(crate) use system::parts::{ExactPart, PartFunction};
 use system::sorted_parts::sorted;
 use values::guard::Condition;
 use values::value::{Opaque, Value, View};
@@ -249,7 +249,9 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
             Some(function) => reader.sorted_parts(function)?,
             None => reader.named_parts()?,
         };
-        let split = if input.paired.is_some() { Split::Pair } else { Split::Parts };
+        let parts = reader.commuting_as_one(parts);
+        let is_pair = input.paired.is_some() && parts.len() > 2;
+        let split = if is_pair { Split::Pair } else { Split::Parts };
         (reader.first_and_others(&parts), split, parts, shape, called)
     } else {
         let (energies, shape, called) = match whole {

@@ -9,7 +9,7 @@ use crate::{
         Comparison, Element, Fold, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    model::{Called, Model, Split},
+    model::{Called, ExactPart, Model, PartFunction, Split},
     program::is_direct,
 };
 use formula::{Formula, Kind, Tie};
@@ -39,7 +39,7 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
             vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
         }
         Some(Called::Parts | Called::Whole(_)) => {
-            model.parts.iter().map(|part| (part.name.to_string(), part.energy)).collect()
+            functions(model).map(|part| (part.name.to_string(), part.energy)).collect()
         }
         _ => Vec::new(),
     };
@@ -47,8 +47,8 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
     let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
     let pair = matches!(model.split, Split::Pair).then(|| match &model.parts[..] {
         [first, others @ ..] => {
-            let others: Vec<_> = others.iter().map(|part| part.name.to_string()).collect();
-            format!("H = {} + ({})", first.name, others.join(" + "))
+            let others: Vec<_> = others.iter().map(ExactPart::name).collect();
+            format!("H = {} + ({})", first.name(), others.join(" + "))
         }
         [] => String::new(),
     });
@@ -79,7 +79,7 @@ pub(crate) fn motion_documentation(
     };
     let functions = match model.called {
         Some(Called::Whole(_)) => "`hamiltonian`".to_owned(),
-        Some(Called::Parts) => listed(&model.parts.iter().map(|part| format!("`{}`", part.name)).collect::<Vec<_>>()),
+        Some(Called::Parts) => listed(&functions(model).map(|part| format!("`{}`", part.name)).collect::<Vec<_>>()),
         _ => "`kinetic` and `potential`".to_owned(),
     };
     let functions = format!(" The equations of motion, derived from {functions}:");
@@ -92,6 +92,11 @@ pub(crate) fn motion_documentation(
         ///
         #[doc = #class]
     }
+}
+
+/// The functions that `split` names.
+fn functions(model: &Model) -> impl Iterator<Item = &PartFunction> {
+    model.parts.iter().flat_map(|part| &part.functions)
 }
 
 /// Words as a list: `a, b and c`.

@@ -1273,17 +1273,17 @@ pub(crate) const SPLITS: &[Row] = &[
         &[],
     ),
     (
-        "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        "split = a + b + c, compose = A(1/2) B(1) A(1/2) on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0] }",
         &[],
     ),
     (
-        "split = a + b + c, compose = processed(A(1/12) B(1/12) A(-1/12) B(-1/12); Verlet) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        "split = a + b + c, compose = processed(A(1/12) B(1/12) A(-1/12) B(-1/12); Verlet) on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0] }",
         &[
             "1:29 a processor supports exactly two parts of H\nhelp: use a composition of general class without a processor, such as `Yoshida4`",
         ],
     ),
     (
-        "split = a + b + c, compose = B(1/6) A(1/2) B(2/3, -1/72) A(1/2) B(1/6) on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn c(&self, q: [f64; 1]) -> f64 { q[0] }",
+        "split = a + b + c, compose = B(1/6) A(1/2) B(2/3, -1/72) A(1/2) B(1/6) on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0] }",
         &[
             "1:50 a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), in two parts\nhelp: use a composition of general class without a processor, such as `Yoshida4`",
         ],

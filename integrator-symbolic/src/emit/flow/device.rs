@@ -228,12 +228,12 @@ fn check_parts(model: &Model) -> Result<(), String> {
     for part in &model.parts {
         match part.form {
             Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
-            Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name)),
+            Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name())),
             Exact::Quadratic(_) => {
-                return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name));
+                return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name()));
             }
             Exact::Kepler(_) => {
-                return refused(&format!("`{}`, a Kepler motion whose flow solves Kepler's equation", part.name));
+                return refused(&format!("`{}`, a Kepler motion whose flow solves Kepler's equation", part.name()));
             }
         }
     }

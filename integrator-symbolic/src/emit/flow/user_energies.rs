@@ -1,7 +1,7 @@
 //! The user's own functions, which the runtime compares with the generated code.
 
 use crate::{
-    model::{Called, ExactPart, Model},
+    model::{Called, Model, PartFunction},
     syntax::Input,
     syntax::names::Names,
 };
@@ -23,10 +23,10 @@ pub(crate) fn function(input: &Input, model: &Model, names: &Names) -> TokenStre
             }
         },
         Some(Called::Parts) => {
-            let mut calls =
-                model.parts.iter().map(|ExactPart { name, arguments, .. }| quote!(Self::#name(#(#arguments),*)));
-            let (first, others) = (calls.next(), calls);
-            quote!(#runtime::StatedEnergy::Separate { kinetic: #first, potential: #(#others)+* })
+            let call = |PartFunction { name, arguments, .. }: &PartFunction| quote!(Self::#name(#(#arguments),*));
+            let mut parts = model.parts.iter().map(|part| part.functions.iter().map(call));
+            let (first, others) = (parts.next().into_iter().flatten(), parts.flatten());
+            quote!(#runtime::StatedEnergy::Separate { kinetic: #(#first)+*, potential: #(#others)+* })
         }
         Some(Called::Whole(arguments)) => quote!(#runtime::StatedEnergy::Whole(Self::hamiltonian(#(#arguments),*))),
         // A mistake was noted. The functions count as used all the same; one that is missing has been noted.

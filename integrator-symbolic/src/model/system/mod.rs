@@ -1,5 +1,6 @@
 //! The functions of the impl that are H, and the parts, parameters and invariants of the system.
 
+mod commuting;
 pub(crate) mod constant;
 pub(crate) mod doubled;
 pub(crate) mod external;

@@ -22,14 +22,28 @@ use syn::ImplItemFn;
 
 /// A part of H with an exact flow.
 pub(crate) struct ExactPart {
-    /// The name of its function.
-    pub(crate) name: Ident,
+    /// The functions whose sum it is.
+    pub(crate) functions: Vec<PartFunction>,
     pub(crate) energy: NodeId,
     pub(crate) form: Exact,
     /// The method of the user that is its flow, where there is one.
     pub(crate) own: Option<Ident>,
-    /// What its function is called with, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
+}
+
+/// A function that `split` names.
+pub(crate) struct PartFunction {
+    pub(crate) name: Ident,
+    pub(crate) energy: NodeId,
+    /// What it is called with, where `self`, references `q` and `p` to the coordinates, and `time` are at hand.
     pub(crate) arguments: Vec<TokenStream>,
+}
+
+impl ExactPart {
+    /// The names of its functions, as a sum.
+    pub(crate) fn name(&self) -> String {
+        let names: Vec<_> = self.functions.iter().map(|function| function.name.to_string()).collect();
+        names.join(" + ")
+    }
 }
 
 /// The function of a part as it was read.
@@ -150,7 +164,10 @@ impl<'i> Reader<'i> {
             }
         };
         match judged {
-            Ok(form) => Some(ExactPart { name: name.clone(), energy, form, own, arguments }),
+            Ok(form) => {
+                let functions = vec![PartFunction { name: name.clone(), energy, arguments }];
+                Some(ExactPart { functions, energy, form, own })
+            }
             Err(obstacles) => {
                 self.has_no_flow(name, energy, &obstacles);
                 None
