@@ -61,6 +61,18 @@ pub enum Error {
         /// The value of the coordinate.
         value: f64,
     },
+    /// The initial state lacks coordinates that the functions of the system read.
+    #[error(
+        "the functions of the system read the coordinate with index {}, but the initial state has {length}\nhelp: start with \
+         at least {least}",
+        least.saturating_sub(1)
+    )]
+    FewCoordinates {
+        /// The smallest number of coordinates, points or planes that the system can start with.
+        least: usize,
+        /// The number of coordinates, points or planes of the initial state.
+        length: usize,
+    },
     /// A force or a velocity at the initial state is not finite, because a constant that depends on parameters is not.
     #[error(
         "the equations of motion are not finite at the initial state: {}\nhelp: check these parameters of the system",

@@ -263,6 +263,7 @@ pub mod __private {
             equal_values::{Both, SmallInteger},
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
+            least_length::are_at_least,
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},
             not_finite::{all_found, not_finite},
             prepared::in_lanes,

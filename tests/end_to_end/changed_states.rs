@@ -163,6 +163,46 @@ fn over_the_pole() -> Run<Vec<f64>> {
     Pole.run(Phase::new(vec![1.0], vec![-8.0]), 0.3).expect("a good start")
 }
 
+/// Oscillators that are bound to the second one, and by a condition to the sixth.
+struct Bound {
+    strengths: Vec<f64>,
+}
+
+#[hamiltonian]
+impl Bound {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut v = 0.0;
+        for strength in &self.strengths {
+            v += strength * (q[1] - q[0]).cos();
+            if q.len() > 5 {
+                v += q[5] * q[5];
+            }
+        }
+        v
+    }
+}
+
+/// Loops without iterations read nothing, but code reads outside of loops what is the same in all iterations.
+#[test]
+fn a_start_has_the_coordinates_that_are_read_by_number() {
+    for strengths in [vec![], vec![0.5, 2.0]] {
+        let system = Bound { strengths };
+        let start = |length| Phase::new(vec![0.5; length], vec![0.1; length]);
+        let few = system.run(start(1), 0.01).map(|_| ());
+        assert_eq!(few, Err(Error::FewCoordinates { least: 2, length: 1 }));
+        let members = [2, 1].map(|length| (Bound { strengths: system.strengths.clone() }, start(length)));
+        let few = Ensemble::new(Verlet, members, 0.01).map(|_| ());
+        assert!(matches!(few, Err(Error::Member { member: 1, .. })), "{few:?}");
+        for length in [2, 6] {
+            let mut run = system.run(start(length), 0.01).expect("all that is read");
+            run.advance(3).expect("bounded");
+        }
+    }
+}
+
 #[test]
 fn a_state_keeps_its_coordinates_and_its_energy() {
     let mut run = Pole.run(Phase::new(vec![1.0], vec![0.1]), 0.01).expect("a good start");

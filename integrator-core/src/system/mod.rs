@@ -11,6 +11,7 @@ pub(crate) mod equal_values;
 pub(crate) mod external;
 pub(crate) mod flows;
 pub(crate) mod integers;
+pub(crate) mod least_length;
 pub(crate) mod motion;
 pub(crate) mod not_finite;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
@@ -102,7 +103,8 @@ pub trait System: Sized {
     /// Checks that the system can be integrated from a start with `length` numbers or points.
     ///
     /// # Errors
-    /// [`Error::FewMasses`] or [`Error::Mass`] if masses are missing or unusable in the coordinates of the system.
+    /// [`Error::FewCoordinates`] if `length` is too small; [`Error::FewMasses`] or [`Error::Mass`] if masses are missing or
+    /// unusable in the coordinates of the system.
     fn admissible(&self, _length: usize) -> Result<(), Error> {
         Ok(())
     }

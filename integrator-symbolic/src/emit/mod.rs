@@ -29,7 +29,7 @@ use flow::{
 };
 pub(crate) use printer::cuda::device_functions;
 use printer::{block::Emitter, fields::Fields, function::Body};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{quote, quote_spanned};
 use read_by_methods::ReadByMethods;
 use syn::spanned::Spanned;
@@ -94,6 +94,8 @@ struct Stepper<'i> {
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
     device: Option<DeviceText>,
+    /// The number of coordinates that every start must have, where their type does not have it.
+    least_length: u64,
 }
 
 impl<'i> Stepper<'i> {
@@ -112,6 +114,7 @@ impl<'i> Stepper<'i> {
         let (parts, visit) = (named_parts(&model), visit_compositions(&model, &names));
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
+        let least_length = least_length(&model);
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
         let flows = match emitter.model.split {
             Split::Copies(coupling) => Flows::of_copies(&mut emitter, coupling),
@@ -161,6 +164,7 @@ impl<'i> Stepper<'i> {
             rated,
             of_jacobi,
             device,
+            least_length,
             names,
         };
         (stepper, obstacle)
@@ -253,6 +257,7 @@ impl<'i> Stepper<'i> {
             invariants,
             parts,
             autonomous,
+            least_length,
             ..
         } = self;
         let Names { runtime, scalar, leaf, .. } = names;
@@ -260,8 +265,18 @@ impl<'i> Stepper<'i> {
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
         let (energies, Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
-        let admissible = input.coordinates.as_ref().filter(|_| self.of_jacobi.is_some());
-        let admissible = admissible.map(|coordinates| jacobi::admissible(coordinates, names));
+        let in_jacobi = input.coordinates.as_ref().filter(|_| self.of_jacobi.is_some());
+        let admissible = match in_jacobi {
+            Some(coordinates) => Some(jacobi::admissible(coordinates, names)),
+            None => (*least_length > 0).then(|| {
+                let least = Literal::u64_unsuffixed(*least_length);
+                quote! {
+                    fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
+                        #runtime::are_at_least(#least, length)
+                    }
+                }
+            }),
+        };
         let prepare = Body::new(constants.prepare(names));
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
@@ -287,6 +302,18 @@ impl<'i> Stepper<'i> {
             #invariants
             #sites
         }
+    }
+}
+
+/// The number of coordinates that every start must have, where their type does not have it.
+fn least_length(model: &Model) -> u64 {
+    match model.shape.length {
+        Length::OfStart => {
+            let rate = model.rate.iter().map(|(rate, _)| *rate);
+            let invariants = model.invariants.iter().map(|invariant| invariant.value);
+            model.graph.least_length([model.kinetic, model.potential].into_iter().chain(rate).chain(invariants))
+        }
+        _ => 0,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     Graph, Node, NodeId, Scope,
-    index::{DEEPEST, Index, IndexId, LoopId, LoopSet, Loops},
+    index::{DEEPEST, Index, IndexId, Loop, LoopId, LoopSet, Loops},
 };
 
 /// Where the reads of a value are in bounds.
@@ -14,6 +14,9 @@ pub(crate) enum Access {
     /// What it reads is there in all iterations of the loops whose indices it reads by, unless these are compared with
     /// a length.
     ByRunning,
+    /// What it reads is there where the conditions hold that are around it. Without conditions, every start has it
+    /// ([`Graph::least_length`]).
+    InBranches,
     /// What it reads is there where something is computed by it: in an iteration of the loops around it, where the
     /// conditions on integers hold that are around it.
     InIterations,
@@ -31,7 +34,8 @@ impl Loops {
             _ if self.has_known_extents() && self.is_of_numbers(id) => Access::Anywhere,
             Index::Running(by) if self.passes_the_end(by) => Access::WhereWritten,
             Index::Running(_) => Access::ByRunning,
-            Index::Literal(_) | Index::Length | Index::Parameter(_) => Access::InIterations,
+            Index::Literal(_) => Access::InBranches,
+            Index::Length | Index::Parameter(_) => Access::InIterations,
             // An iteration of a loop over the coordinates has coordinates.
             Index::Rem(place, size)
                 if self.is_extent(size)
@@ -41,7 +45,29 @@ impl Loops {
                 Access::ByRunning
             }
             Index::Rem(..) if self.computes(id) == Access::Anywhere => Access::InIterations,
+            _ if self.stays_within(id) => Access::ByRunning,
             _ => Access::WhereWritten,
+        }
+    }
+
+    /// Whether an index plus or minus a number has a coordinate in all iterations of its loop, which ends or begins by as
+    /// much before the ends of the coordinates.
+    fn stays_within(&self, id: IndexId) -> bool {
+        let Some([index, by]) = self.index(id).operands() else { return false };
+        let (Index::Running(of), Some(by)) = (self.index(index), self.literal(by)) else { return false };
+        let Loop { from, to, .. } = self.get(of);
+        match self.index(id) {
+            Index::Add(..) => match self.index(to) {
+                Index::Sub(end, less) | Index::Monus(end, less) => {
+                    self.is_extent(end) && self.literal(less).is_some_and(|less| by <= less)
+                }
+                _ => false,
+            },
+            Index::Sub(..) => {
+                let begins = self.literal(from).is_some_and(|from| by <= from);
+                begins && self.extents().any(|extent| self.is_at_most(to, extent, DEEPEST))
+            }
+            _ => false,
         }
     }
 
@@ -122,6 +148,30 @@ impl Graph {
         }
     }
 
+    /// The number of coordinates, points or planes that every start must have: one more than the largest number that is an
+    /// index in these nodes, but for indices behind a condition.
+    pub(crate) fn least_length(&self, roots: impl IntoIterator<Item = NodeId>) -> u64 {
+        let mut open: Vec<NodeId> = roots.into_iter().collect();
+        let (mut seen, mut least) = (vec![false; self.len()], 0);
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id.position()], true) {
+                continue;
+            }
+            match self.node(id) {
+                Node::Coordinate(element) => {
+                    least = least.max(self.loops.literal(element.index).map_or(0, |index| index.saturating_add(1)));
+                }
+                Node::Select(condition, ..) | Node::And(condition, _) | Node::Or(condition, _)
+                    if self.bears_on(condition, Access::InBranches) =>
+                {
+                    open.push(condition);
+                }
+                node => open.extend(node.children()),
+            }
+        }
+        least
+    }
+
     /// Whether something around a place may decide that what a node reads is there.
     pub(crate) fn protects(&self, around: Scope, id: NodeId) -> bool {
         self.protects_reads(around, self.access(id))
@@ -158,17 +208,17 @@ impl Graph {
     }
 
     /// Whether a condition may decide that what is read with an access is there: one on integers, and for what is not
-    /// there in all iterations of a loop any.
+    /// there by the index of a loop any.
     fn bears_on(&self, condition: NodeId, access: Access) -> bool {
         match self.node(condition) {
             Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.loops.bounds_from_above(a, b),
-            Node::Flag(_) => access >= Access::InIterations,
+            Node::Flag(_) => access >= Access::InBranches,
             Node::And(a, b) | Node::Or(a, b) => self.bears_on(a, access) || self.bears_on(b, access),
             Node::Not(a) => self.bears_on(a, access),
             Node::Compare(_, _, count) => match self.node(count) {
                 // The comparison by which a loop tests whether it has iterations.
                 Node::Sum(_, body) => self.bears_on(body, access),
-                _ => access >= Access::InIterations,
+                _ => access >= Access::InBranches,
             },
             Node::Select(condition, ..) => self.bears_on(condition, access),
             _ => false,

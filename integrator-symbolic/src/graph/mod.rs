@@ -458,6 +458,11 @@ impl Graph {
                 facts.beside_sums = facts.beside_sums.max(child.beside_sums);
             }
         }
+        // All that a sum reads by the indices of loops, it reads in its own.
+        if matches!(node, Node::Sum(..) | Node::Fold(..)) && facts.loops.is_empty() && facts.access == Access::ByRunning
+        {
+            facts.access = Access::Anywhere;
+        }
         // A prepared constant is known to be finite, and a condition is no factor of anything.
         let is_constant = facts.prepared && facts.loops.iter().count() <= 1;
         facts.total |= is_constant || node.is_condition();
