@@ -261,6 +261,7 @@ pub mod __private {
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
             equal_values::{Both, SmallInteger},
+            extremes::{greatest, least},
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             least_length::are_at_least,

@@ -9,6 +9,7 @@ mod canonical;
 mod central;
 mod cutoff;
 mod exchange;
+mod extremes;
 mod order;
 mod terms;
 

@@ -176,7 +176,7 @@ macro_rules! image {
 
 /// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
 /// cutoff: whether there is one, and whether distances are those in a box.
-const CUTOFFS: [(&str, &str, &str, Option<bool>); 34] = [
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 39] = [
     ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
     ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
     ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
@@ -223,7 +223,22 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 34] = [
         None,
     ),
     ("far away alone", OPEN, "if r2 > self.cutoff { v += 1.0 / r2; }", None),
-    ("a cutoff of each pair", OPEN, "if r2 < self.m[i] * self.m[j] { v += 1.0 / r2; }", None),
+    ("a cutoff of each pair", OPEN, "if r2 < self.m[i] * self.m[j] { v += 1.0 / r2; }", Some(false)),
+    ("two radii", OPEN, "let s = 0.5 * (self.m[i] + self.m[j]); if r2.sqrt() < s { v += s - r2.sqrt(); }", Some(false)),
+    (
+        "a table of cutoffs",
+        BOX,
+        "let c = self.table[self.kind[i]][self.kind[j]]; if r2 < c * c { v += 1.0 / r2; }",
+        Some(true),
+    ),
+    ("a cut by radii", OPEN, "v += (1.0 - r2.sqrt() / (self.m[i] + self.m[j])).max(0.0);", Some(false)),
+    (
+        "a root and a quotient",
+        OPEN,
+        "if r2 < self.m[i].sqrt() + 1.0 / self.m[j].powi(2) { v += 1.0 / r2; }",
+        Some(false),
+    ),
+    ("a cutoff without bounds", OPEN, "if r2 < 2.0 + (self.m[i] - self.m[j]).sin() { v += 1.0 / r2; }", None),
     ("no distance", "let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);", IF, None),
     ("any image", image!("x - self.side * (x * self.k).round()"), IF, Some(true)),
     ("the integer part", image!("x - self.side * (x / self.side + 0.5).floor()"), IF, Some(true)),

@@ -384,6 +384,27 @@ potential!(tables_by_type, self, q, v;
     }
 );
 
+// Strengths and preceding bodies are lists without the body that has no partner.
+potential!(cutoffs_of_pairs, self, q, v;
+    for i in 0..q.len() {
+        for j in 0..i {
+            let mut r2 = 0.0;
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let image = x - self.0.side * (x * self.0.inverse).round();
+                r2 += image * image;
+            }
+            let reach = 0.6 * (self.0.charges[i] + self.0.weights[j]) + 0.2 * self.0.strengths[j];
+            v += (1.0 - r2.sqrt() / reach).max(0.0).powi(2);
+            let (a, b) = (self.0.types[i], self.0.types[j]);
+            let cutoff = self.0.strengths_of_types[a][b];
+            if r2 < cutoff * cutoff {
+                v += (cutoff * cutoff - r2).powi(2);
+            }
+        }
+    }
+);
+
 /// Bodies whose forces have a common factor, and a table by type.
 struct Scaled {
     strength: f64,

@@ -62,7 +62,7 @@ pub struct ByClass<R> {
     /// The number of classes of the second body.
     columns: usize,
     /// The rows, one for each class of the first body.
-    entries: Vec<R>,
+    pub(super) entries: Vec<R>,
 }
 
 impl ByClass<f64> {

@@ -9,6 +9,7 @@ pub(crate) mod elements;
 pub(crate) mod energy;
 pub(crate) mod equal_values;
 pub(crate) mod external;
+pub(crate) mod extremes;
 pub(crate) mod flows;
 pub(crate) mod integers;
 pub(crate) mod least_length;

@@ -57,6 +57,21 @@ pub(crate) trait Parameters {
     ) -> Option<ParameterId> {
         None
     }
+    /// The least and the greatest value of a parameter of one body over all bodies, but for the body at an end; `None` as for
+    /// others.
+    fn extremes(
+        &mut self,
+        _graph: &mut Graph,
+        _id: ParameterId,
+        _by: LoopId,
+        _end: Option<End>,
+    ) -> Option<[ParameterId; 2]> {
+        None
+    }
+    /// The least and the greatest entry of a table.
+    fn extreme_entries(&mut self, _graph: &mut Graph, _table: ParameterId) -> Option<[ParameterId; 2]> {
+        None
+    }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
     /// The same where it has no name yet.

@@ -1,14 +1,16 @@
 //! Cutoffs: distances beyond which a pair contributes nothing, found in the branches of its energy.
 //!
-//! Proved property: the energy is a sum in which every term is in a branch `square < c`. Here `c` is the same for all
-//! pairs, and `square` is at least the squared distance of the two bodies, or of the nearest image in a box. The energy
-//! and its gradient are hence zero for pairs further apart, for any term.
+//! Proved property: the energy is a sum in which every term is in a branch `square < c`. Here `square` is at least the squared
+//! distance of the two bodies, or of the nearest image in a box, and `c` is at most the square of the cutoff, which is the same
+//! for all pairs. The energy and its gradient are hence zero for pairs further apart, for any term.
 
+use super::extremes::Extremes;
 use crate::{
     differentiate::Contribution,
     graph::{
         Comparison, Element, Graph, Node, NodeId, Part, Scope,
         index::{Index, LoopId},
+        rename::{End, Parameters},
     },
 };
 use std::collections::{HashMap, HashSet};
@@ -22,35 +24,40 @@ pub(crate) struct Cutoff {
     pub(crate) sides: Vec<Contribution>,
 }
 
-/// The cutoff of the energy of a pair with this number of coordinates each; `bodies` is the loop over all bodies.
+/// The cutoff of the energy of a pair with this number of coordinates each; `bodies` is the loop over all bodies, and `ends`
+/// are the ends at which the bodies of a pair have no partner.
 pub(crate) fn cutoff(
     graph: &mut Graph,
     energy: NodeId,
-    pair: [LoopId; 2],
+    (pair, ends): ([LoopId; 2], [Option<End>; 2]),
     bodies: LoopId,
     dimension: u64,
+    parameters: &mut dyn Parameters,
 ) -> Option<Cutoff> {
-    Distances { pair, bodies, dimension }.of_energy(graph, energy)?
+    Distances { bodies, dimension, extremes: Extremes { pair, ends, parameters } }.of_energy(graph, energy)?
 }
 
 /// What distances are made of.
-struct Distances {
-    pair: [LoopId; 2],
+struct Distances<'p> {
     bodies: LoopId,
     dimension: u64,
+    extremes: Extremes<'p>,
 }
 
 /// The component of a distance along an axis: a number, or the index of a loop over all axes; and the side of the box.
 type Axis = (Option<Index>, Option<NodeId>);
 
-impl Distances {
+impl Distances<'_> {
     /// The cutoff of an energy, `None` inside if it is zero everywhere; `None` if some of it has no cutoff.
-    fn of_energy(&self, graph: &mut Graph, id: NodeId) -> Option<Option<Cutoff>> {
+    fn of_energy(&mut self, graph: &mut Graph, id: NodeId) -> Option<Option<Cutoff>> {
         match graph.node(id) {
             Node::Constant(_) => (graph.as_constant(id) == Some(0.0)).then_some(None),
             Node::Neg(a) => self.of_energy(graph, a),
             Node::Power(a, 1..) => self.of_energy(graph, a),
-            Node::Mul(a, b) => self.of_energy(graph, a).or_else(|| self.of_energy(graph, b)),
+            Node::Mul(a, b) => match self.of_energy(graph, a) {
+                None => self.of_energy(graph, b),
+                found => found,
+            },
             // Zero times what is prepared is zero: prepared constants are finite.
             Node::Div(a, b) if graph.is_prepared(b) => self.of_energy(graph, a),
             Node::Add(a, b) => {
@@ -95,7 +102,7 @@ impl Distances {
     }
 
     /// The cutoff beyond which a number is not positive: a constant less a multiple of a distance, or of its square.
-    fn of_positive(&self, graph: &mut Graph, id: NodeId) -> Option<Cutoff> {
+    fn of_positive(&mut self, graph: &mut Graph, id: NodeId) -> Option<Cutoff> {
         let Node::Add(a, b) = graph.node(id) else { return None };
         let (constant, term) = match [a, b].map(|term| graph.is_prepared(term)) {
             [true, false] => (a, b),
@@ -115,12 +122,13 @@ impl Distances {
         let (bound, zero) = (graph.div(constant, factor), graph.constant(0.0));
         let Cutoff { square, sides } = self.of_bound(graph, distance, bound)?;
         // With another sign, it grows with the distance.
-        let (falls, everywhere) = (graph.compare(Comparison::Less, zero, factor), graph.constant(f64::INFINITY));
+        let [least, _] = self.extremes.of(graph, factor)?;
+        let (falls, everywhere) = (graph.compare(Comparison::Less, zero, least), graph.constant(f64::INFINITY));
         Some(Cutoff { square: graph.select(falls, square, everywhere), sides })
     }
 
     /// The cutoff of a branch that is taken if a condition is true, or if it is false.
-    fn of_condition(&self, graph: &mut Graph, condition: NodeId, holds: bool) -> Option<Cutoff> {
+    fn of_condition(&mut self, graph: &mut Graph, condition: NodeId, holds: bool) -> Option<Cutoff> {
         match (graph.node(condition), holds) {
             (Node::Not(inner), _) => self.of_condition(graph, inner, !holds),
             (Node::And(a, b), true) | (Node::Or(a, b), false) => {
@@ -133,10 +141,11 @@ impl Distances {
     }
 
     /// The cutoff of pairs whose distance, or its square, is at most a bound.
-    fn of_bound(&self, graph: &mut Graph, distance: NodeId, bound: NodeId) -> Option<Cutoff> {
-        if !graph.is_prepared(bound) || graph.loops_of(bound).iter().next().is_some() {
+    fn of_bound(&mut self, graph: &mut Graph, distance: NodeId, bound: NodeId) -> Option<Cutoff> {
+        if !graph.is_prepared(bound) {
             return None;
         }
+        let [_, bound] = self.extremes.of(graph, bound)?;
         let mut axes = Vec::new();
         let square = match graph.node(distance) {
             Node::Power(square, 1) => {
@@ -209,7 +218,7 @@ impl Distances {
             Node::Coordinate(element) => Some(element.component),
             _ => None,
         })?;
-        let [first, second] = self.pair.map(|by| {
+        let [first, second] = self.extremes.pair.map(|by| {
             let index = graph.loops.intern(Index::Running(by));
             graph.coordinate(Element { part: Part::Position, index, component })
         });
@@ -252,7 +261,7 @@ impl Distances {
         let is_side = |side: &NodeId| {
             let loops = graph.loops_of(*side);
             let is_zero = graph.as_constant(*side) == Some(0.0);
-            graph.is_prepared(*side) && !is_zero && !self.pair.iter().any(|by| loops.contains(*by))
+            graph.is_prepared(*side) && !is_zero && !self.extremes.pair.iter().any(|by| loops.contains(*by))
         };
         sides.into_iter().filter(is_side).collect()
     }

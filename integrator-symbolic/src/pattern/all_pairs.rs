@@ -85,7 +85,11 @@ impl AllPairs {
 
         let cutoff = match in_jacobi || fewer_than(LISTED_FROM) {
             true => None,
-            false => cutoff(&mut model.graph, written, pair, bodies, dimension),
+            false => {
+                let Model { graph, parameters, running, root, .. } = &mut *model;
+                let mut texts = Texts::new(parameters, running, root);
+                cutoff(graph, written, (pair, ends), bodies, dimension, &mut texts)
+            }
         };
         let mut constants = Constants::new(bodies);
         let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;

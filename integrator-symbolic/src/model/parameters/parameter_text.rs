@@ -152,6 +152,20 @@ impl Parameters for Texts<'_> {
         Some(guarded)
     }
 
+    fn extremes(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        by: LoopId,
+        end: Option<End>,
+    ) -> Option<[ParameterId; 2]> {
+        self.extreme_values(graph, id, by, end)
+    }
+
+    fn extreme_entries(&mut self, graph: &mut Graph, table: ParameterId) -> Option<[ParameterId; 2]> {
+        self.extremes_of_table(graph, table)
+    }
+
     fn name_if_new(&mut self, new: LoopId, like: LoopId) {
         if !self.running.contains_key(&new) {
             self.name(new, like);
@@ -192,6 +206,12 @@ impl<'m> Texts<'m> {
         };
         let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
         free.unwrap_or_else(|| base.clone())
+    }
+
+    /// Whether a number is an expression of each body, without closures and blocks.
+    pub(super) fn is_plain_number(&self, id: ParameterId) -> bool {
+        let Parameter { text, whole, .. } = &self.parameters[id.0 as usize];
+        whole.is_none() && is_plain(text)
     }
 
     pub(super) fn own_text(&self, id: ParameterId) -> TokenStream {
