@@ -267,6 +267,7 @@ pub mod __private {
             least_length::are_at_least,
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},
             not_finite::{all_found, not_finite},
+            pair_set::{Items, PairSet, Unlisted},
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
             sites::{Boundary, Flow, MovedSites, Sites, StencilRadii},

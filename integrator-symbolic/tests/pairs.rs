@@ -176,7 +176,7 @@ macro_rules! image {
 
 /// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
 /// cutoff: whether there is one, and whether distances are those in a box.
-const CUTOFFS: [(&str, &str, &str, Option<bool>); 39] = [
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 42] = [
     ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
     ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
     ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
@@ -237,6 +237,19 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 39] = [
         OPEN,
         "if r2 < self.m[i].sqrt() + 1.0 / self.m[j].powi(2) { v += 1.0 / r2; }",
         Some(false),
+    ),
+    ("an exclusion", OPEN, "if r2 < self.cutoff && !self.excluded[i].contains(&j) { v += 1.0 / r2; }", Some(false)),
+    (
+        "a list of the other body",
+        OPEN,
+        "if r2 < self.cutoff && self.bonded[j].contains(&(i as u32)) { v += 1.0 / r2; }",
+        Some(false),
+    ),
+    (
+        "a set of pairs",
+        BOX,
+        "if self.excluded.contains(&(i, j)) { continue; } if r2 < self.cutoff { v += 1.0 / r2; }",
+        Some(true),
     ),
     ("a cutoff without bounds", OPEN, "if r2 < 2.0 + (self.m[i] - self.m[j]).sin() { v += 1.0 / r2; }", None),
     ("no distance", "let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);", IF, None),

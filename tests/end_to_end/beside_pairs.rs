@@ -2,7 +2,7 @@
 //! formulas say.
 
 use integrator_core::{System, prelude::*};
-use std::any::type_name;
+use std::{any::type_name, collections::HashSet};
 
 /// Enough bodies for lists of neighbours, and no multiple of the lanes.
 const BODIES: usize = 397;
@@ -38,6 +38,9 @@ struct Parameters {
     reaches_of_types: Vec<Vec<f64>>,
     types: Vec<usize>,
     bonds: Vec<[usize; 2]>,
+    /// Bodies that come before a body and have no force on it, but for the first body, and pairs of bodies.
+    excluded: Vec<Vec<u32>>,
+    bonded: HashSet<(usize, usize)>,
     angles: Vec<(usize, usize, usize)>,
 }
 
@@ -64,6 +67,8 @@ impl Parameters {
             reaches_of_types: vec![vec![2.0], vec![1.1, 1.7], vec![0.9, 1.5, 2.2]],
             types: (0..BODIES).map(|i| i * 5 % 7 % 3).collect(),
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
+            excluded: (1..BODIES as u32).map(|i| vec![i - 1, i * 3 % 7, i / 2]).collect(),
+            bonded: (2..BODIES).flat_map(|i| [(i - 2, i), (i, i - 1), (i * 11 % i, i)]).collect(),
             angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
         }
     }
@@ -378,6 +383,22 @@ potential!(tables_by_type, self, q, v;
                 v += self.0.strengths_of_types[self.0.types[i]][self.0.types[j]] / (1.0 + r2 / reach);
                 if self.0.types[i] == 1 && self.0.types[j] == 2 || self.0.types[i] + self.0.types[j] == 0 {
                     v += r2;
+                }
+            }
+        }
+    }
+);
+
+potential!(sets_of_pairs, self, q, v;
+    for i in 0..q.len() {
+        for j in 0..i {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            if r2 < self.0.cutoff {
+                if !self.0.excluded[i - 1].contains(&(j as u32)) {
+                    v += self.0.charges[i] / (1.0 + r2);
+                }
+                if self.0.bonded.contains(&(j, i)) {
+                    v += 0.5 * r2;
                 }
             }
         }

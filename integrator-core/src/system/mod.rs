@@ -15,6 +15,7 @@ pub(crate) mod integers;
 pub(crate) mod least_length;
 pub(crate) mod motion;
 pub(crate) mod not_finite;
+pub(crate) mod pair_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
 pub(crate) mod read_by_methods;

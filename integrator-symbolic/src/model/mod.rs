@@ -53,7 +53,15 @@ pub(crate) struct Parameter {
     /// The same, evaluated where the functions evaluate it.
     pub(crate) text: TokenStream,
     /// The code of all its values at once, where that is not an expression of each.
-    pub(crate) whole: Option<TokenStream>,
+    pub(crate) whole: Option<Whole>,
+}
+
+/// The code of all values of a parameter.
+#[derive(Clone)]
+pub(crate) struct Whole {
+    pub(crate) code: TokenStream,
+    /// The type of the runtime that it creates for pairs of bodies; `None` of a list of numbers.
+    pub(crate) table: Option<&'static str>,
 }
 
 impl Parameter {
@@ -63,9 +71,10 @@ impl Parameter {
     }
 
     /// The code of all its values at once, if there is any.
-    pub(crate) fn named_whole(&self, running: &HashMap<LoopId, Ident>) -> Option<TokenStream> {
-        let whole = self.whole.as_ref()?;
-        Some(with_indices(whole, &|by| running.get(&by).cloned().map(Into::into)))
+    pub(crate) fn named_whole(&self, running: &HashMap<LoopId, Ident>) -> Option<Whole> {
+        let Whole { code, table } = self.whole.as_ref()?;
+        let code = with_indices(code, &|by| running.get(&by).cloned().map(Into::into));
+        Some(Whole { code, table: *table })
     }
 }
 

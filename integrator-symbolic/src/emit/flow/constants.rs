@@ -17,7 +17,7 @@ use crate::{
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
-    model::{Length, Model},
+    model::{Length, Model, Whole},
     program::Program,
     prose::{self, Formulas},
     syntax::names::Names,
@@ -58,14 +58,14 @@ impl Constants {
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
             let whole = content.node().and_then(|id| whole(emitter.model, id));
-            let is_by_class = whole.is_some() && table.levels.is_empty();
+            let is_of_pairs = whole.is_some() && table.levels.is_empty();
             let (kind, value) = match content {
                 Content::Number(id) => match (&whole, table.levels.first()) {
                     (None, _) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                     (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
-                    (Some(whole), None) => {
-                        let runtime = &names.runtime;
-                        (quote!(#runtime::ByClass<#scalar>), whole.clone())
+                    (Some(Whole { code, table }), None) => {
+                        let (runtime, kind) = (&names.runtime, format_ident!("{}", table.unwrap_or("ByClass")));
+                        (quote!(#runtime::#kind<#scalar>), code.clone())
                     }
                 },
                 Content::Integer(id) => {
@@ -108,16 +108,16 @@ impl Constants {
             let documentation = prose::documentation(emitter.model, content.node());
             let kind = table.kind(kind, names);
             for (number, slopes) in prepared.slopes.iter_mut().enumerate() {
-                let slope = match is_by_class {
+                let slope = match is_of_pairs {
                     true => quote!(#value.zeros()),
                     false => table.prepared(slope(&mut emitter, content, number, &value), content, names),
                 };
                 slopes.extend(quote!(#name: #slope,));
             }
             let value = table.prepared(value, content, names);
-            let value = match whole.filter(|_| !is_by_class) {
-                Some(whole) => quote!({
-                    let __values = #whole;
+            let value = match whole.filter(|_| !is_of_pairs) {
+                Some(Whole { code, .. }) => quote!({
+                    let __values = #code;
                     #value
                 }),
                 None => value,
@@ -125,7 +125,7 @@ impl Constants {
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
-                _ if is_by_class => Some(quote!(a.#name.is_like(&b.#name))),
+                _ if is_of_pairs => Some(quote!(a.#name.is_like(&b.#name))),
                 _ => None,
             });
             if !matches!(content, Content::External(_) | Content::OwnFlow(_)) {
@@ -245,7 +245,7 @@ impl Constants {
 }
 
 /// The code of all values of a prepared constant at once, with the indices of loops as they are called.
-fn whole(model: &Model, id: NodeId) -> Option<TokenStream> {
+fn whole(model: &Model, id: NodeId) -> Option<Whole> {
     let Node::Parameter(parameter) = model.graph.node(id) else { return None };
     model.parameters[parameter.0 as usize].named_whole(&model.running)
 }

@@ -61,7 +61,7 @@ impl Texts<'_> {
             let (by, bodies, equal) = (pair[at], &bodies[at], &equal[at]);
             let index = running_index(by);
             let whole = quote!(#root::__private::classes(#bodies, length, #equal));
-            let number = self.whole(graph, quote!((#whole)[#index]), LoopSet::of(by), whole);
+            let number = self.list(graph, quote!((#whole)[#index]), LoopSet::of(by), whole);
             self.show(number, [&first, &second][at]);
             self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;
             Some(graph.parameter(number))
@@ -78,7 +78,7 @@ impl Texts<'_> {
             [#rows, #columns],
             &|#first, #second| if #order { ::core::option::Option::Some(#own) } else { ::core::option::Option::None }
         ));
-        let table = self.whole(graph, whole.clone(), LoopSet::EMPTY, whole);
+        let table = self.table(graph, "ByClass", whole);
         let shown = self.own_text(id);
         self.show(table, &shown);
         graph.declare_missing_like(table, id);

@@ -37,6 +37,7 @@ impl Texts<'_> {
             return Some(graph.compare(Comparison::Less, zero, number));
         }
         let condition = self.equality(graph, &text, pair, ends, loops);
+        let condition = condition.or_else(|| self.membership(graph, id, pair, ends));
         condition.or_else(|| {
             let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8 as f64), pair, ends)?;
             let zero = graph.constant(0.0);
@@ -79,7 +80,7 @@ impl Texts<'_> {
             }
             let at = usize::from(by == pair[1]);
             let number = match whole {
-                Some(whole) => self.whole(graph, text.clone(), LoopSet::of(by), whole.clone()),
+                Some(whole) => self.list(graph, text.clone(), LoopSet::of(by), whole.clone()),
                 None => self.id(graph, text.clone(), LoopSet::of(by)),
             };
             self.show(number, side);

@@ -4,6 +4,7 @@ mod classes;
 mod extremes;
 pub(crate) mod factors;
 mod flags;
+mod membership;
 pub(crate) mod parameter_text;
 pub(crate) mod prepared;
 pub(crate) mod presence;

@@ -6,7 +6,7 @@ use crate::graph::{
     rename::{End, Parameters, Place, Renaming},
 };
 use crate::model::{
-    Parameter,
+    Parameter, Whole,
     parameters::{
         classes::THIS_BODY,
         factors::factors,
@@ -242,16 +242,23 @@ impl<'m> Texts<'m> {
         self.id(graph, text, LoopSet::EMPTY)
     }
 
-    /// A parameter whose values are computed at once, each of which is also an expression.
-    pub(super) fn whole(
+    /// A parameter whose values are computed at once by `code`, each of which is also an expression.
+    pub(super) fn list(
         &mut self,
         graph: &mut Graph,
         text: TokenStream,
         loops: LoopSet,
-        whole: TokenStream,
+        code: TokenStream,
     ) -> ParameterId {
         let id = self.id(graph, text, loops);
-        self.parameters[id.0 as usize].whole = Some(whole);
+        self.parameters[id.0 as usize].whole = Some(Whole { code, table: None });
+        id
+    }
+
+    /// A parameter of pairs of bodies that `code` creates as a table of this type.
+    pub(super) fn table(&mut self, graph: &mut Graph, table: &'static str, code: TokenStream) -> ParameterId {
+        let id = self.id(graph, code.clone(), LoopSet::EMPTY);
+        self.parameters[id.0 as usize].whole = Some(Whole { code, table: Some(table) });
         id
     }
 

@@ -1,0 +1,99 @@
+//! Conditions such as `self.excluded[i].contains(&j)` and `self.bonded.contains(&(i, j))` as sets of pairs, for sums over pairs.
+//!
+//! In: the text of a condition. Out: whether the numbers of the two bodies are a pair of a set that a run prepares once. Always
+//! true: the set has the pairs for which the text is true, each asked by the text itself.
+
+use super::{
+    flags::OTHER_BODY,
+    parameter_text::Texts,
+    running_index::{mentions, running_index, with_index},
+};
+use crate::graph::{
+    Comparison, Graph, NodeId, ParameterId,
+    index::{Index, LoopId},
+    rename::End,
+};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, format_ident, quote};
+use syn::{Expr, UnOp};
+
+impl Texts<'_> {
+    /// The condition that a collection of one body contains the number of the other, or one collection the numbers of both; `None`
+    /// of other conditions.
+    pub(super) fn membership(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        let text = self.text(id);
+        let mut condition = syn::parse2::<Expr>(text).ok()?;
+        let mut holds = true;
+        let call = loop {
+            condition = match condition {
+                Expr::Paren(inner) => *inner.expr,
+                Expr::Unary(inner) if matches!(inner.op, UnOp::Not(_)) => {
+                    holds = !holds;
+                    *inner.expr
+                }
+                Expr::MethodCall(call) if call.method == "contains" => break call,
+                _ => return None,
+            };
+        };
+        let [argument] = &call.args.iter().collect::<Vec<_>>()[..] else { return None };
+        let Expr::Reference(argument) = without_parentheses(argument) else { return None };
+        let (receiver, member) = (call.receiver.to_token_stream(), argument.expr.to_token_stream());
+        let is_of = |text: &TokenStream, by: &LoopId| mentions(text, *by);
+        let of_receiver: Vec<usize> = (0..2).filter(|at| is_of(&receiver, &pair[*at])).collect();
+        let own = of_receiver.first().copied().unwrap_or(0);
+        let [first, second] = [pair[own], pair[1 - own]];
+        let is_listed = match of_receiver[..] {
+            [_] => !is_of(&member, &first) && is_number(&argument.expr, second),
+            [] if is_of(&member, &first) && is_of(&member, &second) => false,
+            _ => return None,
+        };
+        if graph.loops.of_parameter(id).iter().count() != 2 || of_receiver.len() == 1 && !is_listed {
+            return None;
+        }
+        let (root, this, other) = (self.root, running_index(first), format_ident!("{OTHER_BODY}"));
+        let member = with_index(&member, second, other.clone());
+        let (bodies, partners) = match ends[own] {
+            None => (quote!(0..length), quote!(length)),
+            Some(End::First) => (quote!(1..length), quote!(#this)),
+            Some(End::Last) => (quote!(0..length.saturating_sub(1)), quote!(length)),
+        };
+        let items = match is_listed {
+            true => quote!(#root::__private::Items(&#receiver)),
+            false => quote!(#root::__private::Unlisted),
+        };
+        let table = quote!(#root::__private::PairSet::new(#bodies, length, &|#this: usize| {
+            #items.bodies(#partners, &|#other: usize| #receiver.contains(&#member))
+        }));
+        let table = self.table(graph, "PairSet", table);
+        let shown = self.own_text(id);
+        self.show(table, &shown);
+        let [first, second] = [first, second].map(|by| {
+            let index = graph.loops.intern(Index::Running(by));
+            graph.number_of(index)
+        });
+        let (zero, entry) = (graph.constant(0.0), graph.entry(table, first, second));
+        let contains = graph.compare(Comparison::Less, zero, entry);
+        Some(if holds { contains } else { graph.not(contains) })
+    }
+}
+
+/// Whether an expression is the index of a loop, perhaps as another type.
+fn is_number(expression: &Expr, by: LoopId) -> bool {
+    match without_parentheses(expression) {
+        Expr::Cast(inner) => is_number(&inner.expr, by),
+        index => running_index(by) == index.to_token_stream().to_string(),
+    }
+}
+
+fn without_parentheses(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => without_parentheses(&inner.expr),
+        other => other,
+    }
+}
