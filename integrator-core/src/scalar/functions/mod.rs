@@ -13,6 +13,7 @@ mod fast_sine;
 mod fast_tangent;
 mod logarithm;
 mod power;
+mod remainder;
 mod sine;
 mod table;
 #[cfg(test)]
@@ -74,6 +75,7 @@ pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use fast_tangent::fast_tan;
 pub(crate) use logarithm::{fast_ln, ln};
 pub(crate) use power::powf;
+pub(crate) use remainder::remainder;
 pub(crate) use sine::{cos, sin, sin_cos, tan};
 
 /// The first two terms of a polynomial. A function and not a closure, because only functions are sure to be inlined.

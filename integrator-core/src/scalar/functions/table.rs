@@ -285,6 +285,11 @@ macro_rules! elementary_functions {
                         })
                     };
                     bounds: x.modulo(y);
+                    kernel: remainder within 0.0, of std::ops::Rem::rem, |x: &Big, y: &Big| x % y, at [
+                        Points::Pairs(&Points::Even(-8.0, 8.0), &Points::Even(-3.0, 3.0)),
+                        Points::Pairs(&Points::Powers(-60.0, 60.0), &Points::Powers(-4.0, 4.0)),
+                        Points::Pairs(&Points::Sizes(-120.0, 120.0), &Points::Sizes(-120.0, 120.0))
+                    ];
                 }
             }
         }
