@@ -79,7 +79,7 @@ impl<H: Hamiltonian> RecurrencesVisitor<H> for Asked<'_, '_, H, Adaptive> {
         let Self { problem, plan, exact, .. } = *self;
         let of = |tolerance| problem.by(Taylor::tolerance(tolerance));
         self.found = tolerances(problem, &of, plan, exact).and_then(|errors| {
-            Ok(vec![Adaptive { row: rows::TAYLOR, errors, energies: energies(problem, &*of(LOOSE), plan)? }])
+            Ok(vec![Adaptive { row: rows::TAYLOR, errors, energies: energies(problem, &*of(LOOSE), plan, exact)? }])
         });
     }
 }

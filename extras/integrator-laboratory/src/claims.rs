@@ -71,7 +71,7 @@ const fn order(order: f64) -> [f64; 2] {
     [order - 0.15, order + 0.15]
 }
 
-/// An energy that has changed by less than a hundredth has not grown or decayed to speak of.
+/// An energy that has changed by less than a hundredth of the largest kinetic energy has not grown or decayed to speak of.
 const CHANGED: f64 = 0.01;
 
 /// The largest ratio of the energy errors of the second and the first half of a run without drift.
@@ -97,7 +97,7 @@ const AREA: f64 = 1e-6;
 /// a shear that grows with the steps.
 const BACK: f64 = 1e-9;
 
-/// The relative change of the energy after a period. Later, a system may have escaped.
+/// The change of the energy after a period. Later, a system may have escaped.
 fn energy_change(study: &Study, method: &str) -> Option<f64> {
     let (_, change) = study.method(method)?.energies.iter().take_while(|(periods, _)| *periods <= 1.0).last()?;
     Some(*change)
@@ -166,14 +166,14 @@ const ROUNDED: f64 = 1e-12;
 const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_energy_grows",
-        says: "Forward Euler gains energy: the relative change after a period",
+        says: "Forward Euler gains energy: the change after a period, in units of the largest kinetic energy",
         of_energy: true,
         value: |study| energy_change(study, "forward Euler"),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "backward_euler_energy_decays",
-        says: "Backward Euler loses energy: the relative change after a period",
+        says: "Backward Euler loses energy: the change after a period, in units of the largest kinetic energy",
         of_energy: true,
         value: |study| energy_change(study, "backward Euler"),
         within: [f64::NEG_INFINITY, -CHANGED],

@@ -23,8 +23,19 @@ pub(crate) struct Exact {
     end: Vec<f64>,
     /// The difference of two references.
     uncertainty: f64,
-    /// The largest kinetic energy on the way: how much of the energy moves, wherever its zero is.
+    /// The unit of energies: the largest `½ p·dq/dt` on the way, which is the kinetic energy if `T` is quadratic. A
+    /// constant in `V` or `T` does not change it.
     pub(crate) motion: f64,
+    /// The rounding of an energy in this unit: ε of the largest `|T| + |V|`, whose zero decides how many digits are left.
+    pub(crate) grain: f64,
+}
+
+impl Exact {
+    /// Returns the change of the energy that rounding alone may cause: some roundings in each step, at worst all in the
+    /// same sense.
+    pub(crate) fn rounding(&self, steps: usize) -> f64 {
+        16.0 * self.grain * steps as f64
+    }
 }
 
 /// Periods up to the errors: no whole number of half periods, where errors of symmetric orbits cancel.
@@ -35,23 +46,35 @@ const COARSEST: u32 = 18;
 const LOOSEST: f64 = 0.01;
 /// Steps up to there of the reference, of order 10 and with its roundings carried along.
 const REFERENCE: u32 = 1152;
+/// Steps of the reference from one sample of the energies to the next: a sixty-fourth of a period or less.
+const STRIDE: u32 = 4;
 
 /// The reference: the better one of two, with their difference.
 pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<Exact, Box<dyn Error>> {
-    let mut motion = 0.0_f64;
+    let (mut motion, mut size) = (0.0_f64, 0.0_f64);
     let mut end = |steps: u32| -> Result<Vec<f64>, integrator_core::Error> {
         let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
         let h = PERIODS * problem.period / f64::from(steps);
         let mut run = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?;
-        for _ in 0..steps {
-            motion = motion.max(run.kinetic().abs());
-            run.advance(1)?;
+        let mut before = of_compensated::<H>(&run.state());
+        for _ in 0..steps / STRIDE {
+            size = size.max(run.kinetic().abs() + run.potential().abs());
+            run.advance(u64::from(STRIDE))?;
+            let after = of_compensated::<H>(&run.state());
+            motion = motion.max((action(&before, &after) / (2.0 * h * f64::from(STRIDE))).abs());
+            before = after;
         }
-        Ok(of_compensated::<H>(&run.state()))
+        Ok(before)
     };
     let (coarse, fine) = (end(REFERENCE / 2)?, end(REFERENCE)?);
     let motion = if motion > 0.0 { motion } else { 1.0 };
-    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine, motion })
+    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine, motion, grain: f64::EPSILON * size / motion })
+}
+
+/// The action `∫ p dq` between two neighbouring states, by the trapezoidal rule.
+fn action(before: &[f64], after: &[f64]) -> f64 {
+    let freedom = before.len() / 2;
+    (0..freedom).map(|i| 0.5 * (before[freedom + i] + after[freedom + i]) * (after[i] - before[i])).sum()
 }
 
 /// All positions, then all momenta, without what they carry along.

@@ -30,10 +30,10 @@ pub(crate) struct Measured {
     pub(crate) defects: Vec<(f64, f64)>,
     /// The tangent map after each step.
     pub(crate) deviations: Vec<Deviation>,
-    /// Periods, and the change of the energy in units of that of the start.
+    /// Periods, and the change of the energy in units of the largest kinetic energy.
     pub(crate) energies: Vec<(f64, f64)>,
-    /// The number of steps of `energies`.
-    pub(crate) steps: usize,
+    /// The change of the energy that rounding alone may cause.
+    pub(crate) rounding: f64,
     pub(crate) portrait: Portrait,
     pub(crate) reversal: Reversal,
     /// The largest change of the energy for one step after the other, of those methods for which it is meaningful.
@@ -86,12 +86,6 @@ impl Measured {
     pub(crate) fn largest_energy_change(&self) -> f64 {
         self.energies.iter().map(|(_, change)| change.abs()).fold(0.0, f64::max)
     }
-
-    /// Returns the change of the energy that rounding alone may cause: some roundings in each step, at worst all in the
-    /// same sense.
-    pub(crate) fn rounding(&self) -> f64 {
-        16.0 * f64::EPSILON * self.steps as f64
-    }
 }
 
 /// Measures a method on a problem.
@@ -104,7 +98,7 @@ pub(crate) fn measure<H: Hamiltonian>(
 ) -> Result<Measured, Box<dyn Error>> {
     let Problem { start, step, period, .. } = problem;
     let facts = method.facts();
-    let energies = energies(problem, method, plan)?;
+    let energies = energies(problem, method, plan, exact)?;
     let portrait = portrait(problem, method, plan, exact)?;
     let steps = DEFECT_STEPS.iter().map(|count| period / count);
     Ok(Measured {
@@ -115,29 +109,29 @@ pub(crate) fn measure<H: Hamiltonian>(
         // Where a step is too long for an implicit method, there is no map.
         defects: steps.filter_map(|h| Some((h, method.defect(start, h, STEPS).ok()?))).collect(),
         deviations: deviations(problem, method)?,
-        steps: energies.len(),
+        rounding: exact.rounding(energies.len()),
         energies,
         reversal: reversal(problem, method, portrait.count)?,
         portrait,
-        limits: if row.limit { limits(problem, method, plan)? } else { Vec::new() },
+        limits: if row.limit { limits(problem, method, plan, exact)? } else { Vec::new() },
         blob: follow(problem, method, plan)?,
         errors: ladder(problem, method, plan, exact)?,
         row,
     })
 }
 
-/// Periods, and the relative change of the energy, step by step.
+/// Periods, and the change of the energy in units of the largest kinetic energy, step by step.
 pub(crate) fn energies<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,
     plan: &Plan,
+    exact: &Exact,
 ) -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
     let run = method.run(&problem.start, problem.step)?;
     let energy = run.energy();
-    let unit = if energy == 0.0 { 1.0 } else { energy.abs() };
     let steps = (plan.periods * problem.period / problem.step) as usize;
     // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
     let samples = run.samples(1).take(steps + 1).map_while(Result::ok);
-    let changes = samples.map(|sample| (sample.time / problem.period, (sample.energy() - energy) / unit));
+    let changes = samples.map(|sample| (sample.time / problem.period, (sample.energy() - energy) / exact.motion));
     Ok(changes.take_while(|(_, change)| change.is_finite()).collect())
 }

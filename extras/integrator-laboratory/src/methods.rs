@@ -22,7 +22,7 @@ use std::error::Error;
 pub(crate) struct Adaptive {
     pub(crate) row: Row,
     pub(crate) errors: Vec<Rung>,
-    /// Periods, and the relative change of the energy, with the tolerance [`LOOSE`].
+    /// Periods, and the change of the energy in units of the largest kinetic energy, with the tolerance [`LOOSE`].
     pub(crate) energies: Vec<(f64, f64)>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) fn adaptive<H: Hamiltonian>(
                 Adaptive {
                     row: rows::$row,
                     errors: tolerances(problem, &of, plan, exact)?,
-                    energies: energies(problem, &*of(LOOSE), plan)?,
+                    energies: energies(problem, &*of(LOOSE), plan, exact)?,
                 }
             }),*]
         };
@@ -95,13 +95,18 @@ pub(crate) fn all<H: Hamiltonian>(
 }
 
 /// Measures what the compositions conserve whose modified Hamiltonian has terms up to the fourth power of the step.
-pub(crate) fn modified<H: Hamiltonian>(problem: &Problem<'_, H>, plan: &Plan, methods: &[Measured]) -> Vec<Modified> {
+pub(crate) fn modified<H: Hamiltonian>(
+    problem: &Problem<'_, H>,
+    plan: &Plan,
+    exact: &Exact,
+    methods: &[Measured],
+) -> Vec<Modified> {
     macro_rules! rows {
         ($($name:literal $method:ident;)*) => {
             [$(methods
                 .iter()
                 .find(|measured| measured.name() == $name)
-                .and_then(|measured| modified::modified(measured.row, $method, problem, plan))),*]
+                .and_then(|measured| modified::modified(measured.row, $method, problem, plan, exact))),*]
         };
     }
     let rows = rows! {

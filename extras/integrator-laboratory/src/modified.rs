@@ -1,7 +1,7 @@
 //! The quantities that symplectic steps conserve: levels of the modified Hamiltonian under an orbit, and its change for
 //! a sequence of steps.
 
-use crate::{plan::Plan, problem::Problem, rows::Row};
+use crate::{errors::Exact, plan::Plan, problem::Problem, rows::Row};
 use integrator_core::{
     Composition, Coords,
     check::{ModifiedHamiltonian, shadow},
@@ -14,7 +14,7 @@ pub(crate) struct Modified {
     pub(crate) row: Row,
     /// The powers of the step by which `H`, and `H` with one term after the other, are off.
     pub(crate) powers: Vec<i32>,
-    /// Steps, and the largest relative changes of these energies in a few periods.
+    /// Steps, and the largest changes of these energies in a few periods, in units of the largest kinetic energy.
     pub(crate) changes: Vec<(f64, Vec<f64>)>,
     /// The excess of the measured powers over `powers`, at least; `None` where they cannot be measured.
     pub(crate) excess: Option<f64>,
@@ -45,6 +45,7 @@ pub(crate) fn modified<H: Hamiltonian, X: Composition<H>>(
     composition: X,
     problem: &Problem<'_, H>,
     plan: &Plan,
+    exact: &Exact,
 ) -> Option<Modified> {
     let Problem { system, start, period, step, .. } = problem;
     let of_step = |h: f64| ModifiedHamiltonian::new(*system, composition, start, h).ok();
@@ -59,7 +60,7 @@ pub(crate) fn modified<H: Hamiltonian, X: Composition<H>>(
         .into_iter()
         .filter_map(|count| {
             let h = period / f64::from(count);
-            Some((count, h, largest_changes(&of_step(h)?, &orbit(count)?)))
+            Some((count, h, largest_changes(&of_step(h)?, &orbit(count)?, exact.motion)))
         })
         .collect();
     let coarsest = changes.iter().find(|(_, _, changes)| changes.last() < Some(&(USEFUL * changes[0])));
@@ -74,11 +75,14 @@ pub(crate) fn modified<H: Hamiltonian, X: Composition<H>>(
     Some(Modified { row, powers, changes, excess, levels })
 }
 
-/// The largest changes of `H` and of its modifications, in units of `H` at the start.
-fn largest_changes<C: Coords<Leaf = f64>>(modified: &ModifiedHamiltonian<'_, C>, orbit: &[Phase<C>]) -> Vec<f64> {
+/// The largest changes of `H` and of its modifications in this unit.
+fn largest_changes<C: Coords<Leaf = f64>>(
+    modified: &ModifiedHamiltonian<'_, C>,
+    orbit: &[Phase<C>],
+    unit: f64,
+) -> Vec<f64> {
     let energies: Vec<Vec<f64>> = orbit.iter().map(|state| modified.energies(state)).collect();
     let first = &energies[0];
-    let unit = if first[0] == 0.0 { 1.0 } else { first[0].abs() };
     (0..first.len())
         .map(|index| {
             let changes = energies.iter().map(|energies| (energies[index] - first[index]).abs() / unit);

@@ -95,7 +95,7 @@ fn methods(study: &Study) -> String {
     format!(
         "<h2>Methods</h2>\n<p>{z}, \
          and <i>f</i> is its time derivative. Each method has the same colour in all pictures. Solid lines are symplectic methods, \
-         dashed lines are others. Energy changes are those of {periods} periods in steps of {step}. The pictures also have the \
+         dashed lines are others. Energy changes are those of {periods} periods in steps of {step}, in units of the largest kinetic energy. The pictures also have the \
          adaptive methods: {adaptive}.</p>\n\
          <table>\n<tr><th>method</th><th>a step</th><th>order (measured)</th><th>preserves areas</th><th>reversible</th><th>energy</th></tr>\n{rows}</table>\n",
         z = math("z = (q, p)"),
@@ -137,9 +137,9 @@ fn energy(study: &Study, measured: &Measured) -> String {
     }
     let (change, largest) = (measured.energy_change(), measured.largest_energy_change());
     match change {
-        _ if largest <= measured.rounding() => "kept to rounding".to_owned(),
+        _ if largest <= measured.rounding => "kept to rounding".to_owned(),
         _ if measured.symplectic => format!("within {}", plain(largest)),
-        change if change.abs() <= measured.rounding() => "kept to rounding".to_owned(),
+        change if change.abs() <= measured.rounding => "kept to rounding".to_owned(),
         change if change > 0.0 => format!("gains {}", plain(change)),
         change => format!("loses {}", plain(change.abs())),
     }

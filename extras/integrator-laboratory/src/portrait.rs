@@ -22,6 +22,8 @@ pub(crate) struct Portrait {
     pub(crate) left: bool,
     /// The largest one in the first and in the second half.
     pub(crate) largest: [f64; 2],
+    /// The one that rounding alone may cause.
+    pub(crate) rounding: f64,
 }
 
 /// The numbers of steps to a period that are tried, from short steps to long ones.
@@ -46,8 +48,7 @@ impl Portrait {
         if self.left {
             return f64::INFINITY;
         }
-        let rounding = 16.0 * f64::EPSILON * self.points.len() as f64;
-        self.largest[1].max(rounding) / self.largest[0].max(rounding)
+        self.largest[1].max(self.rounding) / self.largest[0].max(self.rounding)
     }
 }
 
@@ -59,7 +60,7 @@ pub(crate) fn portrait<H: Hamiltonian>(
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Portrait, Error> {
-    let follow = |periods: f64, count: u32| follow(problem, method, exact.motion, periods, count);
+    let follow = |periods: f64, count: u32| follow(problem, method, exact, periods, count);
     if method.facts().symplectic {
         let mut portrait = follow(plan.periods, COARSE[0])?;
         for count in &COARSE[1..] {
@@ -88,7 +89,7 @@ pub(crate) fn portrait<H: Hamiltonian>(
 fn follow<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,
-    unit: f64,
+    exact: &Exact,
     periods: f64,
     count: u32,
 ) -> Result<Portrait, Error> {
@@ -96,10 +97,12 @@ fn follow<H: Hamiltonian>(
     let run = method.run(&problem.start, step)?;
     let energy = run.energy();
     let steps = (periods * f64::from(count)) as usize;
-    let mut portrait = Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2] };
+    let rounding = exact.rounding(steps);
+    let mut portrait =
+        Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2], rounding };
     // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
     for (number, sample) in run.samples(1).take(steps + 1).map_while(Result::ok).enumerate() {
-        let change = (sample.energy() - energy) / unit;
+        let change = (sample.energy() - energy) / exact.motion;
         if !change.is_finite() {
             break;
         }

@@ -62,7 +62,7 @@ pub(crate) fn measure<H: Hamiltonian>(
     let step = problem.period / ORBIT;
     let orbit = problem.run(KahanLi8, &problem.start, step)?.samples(1).take((plan.periods * ORBIT) as usize + 1);
     let methods = methods::all(problem, plan, &exact)?;
-    let modified = methods::modified(problem, plan, &methods);
+    let modified = methods::modified(problem, plan, &exact, &methods);
     Ok(Study {
         system,
         autonomous: H::AUTONOMOUS,

@@ -21,10 +21,10 @@ pub(super) fn low_orders(study: &Study) -> Chart {
     let kept = low().filter(|measured| measured.symplectic).map(Measured::largest_energy_change);
     let most = 2.0 * kept.fold(0.005, f64::max);
     let chart = Chart::new(format!("Energy in the first periods: {}", study.system))
-        .claim("The energy of symplectic methods oscillates with the motion. With forward and backward Euler it leaves the frame within a period; with the explicit midpoint rule it grows.")
+        .claim("The energy of symplectic methods oscillates with the motion. With forward and backward Euler it leaves the frame within a period; with the explicit midpoint rule it grows. K is the largest kinetic energy.")
         .measured(format!("steps of {}", plain(study.step)))
         .along(Axis::linear("periods"))
-        .up(Axis::linear("(E − E₀) / |E₀|").between(-most, most));
+        .up(Axis::linear("(E − E₀) / K").between(-most, most));
     let still = chart.line("", [(0.0, 0.0), (SHOWN, 0.0)]).coloured(GREY).wide(1.0);
     low().fold(still, |chart, measured| {
         let shown = measured.energies.iter().copied().take_while(|(periods, _)| *periods <= SHOWN);
@@ -42,7 +42,7 @@ pub(super) fn extremes(study: &Study) -> Chart {
         .filter_map(ends)
         .collect();
     let claim = format!(
-        "The largest energy change in each period: a gain is drawn upwards, a loss downwards. Solid lines are symplectic methods, which \
+        "The largest energy change in each period, in units of the largest kinetic energy K: a gain is drawn upwards, a loss downwards. Solid lines are symplectic methods, which \
          stay level. Dashed lines are other methods, which drift whatever their order; adaptive ones have a tolerance of {}.",
         plain(LOOSE)
     );
@@ -50,7 +50,7 @@ pub(super) fn extremes(study: &Study) -> Chart {
         .claim(claim)
         .measured(format!("steps of {}; at the end: {}", plain(study.step), numbers.join(", ")))
         .along(Axis::linear("periods"))
-        .up(Axis::signed_logarithmic("(E − E₀) / |E₀|", smallest))
+        .up(Axis::signed_logarithmic("(E − E₀) / K", smallest))
         .with_names_at_ends()
         .sized(1150, 820);
     let chart = study

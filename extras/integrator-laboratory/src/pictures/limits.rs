@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub(super) fn limits(study: &Study) -> Chart {
     let omega = TAU / study.period;
     let claim = format!(
-        "The largest energy change in {PERIODS} periods. On an oscillator Verlet is stable up to hω = 2, the grey line for the frequency \
+        "The largest energy change in {PERIODS} periods, in units of the largest kinetic energy K. On an oscillator Verlet is stable up to hω = 2, the grey line for the frequency \
          of this motion. A nonlinear motion becomes unstable earlier, with peaks where the step resonates with it. Implicit methods \
          have no limit on an oscillator; elsewhere the equation of a long step may have no solution nearby."
     );
@@ -21,7 +21,7 @@ pub(super) fn limits(study: &Study) -> Chart {
         .claim(claim)
         .measured(format!("2/ω = {}", plain(2.0 / omega)))
         .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic("largest |E − E₀| / |E₀|").between(1e-7, 10.0))
+        .up(Axis::logarithmic("largest |E − E₀| / K").between(1e-7, 10.0))
         .sized(1150, 700)
         .line("", [(2.0 / omega, 1e-7), (2.0 / omega, LEFT)])
         .coloured(GREY)

@@ -19,7 +19,7 @@ pub(super) fn modified(study: &Study) -> Option<Panels> {
     let levels = "Points of an orbit in long steps lie on a level of the modified Hamiltonian, in colour, and leave the level of H, in grey. ";
     let claim = format!(
         "{}Below: the change of the modified Hamiltonian against the step. With each further term of its series, drawn darker, the change \
-         falls with a higher power of the step.",
+         falls with a higher power of the step. K is the largest kinetic energy.",
         if first.levels.is_some() { levels } else { "" }
     );
     let panels = Panels::new(format!("Modified Hamiltonians: {}", study.system), claim)
@@ -60,7 +60,7 @@ fn changes(modified: &Modified) -> Chart {
         .claim(format!("H changes by {}; with further terms {}", powers[0], powers[1..].join(", ")))
         .measured(measured)
         .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic("largest |ΔE/E| in two periods"));
+        .up(Axis::logarithmic("largest |ΔE| / K in two periods"));
     (0..modified.powers.len()).fold(chart, |chart, index| {
         let points = modified.changes.iter().map(|(step, changes)| (*step, changes[index]));
         let shade = PALE[modified.powers.len() - 1 - index];
