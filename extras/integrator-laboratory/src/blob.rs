@@ -1,6 +1,7 @@
 //! A set of starts that moves with the flow, and its area: Poincaré's integral invariant `Σ ∮ pᵢ dqᵢ`.
 
 use crate::{
+    errors::Exact,
     plan::Plan,
     problem::{Problem, Stepped, numbers},
 };
@@ -27,22 +28,26 @@ const PERIODS: f64 = 1.5;
 const LOOKS: usize = 30;
 /// The interval in samples at which the outline is kept.
 const SHOWN: usize = 5;
+/// The radii of the blob in units of the orbit.
+const BLOB: f64 = 0.02;
 
 /// Follows the outline of the blob.
 pub(crate) fn follow<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,
     plan: &Plan,
+    exact: &Exact,
 ) -> Result<Blob, Box<dyn Error>> {
     let interval = ((PERIODS * problem.period / problem.step) as u64 / LOOKS as u64).max(1);
+    let radii = problem.blob.map_or(exact.size.map(|size| BLOB * size), |radius| [radius; 2]);
     // For each look, all points of the outline.
     let mut looks: Vec<Vec<Vec<f64>>> = vec![Vec::new(); LOOKS + 1];
     for point in 0..plan.outline {
         let (sine, cosine) = (TAU * point as f64 / plan.outline as f64).sin_cos();
         let mut start = problem.start.clone();
         // Against the sense of ∮ p dq, so that the area begins positive.
-        start.q.flat_mut()[0] += problem.blob * cosine;
-        start.p.flat_mut()[0] -= problem.blob * sine;
+        start.q.flat_mut()[0] += radii[0] * cosine;
+        start.p.flat_mut()[0] -= radii[1] * sine;
         let run = method.run(&start, problem.step)?;
         for (look, sample) in looks.iter_mut().zip(run.samples(interval).map_while(Result::ok)) {
             look.push(numbers(&sample.state));

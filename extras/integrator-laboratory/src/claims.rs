@@ -58,9 +58,8 @@ impl Verdict {
 struct Claim {
     name: &'static str,
     says: &'static str,
-    /// Whether the claim is about an energy that is conserved, so that it does not apply to a Hamiltonian that reads
-    /// the time.
-    of_energy: bool,
+    /// Whether the claim applies to the system.
+    applies: fn(&Study) -> bool,
     /// The number; none where it could not be measured.
     value: fn(&Study) -> Option<f64>,
     within: [f64; 2],
@@ -72,7 +71,7 @@ const fn order(order: f64) -> [f64; 2] {
 }
 
 /// An energy that has changed by less than a hundredth of the largest kinetic energy has not grown or decayed to speak of.
-const CHANGED: f64 = 0.01;
+pub(crate) const CHANGED: f64 = 0.01;
 
 /// The largest ratio of the energy errors of the second and the first half of a run without drift.
 const STAYS: f64 = 1.5;
@@ -114,7 +113,7 @@ macro_rules! orders {
         [$(Claim {
             name: $name,
             says: $says,
-            of_energy: false,
+            applies: |_| true,
             value: |study| study.method($method)?.slope,
             within: order($order),
         }),*]
@@ -150,7 +149,7 @@ const OF_GRADIENTS: [Claim; 1] = orders! {
 const OF_TAYLOR: Claim = Claim {
     name: "taylor_follows_its_tolerance",
     says: "The errors of Taylor's method fall with its tolerance: the exponent",
-    of_energy: false,
+    applies: |_| true,
     value: |study| {
         let taylor = study.adaptive.iter().find(|adaptive| adaptive.row.name == "Taylor")?;
         let seen: Vec<_> = taylor.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
@@ -167,35 +166,35 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_energy_grows",
         says: "Forward Euler gains energy: the change after a period, in units of the largest kinetic energy",
-        of_energy: true,
+        applies: |study| study.resolved,
         value: |study| energy_change(study, "forward Euler"),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "backward_euler_energy_decays",
         says: "Backward Euler loses energy: the change after a period, in units of the largest kinetic energy",
-        of_energy: true,
+        applies: |study| study.resolved,
         value: |study| energy_change(study, "backward Euler"),
         within: [f64::NEG_INFINITY, -CHANGED],
     },
     Claim {
         name: "symplectic_euler_bracket_is_one",
         says: "Symplectic Euler preserves the Poisson bracket: {q₁, p₁} − 1 after a step",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some(study.method("symplectic Euler")?.bracket() - 1.0),
         within: [-BRACKET, BRACKET],
     },
     Claim {
         name: "implicit_midpoint_bracket_is_one",
         says: "The implicit midpoint rule preserves the Poisson bracket without a splitting: {q₁, p₁} − 1 after a step",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some(study.method("implicit midpoint")?.bracket() - 1.0),
         within: [-BRACKET, BRACKET],
     },
     Claim {
         name: "forward_euler_bracket_is_not_one",
         says: "Forward Euler does not preserve the Poisson bracket: |{q₁, p₁} − 1| after a step",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.bracket() - 1.0).abs()),
         // Off by h² T'' V'', where rounding would be a millionth of this.
         within: [1e6 * BRACKET, f64::INFINITY],
@@ -203,7 +202,7 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "brackets_stay_one_at_every_step",
         says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of the rounding bound",
-        of_energy: false,
+        applies: |_| true,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symplectic);
             let mut deviations = methods.flat_map(|measured| &measured.deviations).peekable();
@@ -215,14 +214,14 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_bracket_leaves_one",
         says: "The bracket of forward Euler departs from one: |{q₁, p₁} − 1| after four periods, or when it overflows",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.deviations.last()?.bracket - 1.0).abs()),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "maps_tell_symplectic_methods",
         says: "Exactly the symplectic methods have symplectic maps, for every step: the number of exceptions after eight steps, when multistep methods have left their starter",
-        of_energy: false,
+        applies: |_| true,
         value: |study| {
             let wrong = study.methods.iter().filter(|measured| measured.symplectic != measured.keeps_areas());
             Some(wrong.count() as f64)
@@ -232,7 +231,7 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "symplectic_methods_preserve_areas",
         says: "Symplectic methods preserve the area of a set of initial states: the largest relative change",
-        of_energy: false,
+        applies: |_| true,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symplectic);
             farthest(methods.map(|measured| Some((measured.blob.area() - 1.0).abs())))
@@ -242,14 +241,14 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_area_is_not_preserved",
         says: "Forward Euler does not preserve the area of a set of initial states: the relative change",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.blob.area() - 1.0).abs()),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "symmetric_methods_come_back",
         says: "Symmetric methods return when the momenta are reversed: the largest distance from the start",
-        of_energy: true,
+        applies: |study| study.autonomous,
         value: |study| {
             let methods = study.methods.iter().filter(|measured| measured.symmetric);
             farthest(methods.map(|measured| measured.reversal.apart))
@@ -259,42 +258,42 @@ const CLAIMS: [Claim; 17] = [
     Claim {
         name: "forward_euler_does_not_come_back",
         says: "Forward Euler does not return: the distance from the start",
-        of_energy: true,
+        applies: |study| study.autonomous,
         value: |study| Some(study.method("forward Euler")?.reversal.apart.unwrap_or(f64::INFINITY)),
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "symplectic_euler_does_not_come_back",
         says: "Symplectic Euler does not return either, since it kicks first in both directions: the distance from the start",
-        of_energy: true,
+        applies: |study| study.autonomous,
         value: |study| study.method("symplectic Euler")?.reversal.apart,
         within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "runge_kutta_4_does_not_come_back",
         says: "Runge–Kutta 4 does not return: the distance from the start, a billionth by rounding alone",
-        of_energy: true,
+        applies: |study| study.autonomous,
         value: |study| study.method("Runge–Kutta 4")?.reversal.apart,
         within: [1e3 * BACK, f64::INFINITY],
     },
     Claim {
         name: "each_column_of_the_extrapolation_gains_two_orders",
         says: "Each column of the extrapolation gains two orders: the least excess of the exponents of its errors over 3, 5, 7, 9",
-        of_energy: false,
+        applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.least_excess(),
         within: [-COLUMN, f64::INFINITY],
     },
     Claim {
         name: "the_extrapolation_ends_in_gragg_bulirsch_stoer",
         says: "The last entry of the extrapolation is the step of Gragg, Bulirsch and Stoer: the relative distance",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some(study.extrapolation.as_ref()?.corner),
         within: [0.0, CORNER],
     },
     Claim {
         name: "verlet_equals_shifted_leapfrog",
         says: "Verlet is the leapfrog shifted by half a step: the largest relative distance",
-        of_energy: false,
+        applies: |_| true,
         value: |study| Some(study.shifted),
         within: [0.0, SHIFTED],
     },
@@ -359,9 +358,9 @@ pub(crate) fn verdicts(study: &Study) -> Vec<Verdict> {
         .chain(of_second_order)
         .chain(of_gradients)
         .chain(of_taylor)
-        .filter(|claim| study.autonomous || !claim.of_energy);
-    let portraits = study.methods.iter().filter(|_| study.autonomous).map(of_portrait);
-    let modified = study.modified.iter().map(of_modified);
+        .filter(|claim| (claim.applies)(study));
+    let portraits = study.methods.iter().filter(|_| study.resolved).map(of_portrait);
+    let modified = study.modified.iter().filter(|_| study.resolved).map(of_modified);
     claims.map(|claim| claim.verdict(study)).chain(portraits).chain(modified).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     plan::Plan,
-    problem::{Problem, Stepped, distance, numbers},
+    problem::{Problem, Stepped, numbers},
 };
 use integrator_core::{Coords, prelude::*};
 use std::error::Error;
@@ -14,7 +14,7 @@ pub(crate) struct Rung {
     pub(crate) step: f64,
     /// The number of force evaluations.
     pub(crate) evaluations: u64,
-    /// The distance in phase space from the reference, in units of the reference.
+    /// The distance in phase space from the reference, in units of the orbit.
     pub(crate) error: f64,
 }
 
@@ -23,6 +23,8 @@ pub(crate) struct Exact {
     end: Vec<f64>,
     /// The difference of two references.
     uncertainty: f64,
+    /// The size of the orbit in positions and in momenta: halves of its ranges, the units of distances.
+    pub(crate) size: [f64; 2],
     /// The unit of energies: the largest `½ p·dq/dt` on the way, which is the kinetic energy if `T` is quadratic. A
     /// constant in `V` or `T` does not change it.
     pub(crate) motion: f64,
@@ -31,6 +33,13 @@ pub(crate) struct Exact {
 }
 
 impl Exact {
+    /// The distance of two states, in units of the orbit.
+    pub(crate) fn distance(&self, one: &[f64], other: &[f64]) -> f64 {
+        let apart: Vec<f64> = one.iter().zip(other).map(|(one, other)| one - other).collect();
+        let (q, p) = apart.split_at(apart.len() / 2);
+        (length(q) / self.size[0]).hypot(length(p) / self.size[1])
+    }
+
     /// Returns the change of the energy that rounding alone may cause: some roundings in each step, at worst all in the
     /// same sense.
     pub(crate) fn rounding(&self, steps: usize) -> f64 {
@@ -51,24 +60,37 @@ const STRIDE: u32 = 4;
 
 /// The reference: the better one of two, with their difference.
 pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<Exact, Box<dyn Error>> {
-    let (mut motion, mut size) = (0.0_f64, 0.0_f64);
+    let (mut motion, mut terms) = (0.0_f64, 0.0_f64);
+    let start = numbers(&problem.start);
+    let (mut least, mut most) = (start.clone(), start);
     let mut end = |steps: u32| -> Result<Vec<f64>, integrator_core::Error> {
         let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
         let h = PERIODS * problem.period / f64::from(steps);
         let mut run = problem.system.run_with::<Compensated<f64>, _>(SofroniouSpaletta10, start, h)?;
         let mut before = of_compensated::<H>(&run.state());
         for _ in 0..steps / STRIDE {
-            size = size.max(run.kinetic().abs() + run.potential().abs());
+            terms = terms.max(run.kinetic().abs() + run.potential().abs());
             run.advance(u64::from(STRIDE))?;
             let after = of_compensated::<H>(&run.state());
             motion = motion.max((action(&before, &after) / (2.0 * h * f64::from(STRIDE))).abs());
+            for ((least, most), at) in least.iter_mut().zip(&mut most).zip(&after) {
+                (*least, *most) = (least.min(*at), most.max(*at));
+            }
             before = after;
         }
         Ok(before)
     };
     let (coarse, fine) = (end(REFERENCE / 2)?, end(REFERENCE)?);
     let motion = if motion > 0.0 { motion } else { 1.0 };
-    Ok(Exact { uncertainty: distance(&coarse, &fine), end: fine, motion, grain: f64::EPSILON * size / motion })
+    let halves: Vec<f64> = most.iter().zip(&least).map(|(most, least)| 0.5 * (most - least)).collect();
+    let (q, p) = halves.split_at(problem.freedom());
+    let size = [q, p].map(length).map(|size| if size > 0.0 { size } else { 1.0 });
+    let exact = Exact { end: fine, uncertainty: 0.0, size, motion, grain: f64::EPSILON * terms / motion };
+    Ok(Exact { uncertainty: exact.distance(&coarse, &exact.end), ..exact })
+}
+
+fn length(numbers: &[f64]) -> f64 {
+    numbers.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// The action `∫ p dq` between two neighbouring states, by the trapezoidal rule.
@@ -128,6 +150,6 @@ fn climb<H: Hamiltonian>(
 ) -> Result<Option<Rung>, Box<dyn Error>> {
     let mut run = method.run(&problem.start, h)?;
     let Ok(()) = run.advance(steps) else { return Ok(None) };
-    let error = distance(&numbers(&run.state()), &exact.end);
+    let error = exact.distance(&numbers(&run.state()), &exact.end);
     Ok(Some(Rung { step, evaluations: run.evaluations(), error }))
 }

@@ -1,6 +1,9 @@
 //! The table of an extrapolation: one long step by finer and finer ones, and their extrapolation to step zero.
 
-use crate::problem::{Problem, distance, numbers};
+use crate::{
+    errors::Exact,
+    problem::{Problem, numbers},
+};
 use integrator_core::{Coords, prelude::*};
 use integrator_reference::{AnyReference, ForwardEuler, GraggBulirschStoer};
 
@@ -48,11 +51,11 @@ impl Extrapolation {
 }
 
 /// Makes the table; none where a step does not come to an end.
-pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>) -> Option<Extrapolation> {
+pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>, exact: &Exact) -> Option<Extrapolation> {
     let [step, half] = COUNTS.map(|count| problem.period / count);
-    let (entries, errors) = table(problem, step)?;
-    let (_, halved) = table(problem, half)?;
-    let corner = distance(entries.last()?.last()?, &stepped(problem, GraggBulirschStoer.into(), step)?);
+    let (entries, errors) = table(problem, exact, step)?;
+    let (_, halved) = table(problem, exact, half)?;
+    let corner = exact.distance(entries.last()?.last()?, &stepped(problem, GraggBulirschStoer.into(), step)?);
     Some(Extrapolation { step, errors, halved, corner })
 }
 
@@ -67,11 +70,11 @@ fn stepped<H: Hamiltonian>(problem: &Problem<'_, H>, method: AnyReference, step:
 type Rows<Entry> = Vec<Vec<Entry>>;
 
 /// The entries of the table of a step, and their errors.
-fn table<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64) -> Option<(Rows<Vec<f64>>, Rows<f64>)> {
+fn table<H: Hamiltonian>(problem: &Problem<'_, H>, exact: &Exact, step: f64) -> Option<(Rows<Vec<f64>>, Rows<f64>)> {
     let start = Phase::compensated(problem.start.q.clone(), problem.start.p.clone());
     let mut run = problem.system.run_with(SofroniouSpaletta10, start, step / REFERENCE as f64).ok()?;
     run.advance(REFERENCE).ok()?;
-    let exact = numbers(&run.state().to_f64());
+    let end = numbers(&run.state().to_f64());
     let mut rows: Rows<Vec<f64>> = Vec::new();
     for (row, division) in DIVISIONS.iter().enumerate() {
         let mut entries = vec![midpoints(problem, step, *division)?];
@@ -83,7 +86,7 @@ fn table<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64) -> Option<(Rows<Ve
         }
         rows.push(entries);
     }
-    let errors = rows.iter().map(|row| row.iter().map(|entry| distance(entry, &exact)).collect()).collect();
+    let errors = rows.iter().map(|row| row.iter().map(|entry| exact.distance(entry, &end)).collect()).collect();
     Some((rows, errors))
 }
 

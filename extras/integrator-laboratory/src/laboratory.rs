@@ -6,7 +6,7 @@ use crate::{
     page::{Figure, page},
     pictures,
     plan::Plan,
-    problem::{Problem, numbers},
+    problem::Problem,
     study::{Study, measure},
 };
 use integrator_core::prelude::*;
@@ -44,15 +44,12 @@ pub struct Laboratory<'s, H: Hamiltonian> {
 
 /// Steps to a period, unless something else is said.
 const STEPS: f64 = 80.0;
-/// The radius of the blob in units of the start.
-const BLOB: f64 = 0.02;
 
 impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     /// Creates a laboratory for a system, its start and the approximate period of its slowest motion. The name is that
     /// of the type.
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
-        let size = numbers(&start).iter().map(|x| x * x).sum::<f64>().sqrt();
-        let problem = Problem { system, period, step: period / STEPS, blob: BLOB * size, view: [0, 0], start };
+        let problem = Problem { system, period, step: period / STEPS, blob: None, view: [0, 0], start };
         let freedom = problem.freedom();
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
@@ -86,11 +83,11 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         self
     }
 
-    /// Sets the radius of the set of starts in the plane of the first position and its momentum. The default is 1/50 of
-    /// the size of the start.
+    /// Sets the radius of the set of starts in the plane of the first position and its momentum. The default is
+    /// an ellipse with 1/50 of the axes of the orbit.
     #[must_use]
     pub fn blob(mut self, radius: f64) -> Self {
-        self.problem.blob = radius;
+        self.problem.blob = Some(radius);
         self
     }
 

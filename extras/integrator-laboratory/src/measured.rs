@@ -111,10 +111,10 @@ pub(crate) fn measure<H: Hamiltonian>(
         deviations: deviations(problem, method)?,
         rounding: exact.rounding(energies.len()),
         energies,
-        reversal: reversal(problem, method, portrait.count)?,
+        reversal: reversal(problem, method, exact, portrait.count)?,
         portrait,
         limits: if row.limit { limits(problem, method, plan, exact)? } else { Vec::new() },
-        blob: follow(problem, method, plan)?,
+        blob: follow(problem, method, plan, exact)?,
         errors: ladder(problem, method, plan, exact)?,
         row,
     })

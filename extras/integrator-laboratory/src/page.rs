@@ -135,6 +135,9 @@ fn energy(study: &Study, measured: &Measured) -> String {
     if !study.autonomous {
         return "not conserved by H".to_owned();
     }
+    if !study.resolved {
+        return "lost in rounding".to_owned();
+    }
     let (change, largest) = (measured.energy_change(), measured.largest_energy_change());
     match change {
         _ if largest <= measured.rounding => "kept to rounding".to_owned(),

@@ -14,8 +14,9 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     pub(crate) period: f64,
     /// The step of energies and of the blob.
     pub(crate) step: f64,
-    /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum.
-    pub(crate) blob: f64,
+    /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum, unless a
+    /// share of the orbit.
+    pub(crate) blob: Option<f64>,
     /// The axes of portraits, horizontal and vertical, counted through all positions and then all momenta: with two
     /// degrees of freedom, `[0, 2]` is q₁ and p₁.
     pub(crate) view: [usize; 2],
@@ -90,13 +91,6 @@ impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
 /// All positions, then all momenta.
 pub(crate) fn numbers<C: Coords<Leaf = f64>>(state: &Phase<C>) -> Vec<f64> {
     state.q.flat().iter().chain(state.p.flat()).copied().collect()
-}
-
-/// The distance of two states in units of the second one.
-pub(crate) fn distance(state: &[f64], reference: &[f64]) -> f64 {
-    let apart: f64 = state.iter().zip(reference).map(|(a, b)| (a - b).powi(2)).sum();
-    let size: f64 = reference.iter().map(|x| x * x).sum();
-    (apart / size).sqrt()
 }
 
 /// The name of a coordinate.

@@ -1,6 +1,9 @@
 //! Forward and back: a number of steps, a reversal of the momenta, and the same number of steps again.
 
-use crate::problem::{Problem, Stepped, distance, numbers};
+use crate::{
+    errors::Exact,
+    problem::{Problem, Stepped, numbers},
+};
 use integrator_core::{Coords, prelude::*};
 
 /// An orbit there and back.
@@ -10,7 +13,7 @@ pub(crate) struct Reversal {
     pub(crate) count: u32,
     pub(crate) there: Vec<(f64, f64)>,
     pub(crate) back: Vec<(f64, f64)>,
-    /// The distance of the end from the start, in units of the start; `None` where the method did not come to an end.
+    /// The distance of the end from the start, in units of the orbit; `None` where the method did not come to an end.
     pub(crate) apart: Option<f64>,
 }
 
@@ -24,6 +27,7 @@ const COUNT: u32 = 30;
 pub(crate) fn reversal<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,
+    exact: &Exact,
     shown: u32,
 ) -> Result<Reversal, Error> {
     let facts = method.facts();
@@ -44,7 +48,7 @@ pub(crate) fn reversal<H: Hamiltonian>(
         reversal.back.push(problem.seen(&sample.state));
         last = sample.state;
     }
-    let apart = distance(&numbers(&last), &numbers(&problem.start));
+    let apart = exact.distance(&numbers(&last), &numbers(&problem.start));
     reversal.apart = apart.is_finite().then_some(apart);
     Ok(reversal)
 }

@@ -1,6 +1,7 @@
 //! All measurements of a system as plain numbers, from which pictures, claims and the page are made.
 
 use crate::{
+    claims::CHANGED,
     errors::exact,
     extrapolation::{Extrapolation, extrapolation},
     measured::Measured,
@@ -19,6 +20,8 @@ pub(crate) struct Study {
     pub(crate) system: String,
     /// Whether the energy of the system is conserved.
     pub(crate) autonomous: bool,
+    /// Whether it is, and its rounding is small enough for the claims about it.
+    pub(crate) resolved: bool,
     pub(crate) freedom: usize,
     pub(crate) step: f64,
     pub(crate) period: f64,
@@ -66,6 +69,7 @@ pub(crate) fn measure<H: Hamiltonian>(
     Ok(Study {
         system,
         autonomous: H::AUTONOMOUS,
+        resolved: H::AUTONOMOUS && exact.rounding(ORBIT as usize) < CHANGED,
         freedom,
         step: problem.step,
         period: problem.period,
@@ -74,7 +78,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         methods,
         adaptive: methods::adaptive(problem, plan, &exact)?,
         modified,
-        extrapolation: extrapolation(problem),
-        shifted: verlet_against_leapfrog(problem)?,
+        extrapolation: extrapolation(problem, &exact),
+        shifted: verlet_against_leapfrog(problem, &exact)?,
     })
 }

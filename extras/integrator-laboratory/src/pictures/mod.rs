@@ -19,14 +19,14 @@ type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 /// One row for each picture, in the order of the page; none where there is nothing to show.
 pub(crate) const PICTURES: [Picture; 11] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
-    ("energy_error", |study| study.autonomous.then(|| energies::extremes(study).into())),
-    ("energy", |study| study.autonomous.then(|| energies::low_orders(study).into())),
-    ("modified", |study| Some(modified::modified(study)?.into())),
+    ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
+    ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
+    ("modified", |study| study.resolved.then(|| modified::modified(study)).flatten().map(Drawing::from)),
     ("areas", |study| Some(areas::areas(study).into())),
     ("maps", |study| Some(maps::maps(study).into())),
     ("tangents", |study| Some(tangents::tangents(study).into())),
     ("reversal", |study| study.autonomous.then(|| reversal::reversal(study).into())),
-    ("limits", |study| study.autonomous.then(|| limits::limits(study).into())),
+    ("limits", |study| study.resolved.then(|| limits::limits(study).into())),
     ("errors", |study| Some(errors::against_step(study).into())),
     ("work_precision", |study| Some(errors::against_work(study).into())),
 ];

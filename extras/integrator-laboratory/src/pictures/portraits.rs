@@ -40,7 +40,7 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
     let inside = |point: &(f64, f64)| (x[0]..x[1]).contains(&point.0) && (y[0]..y[1]).contains(&point.1);
     let steps =
         format!("{} steps per period, {} periods", portrait.count, plain((10.0 * portrait.periods).round() / 10.0));
-    let claim = match (study.autonomous, measured.symplectic) {
+    let claim = match (study.resolved, measured.symplectic) {
         (false, true) => "symplectic".to_owned(),
         (false, false) => "not symplectic".to_owned(),
         (true, true) => format!("symplectic: |ΔE| up to {} K", plain(portrait.largest[0].max(portrait.largest[1]))),
