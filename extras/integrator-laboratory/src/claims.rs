@@ -5,6 +5,7 @@ use crate::{
     modified::Modified,
     numbers::plain,
     portrait::SEEN,
+    problem::steps_per_period,
     study::Study,
     tangents::Deviation,
 };
@@ -309,7 +310,7 @@ impl Claim {
 /// Returns the verdict on the energy of one method, in the steps of its portrait.
 fn of_portrait(measured: &Measured) -> Verdict {
     let portrait = &measured.portrait;
-    let (name, steps) = (measured.name(), portrait.count);
+    let (name, steps) = (measured.name(), plain(steps_per_period(portrait.count)));
     let word = measured.word();
     if measured.symplectic {
         let says = format!(

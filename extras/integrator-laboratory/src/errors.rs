@@ -49,8 +49,8 @@ impl Exact {
 
 /// Periods up to the errors: no whole number of half periods, where errors of symmetric orbits cancel.
 pub(crate) const PERIODS: f64 = 2.25;
-/// Steps up to there of the coarsest rung.
-const COARSEST: u32 = 18;
+/// Steps up to there of the coarsest rung, of which no period has a whole number.
+const COARSEST: u32 = 19;
 /// The loosest tolerance.
 const LOOSEST: f64 = 0.01;
 /// Steps up to there of the reference, of order 10 and with its roundings carried along.

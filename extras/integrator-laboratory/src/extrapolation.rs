@@ -10,8 +10,8 @@ use integrator_reference::{AnyReference, ForwardEuler, GraggBulirschStoer};
 /// Into how many steps of the modified midpoint rule the long one is divided, as Gragg, Bulirsch and Stoer do.
 pub(crate) const DIVISIONS: [u32; 4] = [2, 4, 6, 8];
 
-/// Long steps to a period: for the table, and of half the length, against which its errors are held.
-const COUNTS: [f64; 2] = [16.0, 32.0];
+/// Long steps to a period.
+const COUNT: u32 = 16;
 
 /// Steps of order ten from which the end of the long step is known.
 const REFERENCE: u64 = 64;
@@ -52,9 +52,9 @@ impl Extrapolation {
 
 /// Makes the table; none where a step does not come to an end.
 pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>, exact: &Exact) -> Option<Extrapolation> {
-    let [step, half] = COUNTS.map(|count| problem.period / count);
+    let step = problem.step_of(COUNT);
     let (entries, errors) = table(problem, exact, step)?;
-    let (_, halved) = table(problem, exact, half)?;
+    let (_, halved) = table(problem, exact, 0.5 * step)?;
     let corner = exact.distance(entries.last()?.last()?, &stepped(problem, GraggBulirschStoer.into(), step)?);
     Some(Extrapolation { step, errors, halved, corner })
 }

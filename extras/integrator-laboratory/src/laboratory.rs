@@ -6,7 +6,7 @@ use crate::{
     page::{Figure, page},
     pictures,
     plan::Plan,
-    problem::Problem,
+    problem::{Problem, steps_per_period},
     study::{Study, measure},
 };
 use integrator_core::prelude::*;
@@ -42,14 +42,15 @@ pub struct Laboratory<'s, H: Hamiltonian> {
     pictures: Vec<(String, Drawing)>,
 }
 
-/// Steps to a period, unless something else is said.
-const STEPS: f64 = 80.0;
+/// Steps to a period and a fraction, unless something else is said.
+const STEPS: u32 = 80;
 
 impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     /// Creates a laboratory for a system, its start and the approximate period of its slowest motion. The name is that
     /// of the type.
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
-        let problem = Problem { system, period, step: period / STEPS, blob: None, view: [0, 0], start };
+        let step = period / steps_per_period(STEPS);
+        let problem = Problem { system, period, step, blob: None, view: [0, 0], start };
         let freedom = problem.freedom();
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
@@ -76,7 +77,7 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         Self { formula: formula.into(), ..self }
     }
 
-    /// Sets the step for energies and for the set of starts. The default is 1/80 of a period.
+    /// Sets the step for energies and for the set of starts. The default is about 1/80 of a period.
     #[must_use]
     pub fn step(mut self, step: f64) -> Self {
         self.problem.step = step;

@@ -9,7 +9,7 @@ use crate::{
 use integrator_core::prelude::*;
 
 /// Steps to a period of the shortest and of the longest step.
-const COUNTS: [f64; 2] = [64.0, 2.2];
+const COUNTS: [f64; 2] = [64.6, 2.2];
 /// The duration over which an orbit is integrated, in periods.
 pub(crate) const PERIODS: f64 = 30.0;
 /// An energy that has changed by this has left.

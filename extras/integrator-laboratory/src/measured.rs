@@ -56,7 +56,7 @@ pub(crate) const DEFECT: f64 = STEPS as f64 * 10.0 * BRACKET;
 
 /// The numbers of steps to a period that maps are computed for. The coarsest distinguish symplectic methods from those
 /// of high order.
-const DEFECT_STEPS: [f64; 7] = [1280.0, 640.0, 320.0, 160.0, 80.0, 40.0, 20.0];
+const DEFECT_STEPS: [u32; 7] = [1280, 640, 320, 160, 80, 40, 20];
 
 /// Changes of the energy beyond this tell no more than that it has changed.
 const BEYOND: f64 = 10.0;
@@ -96,11 +96,11 @@ pub(crate) fn measure<H: Hamiltonian>(
     plan: &Plan,
     exact: &Exact,
 ) -> Result<Measured, Box<dyn Error>> {
-    let Problem { start, step, period, .. } = problem;
+    let Problem { start, step, .. } = problem;
     let facts = method.facts();
     let energies = energies(problem, method, plan, exact)?;
     let portrait = portrait(problem, method, plan, exact)?;
-    let steps = DEFECT_STEPS.iter().map(|count| period / count);
+    let steps = DEFECT_STEPS.map(|count| problem.step_of(count)).into_iter();
     Ok(Measured {
         symplectic: facts.symplectic,
         symmetric: facts.symmetric,

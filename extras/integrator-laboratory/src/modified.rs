@@ -1,7 +1,12 @@
 //! The quantities that symplectic steps conserve: levels of the modified Hamiltonian under an orbit, and its change for
 //! a sequence of steps.
 
-use crate::{errors::Exact, plan::Plan, problem::Problem, rows::Row};
+use crate::{
+    errors::Exact,
+    plan::Plan,
+    problem::{Problem, steps_per_period},
+    rows::Row,
+};
 use integrator_core::{
     Composition, Coords,
     check::{ModifiedHamiltonian, shadow},
@@ -25,7 +30,7 @@ pub(crate) struct Modified {
 /// An orbit in long steps, and the levels through its start.
 #[derive(Clone, Debug)]
 pub(crate) struct Levels {
-    /// Steps to a period.
+    /// Steps to a period, and a fraction.
     pub(crate) count: u32,
     pub(crate) orbit: Vec<(f64, f64)>,
     /// The levels of `H`, and of the modified Hamiltonian: curves that are separated by NaN.
@@ -47,19 +52,19 @@ pub(crate) fn modified<H: Hamiltonian, X: Composition<H>>(
     plan: &Plan,
     exact: &Exact,
 ) -> Option<Modified> {
-    let Problem { system, start, period, step, .. } = problem;
+    let Problem { system, start, step, .. } = problem;
     let of_step = |h: f64| ModifiedHamiltonian::new(*system, composition, start, h).ok();
     let series = of_step(*step)?.series().clone();
     let powers = (0..=series.powers().len()).map(|count| series.off_by(count)).collect();
     let orbit = |count: u32| {
-        let run = problem.run(composition, start, period / f64::from(count)).ok()?;
-        let samples = run.samples(1).take((PERIODS * f64::from(count)) as usize + 1);
+        let run = problem.run(composition, start, problem.step_of(count)).ok()?;
+        let samples = run.samples(1).take((PERIODS * steps_per_period(count)) as usize + 1);
         Some(samples.map_while(Result::ok).map(|sample| sample.state).collect::<Vec<_>>())
     };
     let changes: Vec<_> = COUNTS
         .into_iter()
         .filter_map(|count| {
-            let h = period / f64::from(count);
+            let h = problem.step_of(count);
             Some((count, h, largest_changes(&of_step(h)?, &orbit(count)?, exact.motion)))
         })
         .collect();

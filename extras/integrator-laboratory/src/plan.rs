@@ -7,7 +7,7 @@ pub struct Plan {
     pub periods: f64,
     /// The number of points on the outline of the set of starts; even.
     pub outline: usize,
-    /// The number of step sizes of the errors. The first is an eighth of a period, and each is half of the previous
+    /// The number of step sizes of the errors. The first is about an eighth of a period, and each is half of the previous
     /// one.
     pub rungs: u32,
     /// The number of step sizes for which the largest energy change is measured.

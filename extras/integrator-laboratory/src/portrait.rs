@@ -4,14 +4,14 @@
 use crate::{
     errors::Exact,
     plan::Plan,
-    problem::{Problem, Stepped},
+    problem::{Problem, Stepped, steps_per_period},
 };
 use integrator_core::prelude::*;
 
 /// An orbit in the view of the problem. Energies are in units of the largest kinetic energy of the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Portrait {
-    /// Steps to a period.
+    /// Steps to a period, and a fraction.
     pub(crate) count: u32,
     /// The number of periods shown: fewer than planned where the orbit has left.
     pub(crate) periods: f64,
@@ -27,7 +27,7 @@ pub(crate) struct Portrait {
 }
 
 /// The numbers of steps to a period that are tried, from short steps to long ones.
-const COUNTS: [u32; 13] = [80, 57, 40, 28, 20, 14, 10, 8, 7, 6, 5, 4, 3];
+const COUNTS: [u32; 14] = [80, 57, 40, 28, 20, 14, 10, 8, 7, 6, 5, 4, 3, 2];
 /// The largest number of steps to a period for which orbits without a visible change are integrated longer, by
 /// `LONGER`.
 const LONG: u32 = 10;
@@ -93,10 +93,9 @@ fn follow<H: Hamiltonian>(
     periods: f64,
     count: u32,
 ) -> Result<Portrait, Error> {
-    let step = problem.period / f64::from(count);
-    let run = method.run(&problem.start, step)?;
+    let run = method.run(&problem.start, problem.step_of(count))?;
     let energy = run.energy();
-    let steps = (periods * f64::from(count)) as usize;
+    let steps = (periods * steps_per_period(count)) as usize;
     let rounding = exact.rounding(steps);
     let mut portrait =
         Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2], rounding };

@@ -38,6 +38,11 @@ impl<H: Hamiltonian> Problem<'_, H> {
         Box::new(Of { system: self.system, method })
     }
 
+    /// Returns the step of which a period has so many, and a fraction.
+    pub(crate) fn step_of(&self, count: u32) -> f64 {
+        self.period / steps_per_period(count)
+    }
+
     /// The degrees of freedom.
     pub(crate) fn freedom(&self) -> usize {
         self.start.q.flat().len()
@@ -48,6 +53,15 @@ impl<H: Hamiltonian> Problem<'_, H> {
         let numbers = numbers(state);
         (numbers[self.view[0]], numbers[self.view[1]])
     }
+}
+
+/// The golden section, whose multiples keep the largest distance from whole numbers.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Returns the number of steps per period: never a whole one. If a step divides the period, the orbit passes the same
+/// points in each period, and errors that cancel elsewhere add up.
+pub(crate) fn steps_per_period(count: u32) -> f64 {
+    f64::from(count) + GOLDEN
 }
 
 /// A method on a system. Whatever is measured goes through this, so that measurements are compiled once for a system and

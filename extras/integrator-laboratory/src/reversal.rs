@@ -2,14 +2,14 @@
 
 use crate::{
     errors::Exact,
-    problem::{Problem, Stepped, numbers},
+    problem::{Problem, Stepped, numbers, steps_per_period},
 };
 use integrator_core::{Coords, prelude::*};
 
 /// An orbit there and back.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reversal {
-    /// Steps to a period.
+    /// Steps to a period, and a fraction.
     pub(crate) count: u32,
     pub(crate) there: Vec<(f64, f64)>,
     pub(crate) back: Vec<(f64, f64)>,
@@ -32,8 +32,8 @@ pub(crate) fn reversal<H: Hamiltonian>(
 ) -> Result<Reversal, Error> {
     let facts = method.facts();
     let count = if facts.symmetric || facts.symplectic { COUNT } else { shown.min(COUNT) };
-    let step = problem.period / f64::from(count);
-    let steps = (PERIODS * f64::from(count)) as usize;
+    let step = problem.step_of(count);
+    let steps = (PERIODS * steps_per_period(count)) as usize;
     let mut reversal = Reversal { count, ..Reversal::default() };
     let mut last = problem.start.clone();
     for sample in method.run(&problem.start, step)?.samples(1).take(steps + 1) {

@@ -1,7 +1,10 @@
 //! Tests of the laboratory on small runs: claims can fail, pictures have axes, words and curves, and a page is
 //! self-contained.
 
-use crate::{Drawing, Laboratory, Plan, Verdict, claims::verdicts, pictures::PICTURES, study::Study};
+use crate::{
+    Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, pictures::PICTURES, portrait::portrait,
+    problem::Stepped, study::Study,
+};
 use integrator_core::prelude::*;
 use integrator_plot::{Canvas, Picture};
 use std::{env, fs, path::PathBuf, sync::OnceLock};
@@ -351,7 +354,10 @@ fn a_hamiltonian_that_reads_the_time_has_its_page() {
 fn a_laboratory_has_defaults() {
     let laboratory = Laboratory::new(&PENDULUM, Phase::new([3.0], [4.0]), 8.0);
     let problem = &laboratory.problem;
-    assert_eq!((laboratory.name.as_str(), problem.step, problem.blob, problem.view), ("Pendulum", 0.1, None, [0, 1]));
+    assert_eq!(
+        (laboratory.name.as_str(), problem.step, problem.blob, problem.view),
+        ("Pendulum", problem.step_of(80), None, [0, 1])
+    );
     let laboratory = Laboratory::new(&Driven, Phase::new(vec![1.0; 3], vec![0.0; 3]), 1.0);
     assert_eq!((laboratory.name.as_str(), laboratory.problem.view), ("Driven", [0, 1]));
 }
@@ -374,4 +380,25 @@ fn verdicts_hold_in_any_units() {
         }
         claims_fail_for_other_methods(&study);
     }
+}
+
+/// Tests that errors do not add up because a step divides the period, which is exact here.
+#[test]
+fn a_period_that_is_exact_is_no_resonance() {
+    let (start, plan) = (Phase::new([2.5], [0.5]), Plan::SMALL);
+    // The period is 4 K(sin(A/2)) of the amplitude A, by the arithmetic-geometric mean.
+    let amplitude = (2.5_f64.cos() - 0.5 * 0.5 * 0.5).acos();
+    let (mut a, mut b) = (1.0_f64, (0.5 * amplitude).cos());
+    for _ in 0..8 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    let laboratory = Laboratory::new(&PENDULUM, start, std::f64::consts::TAU / a);
+    let exact = exact(&laboratory.problem).expect("a reference");
+    let growth = |method: Box<dyn Stepped<[f64; 1]> + '_>| {
+        portrait(&laboratory.problem, &*method, &plan, &exact).expect("an orbit").growth()
+    };
+    let problem = &laboratory.problem;
+    let growths = [growth(problem.by(KahanLi8)), growth(problem.by(BlanesMoan6)), growth(problem.by(GaussLegendre6))];
+    // With a whole number of steps they are 1.83, 1.59 and 1.54.
+    assert!(growths.iter().all(|growth| *growth < 1.1), "{growths:?}");
 }

@@ -3,6 +3,7 @@
 use crate::{
     modified::{Levels, Modified},
     numbers::plain,
+    problem::steps_per_period,
     study::Study,
 };
 use integrator_plot::{
@@ -34,7 +35,7 @@ pub(super) fn modified(study: &Study) -> Option<Panels> {
 fn portrait(study: &Study, modified: &Modified, levels: &Levels) -> Chart {
     let [of_h, of_modified] = levels.of.clone();
     Chart::new(modified.row.name)
-        .claim(format!("{} steps per period", levels.count))
+        .claim(format!("{} steps per period", plain(steps_per_period(levels.count))))
         .along(Axis::linear(&study.view[0]))
         .up(Axis::linear(&study.view[1]))
         .with_equal_units()

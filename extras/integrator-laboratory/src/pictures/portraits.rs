@@ -3,6 +3,7 @@
 use crate::{
     measured::Measured,
     numbers::{plain, signed},
+    problem::steps_per_period,
     study::Study,
 };
 use integrator_plot::{
@@ -38,8 +39,11 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
     let portrait = &measured.portrait;
     let [x, y] = [seen(&study.orbit, |point| point.0), seen(&study.orbit, |point| point.1)];
     let inside = |point: &(f64, f64)| (x[0]..x[1]).contains(&point.0) && (y[0]..y[1]).contains(&point.1);
-    let steps =
-        format!("{} steps per period, {} periods", portrait.count, plain((10.0 * portrait.periods).round() / 10.0));
+    let steps = format!(
+        "{} steps per period, {} periods",
+        plain(steps_per_period(portrait.count)),
+        plain((10.0 * portrait.periods).round() / 10.0)
+    );
     let claim = match (study.resolved, measured.symplectic) {
         (false, true) => "symplectic".to_owned(),
         (false, false) => "not symplectic".to_owned(),

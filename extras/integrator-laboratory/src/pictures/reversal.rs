@@ -2,6 +2,7 @@
 
 use crate::{
     numbers::plain,
+    problem::steps_per_period,
     reversal::{PERIODS, Reversal},
     study::Study,
 };
@@ -24,7 +25,7 @@ pub(super) fn reversal(study: &Study) -> Panels {
             apart.map_or("the run fails".to_owned(), |apart| format!("distance from the start: {}", plain(apart)));
         let begin = there.first().copied();
         let chart = Chart::new(measured.name())
-            .claim(format!("{count} steps per period"))
+            .claim(format!("{} steps per period", plain(steps_per_period(*count))))
             .measured(claim)
             .along(Axis::linear(&study.view[0]))
             .up(Axis::linear(&study.view[1]))
