@@ -10,7 +10,7 @@ use crate::{
     problem::{Problem, Stepped},
     reversal::{Reversal, reversal},
     rows::Row,
-    tangents::{Deviation, deviations},
+    tangents::{Deviation, defect, deviations},
 };
 use integrator_core::prelude::*;
 use std::error::Error;
@@ -26,7 +26,7 @@ pub(crate) struct Measured {
     pub(crate) order: u32,
     /// The order that it shows on this problem, where that can be measured.
     pub(crate) slope: Option<f64>,
-    /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic.
+    /// Steps of other sizes, and by how much the map of [`STEPS`] of them is not symplectic, in units of rounding.
     pub(crate) defects: Vec<(f64, f64)>,
     /// The tangent map after each step.
     pub(crate) deviations: Vec<Deviation>,
@@ -45,14 +45,11 @@ pub(crate) struct Measured {
 }
 
 /// The steps after which a map is compared with a symplectic one: a method with a memory has left its starter by then.
-pub(crate) const STEPS: u64 = 8;
+pub(crate) const STEPS: usize = 8;
 
 /// By how much a Poisson bracket that is one may be off by rounding: a step has less than two hundred flows, each
 /// rounds some products of the tangent map, a few ε each.
 pub(crate) const BRACKET: f64 = 1e-12;
-
-/// The tolerance of the map of several steps, whose entries are some tens at most where orbits stretch.
-pub(crate) const DEFECT: f64 = STEPS as f64 * 10.0 * BRACKET;
 
 /// The numbers of steps to a period that maps are computed for. The coarsest distinguish symplectic methods from those
 /// of high order.
@@ -71,9 +68,9 @@ impl Measured {
         self.deviations.first().map_or(f64::NAN, |deviation| deviation.bracket)
     }
 
-    /// Whether the map is symplectic for every step that was tried.
+    /// Whether the map is symplectic, up to rounding, for every step that was tried.
     pub(crate) fn keeps_areas(&self) -> bool {
-        !self.defects.is_empty() && self.defects.iter().all(|(_, defect)| *defect <= DEFECT)
+        !self.defects.is_empty() && self.defects.iter().all(|(_, defect)| *defect <= 1.0)
     }
 
     /// The last change of the energy, or the one with which a motion that escapes has left for good.
@@ -107,8 +104,8 @@ pub(crate) fn measure<H: Hamiltonian>(
         order: facts.order,
         slope: method.slope(start, *step),
         // Where a step is too long for an implicit method, there is no map.
-        defects: steps.filter_map(|h| Some((h, method.defect(start, h, STEPS).ok()?))).collect(),
-        deviations: deviations(problem, method)?,
+        defects: steps.filter_map(|h| Some((h, defect(problem, method, exact, h, STEPS).ok()?))).collect(),
+        deviations: deviations(problem, method, exact)?,
         rounding: exact.rounding(energies.len()),
         energies,
         reversal: reversal(problem, method, exact, portrait.count)?,

@@ -2,7 +2,7 @@
 
 use integrator_core::{
     Coords, Facts, Method,
-    check::{CheckError, TangentMap, observed_order, symplectic_defect_after, tangent_maps},
+    check::{CheckError, TangentMap, observed_order, tangent_maps},
     prelude::*,
 };
 
@@ -73,8 +73,6 @@ pub(crate) trait Stepped<C: Coords> {
     fn run(&self, start: &Phase<C>, h: f64) -> Result<Run<C>, Error>;
     /// The order that it shows, where that can be measured.
     fn slope(&self, start: &Phase<C>, h: f64) -> Option<f64>;
-    /// Returns the deviation of the map of some steps from a symplectic one.
-    fn defect(&self, start: &Phase<C>, h: f64, steps: u64) -> Result<f64, CheckError>;
     /// The tangent maps of one step, of two, and so on.
     fn maps(&self, start: &Phase<C>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError>;
 }
@@ -93,9 +91,6 @@ impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
     }
     fn slope(&self, start: &Phase<H::Coords>, h: f64) -> Option<f64> {
         Some(observed_order::<H, M, f64>(self.system, self.method, start.clone(), h).ok()?.slope)
-    }
-    fn defect(&self, start: &Phase<H::Coords>, h: f64, steps: u64) -> Result<f64, CheckError> {
-        symplectic_defect_after::<H, M, f64>(self.system, self.method, start, h, steps)
     }
     fn maps(&self, start: &Phase<H::Coords>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError> {
         tangent_maps::<H, M, f64>(self.system, self.method, start, h, steps)

@@ -3,10 +3,11 @@
 
 use crate::{
     Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, pictures::PICTURES, portrait::portrait,
-    problem::Stepped, study::Study,
+    problem::Stepped, study::Study, tangents::defect,
 };
 use integrator_core::prelude::*;
 use integrator_plot::{Canvas, Picture};
+use integrator_reference::{AnyReference, RungeKutta4};
 use std::{env, fs, path::PathBuf, sync::OnceLock};
 
 /// A pendulum with a zero of its energy and with units of length, mass and energy.
@@ -30,7 +31,12 @@ impl Pendulum {
 const PENDULUM: Pendulum = Pendulum { zero: 0.0, length: 1.0, mass: 1.0, weight: 1.0 };
 
 /// A Hamiltonian that reads the time, of two coordinates in a list.
-struct Driven;
+struct Driven {
+    shake: f64,
+    frequency: f64,
+}
+
+const DRIVEN: Driven = Driven { shake: 0.1, frequency: 1.0 };
 
 #[hamiltonian]
 impl Driven {
@@ -38,7 +44,7 @@ impl Driven {
         p.iter().map(|p| 0.5 * p * p).sum()
     }
     fn potential(&self, q: &[f64], t: f64) -> f64 {
-        q.iter().map(|q| 0.5 * q * q - 0.1 * q.cos() * t.sin()).sum()
+        q.iter().map(|q| 0.5 * q * q - self.shake * q.cos() * (self.frequency * t).sin()).sum()
     }
 }
 
@@ -49,7 +55,7 @@ fn pendulum() -> Laboratory<'static, Pendulum> {
 
 fn driven(view: [usize; 2]) -> Laboratory<'static, Driven> {
     let start = Phase::new(vec![1.0, 0.5], vec![0.0, 0.2]);
-    Laboratory::new(&Driven, start, 6.5).step(0.1).blob(0.1).view(view).plan(Plan::SMALL)
+    Laboratory::new(&DRIVEN, start, 6.5).step(0.1).blob(0.1).view(view).plan(Plan::SMALL)
 }
 
 /// The measurements of the pendulum, made once.
@@ -358,7 +364,7 @@ fn a_laboratory_has_defaults() {
         (laboratory.name.as_str(), problem.step, problem.blob, problem.view),
         ("Pendulum", problem.step_of(80), None, [0, 1])
     );
-    let laboratory = Laboratory::new(&Driven, Phase::new(vec![1.0; 3], vec![0.0; 3]), 1.0);
+    let laboratory = Laboratory::new(&DRIVEN, Phase::new(vec![1.0; 3], vec![0.0; 3]), 1.0);
     assert_eq!((laboratory.name.as_str(), laboratory.problem.view), ("Driven", [0, 1]));
 }
 
@@ -401,4 +407,23 @@ fn a_period_that_is_exact_is_no_resonance() {
     let growths = [growth(problem.by(KahanLi8)), growth(problem.by(BlanesMoan6)), growth(problem.by(GaussLegendre6))];
     // With a whole number of steps they are 1.83, 1.59 and 1.54.
     assert!(growths.iter().all(|growth| *growth < 1.1), "{growths:?}");
+}
+
+/// Tests that maps which stretch tangents by large factors are symplectic up to rounding, and that others are not.
+#[test]
+fn maps_that_stretch_are_symplectic_up_to_rounding() {
+    let shaken = Driven { shake: 40.0, frequency: 20.0 };
+    let laboratory = Laboratory::new(&shaken, Phase::new(vec![3.0], vec![0.0]), 12.57);
+    let problem = &laboratory.problem;
+    let exact = exact(problem).expect("a reference");
+    let defects = |method: Box<dyn Stepped<Vec<f64>> + '_>| {
+        [0.01, 0.1, 0.3, 0.6].map(|h| defect(problem, &*method, &exact, h, 8).expect("a map"))
+    };
+    for method in [problem.by(Euler), problem.by(Verlet), problem.by(KahanLi8)] {
+        let name = method.facts().name;
+        let found = defects(method);
+        assert!(found.iter().all(|defect| *defect <= 1.0), "{name}: {found:?}");
+    }
+    let found = defects(problem.by(AnyReference::from(RungeKutta4)));
+    assert!(found.iter().all(|defect| *defect > 1.0), "{found:?}");
 }

@@ -2,11 +2,14 @@
 
 use super::style::of_method;
 use crate::{
-    measured::{DEFECT, Measured, STEPS},
+    measured::{Measured, STEPS},
     numbers::signed,
     study::Study,
 };
 use integrator_plot::{Axis, Chart, Mark, colour::GREY};
+
+/// The smallest deviation that is shown.
+const LEAST: f64 = 1e-5;
 
 /// Draws the deviation of the exact tangent map from a symplectic one, step by step.
 pub(super) fn maps(study: &Study) -> Chart {
@@ -15,11 +18,11 @@ pub(super) fn maps(study: &Study) -> Chart {
     let claim = format!(
         "A map with derivative M is symplectic if MᵀJM = J; then {{q, p}} = 1. Symplectic methods deviate by rounding only, whatever the \
          step; others by a power of the step. M is the exact derivative of {STEPS} steps, so multistep methods have left their \
-         starter. Deviations below the grey line are rounding."
+         starter. Rounding explains deviations below the grey line; it grows with the square of the elements of M."
     );
     let off = |measured: &Measured| -> Vec<(f64, f64)> {
-        // A map that is exactly symplectic is shown as half a rounding.
-        measured.defects.iter().map(|(step, defect)| (*step, defect.max(f64::EPSILON / 2.0))).collect()
+        // A map that is exactly symplectic is shown at the lower edge.
+        measured.defects.iter().map(|(step, defect)| (*step, defect.max(LEAST))).collect()
     };
     let ends = || study.methods.iter().flat_map(|measured| &measured.defects).map(|(step, _)| *step);
     let (least, most) = (ends().fold(f64::INFINITY, f64::min), ends().fold(0.0, f64::max));
@@ -27,9 +30,9 @@ pub(super) fn maps(study: &Study) -> Chart {
         .claim(claim)
         .measured(format!("{{q₁, p₁}} − 1 after one step of {}: {}", study.step, numbers.join(", ")))
         .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic("largest element of MᵀJM − J").between(3e-17, 30.0))
+        .up(Axis::logarithmic("largest element of MᵀJM − J, in units of rounding").between(LEAST, 1e13))
         .sized(1150, 760)
-        .line("", [(least, DEFECT), (most, DEFECT)])
+        .line("", [(least, 1.0), (most, 1.0)])
         .coloured(GREY)
         .wide(1.0);
     study.methods.iter().fold(chart, |chart, measured| of_method(chart, Mark::Dotted, measured, off(measured)))
