@@ -80,7 +80,7 @@ pub(crate) fn exact<H: Hamiltonian>(problem: &Problem<'_, H>) -> Result<Exact, B
         }
         Ok(before)
     };
-    let (coarse, fine) = (end(REFERENCE / 2)?, end(REFERENCE)?);
+    let (coarse, fine) = (end(problem.cycles() * REFERENCE / 2)?, end(problem.cycles() * REFERENCE)?);
     let motion = if motion > 0.0 { motion } else { 1.0 };
     let halves: Vec<f64> = most.iter().zip(&least).map(|(most, least)| 0.5 * (most - least)).collect();
     let (q, p) = halves.split_at(problem.freedom());
@@ -113,7 +113,11 @@ pub(crate) fn ladder<H: Hamiltonian>(
 ) -> Result<Vec<Rung>, Box<dyn Error>> {
     let mut rungs = Vec::new();
     for rung in 0..plan.rungs {
-        let steps = u64::from(COARSEST << rung);
+        let steps = u64::from(COARSEST) << rung;
+        // Steps that do not follow a drive have no order.
+        if steps < u64::from(COARSEST * problem.cycles()) {
+            continue;
+        }
         let step = PERIODS * problem.period / steps as f64;
         let Some(rung) = climb(problem, method, [step, step], steps, exact)? else { continue };
         rungs.push(rung);

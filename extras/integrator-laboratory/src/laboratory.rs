@@ -6,7 +6,7 @@ use crate::{
     page::{Figure, page},
     pictures,
     plan::Plan,
-    problem::{Problem, steps_per_period},
+    problem::{Problem, turns},
     study::{Study, measure},
 };
 use integrator_core::prelude::*;
@@ -49,8 +49,10 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     /// Creates a laboratory for a system, its start and the approximate period of its slowest motion. The name is that
     /// of the type.
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
-        let step = period / steps_per_period(STEPS);
-        let problem = Problem { system, period, step, blob: None, view: [0, 0], start };
+        // A start that is no start ends the first run.
+        let turns = turns(system, &start, period).unwrap_or(0);
+        let mut problem = Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], start };
+        problem.step = problem.step_of(STEPS);
         let freedom = problem.freedom();
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
@@ -77,7 +79,8 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         Self { formula: formula.into(), ..self }
     }
 
-    /// Sets the step for energies and for the set of starts. The default is about 1/80 of a period.
+    /// Sets the step for energies and for the set of starts. The default is about 1/80 of a period, or of that of a drive that
+    /// is faster.
     #[must_use]
     pub fn step(mut self, step: f64) -> Self {
         self.problem.step = step;

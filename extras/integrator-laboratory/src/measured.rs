@@ -7,7 +7,7 @@ use crate::{
     limits::limits,
     plan::Plan,
     portrait::{Portrait, portrait},
-    problem::{Problem, Stepped},
+    problem::{Problem, Stepped, steps_per_period},
     reversal::{Reversal, reversal},
     rows::Row,
     tangents::{Deviation, defect, deviations},
@@ -51,8 +51,8 @@ pub(crate) const STEPS: usize = 8;
 /// rounds some products of the tangent map, a few ε each.
 pub(crate) const BRACKET: f64 = 1e-12;
 
-/// The numbers of steps to a period that maps are computed for. The coarsest distinguish symplectic methods from those
-/// of high order.
+/// The numbers of steps to a period that maps are computed for, however fast a drive is: maps are symplectic for every
+/// step. The coarsest distinguish symplectic methods from those of high order.
 const DEFECT_STEPS: [u32; 7] = [1280, 640, 320, 160, 80, 40, 20];
 
 /// Changes of the energy beyond this tell no more than that it has changed.
@@ -97,7 +97,7 @@ pub(crate) fn measure<H: Hamiltonian>(
     let facts = method.facts();
     let energies = energies(problem, method, plan, exact)?;
     let portrait = portrait(problem, method, plan, exact)?;
-    let steps = DEFECT_STEPS.map(|count| problem.step_of(count)).into_iter();
+    let steps = DEFECT_STEPS.map(|count| problem.period / steps_per_period(count)).into_iter();
     Ok(Measured {
         symplectic: facts.symplectic,
         symmetric: facts.symmetric,

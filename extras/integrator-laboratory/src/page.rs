@@ -95,12 +95,21 @@ fn methods(study: &Study) -> String {
     format!(
         "<h2>Methods</h2>\n<p>{z}, \
          and <i>f</i> is its time derivative. Each method has the same colour in all pictures. Solid lines are symplectic methods, \
-         dashed lines are others. Energy changes are those of {periods} periods in steps of {step}, in units of the largest kinetic energy. The pictures also have the \
+         dashed lines are others. Energy changes are those of {periods} periods in steps of {step}, in units of the largest kinetic energy. {drive}The pictures also have the \
          adaptive methods: {adaptive}.</p>\n\
          <table>\n<tr><th>method</th><th>a step</th><th>order (measured)</th><th>preserves areas</th><th>reversible</th><th>energy</th></tr>\n{rows}</table>\n",
         z = math("z = (q, p)"),
         step = plain(study.step),
+        drive = study.half_drive.filter(|half| study.step > *half).map(too_long).unwrap_or_default(),
         adaptive = adaptive.collect::<Vec<_>>().join(", "),
+    )
+}
+
+/// Warns of steps that do not resolve a drive.
+fn too_long(half: f64) -> String {
+    format!(
+        "<strong>This step is longer than half the period of the drive, {}: no method follows the motion.</strong> ",
+        plain(half)
     )
 }
 

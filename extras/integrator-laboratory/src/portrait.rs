@@ -4,7 +4,7 @@
 use crate::{
     errors::Exact,
     plan::Plan,
-    problem::{Problem, Stepped, steps_per_period},
+    problem::{Problem, Stepped},
 };
 use integrator_core::prelude::*;
 
@@ -53,7 +53,7 @@ impl Portrait {
 }
 
 /// The portrait of a method: of one that is symplectic in long steps, of another one in the shortest in which it is seen
-/// that it is not.
+/// that it is not. If `H` reads the time, its energy says nothing, and all methods have the same steps.
 pub(crate) fn portrait<H: Hamiltonian>(
     problem: &Problem<'_, H>,
     method: &dyn Stepped<H::Coords>,
@@ -61,10 +61,10 @@ pub(crate) fn portrait<H: Hamiltonian>(
     exact: &Exact,
 ) -> Result<Portrait, Error> {
     let follow = |periods: f64, count: u32| follow(problem, method, exact, periods, count);
-    if method.facts().symplectic {
+    if method.facts().symplectic || !H::AUTONOMOUS {
         let mut portrait = follow(plan.periods, COARSE[0])?;
         for count in &COARSE[1..] {
-            if portrait.largest[0].max(portrait.largest[1]) < KEPT {
+            if portrait.largest[0].max(portrait.largest[1]) < KEPT || !H::AUTONOMOUS {
                 break;
             }
             portrait = follow(plan.periods, *count)?;
@@ -95,17 +95,22 @@ fn follow<H: Hamiltonian>(
 ) -> Result<Portrait, Error> {
     let run = method.run(&problem.start, problem.step_of(count))?;
     let energy = run.energy();
-    let steps = (periods * steps_per_period(count)) as usize;
+    let steps = (periods * problem.period / problem.step_of(count)) as usize;
     let rounding = exact.rounding(steps);
     let mut portrait =
         Portrait { count, periods: 0.0, points: Vec::new(), change: 0.0, left: true, largest: [0.0; 2], rounding };
+    let mut taken = 0;
     // A method may leave the finite numbers, or find no end of its step; up to there it is shown.
     for (number, sample) in run.samples(1).take(steps + 1).map_while(Result::ok).enumerate() {
         let change = (sample.energy() - energy) / exact.motion;
         if !change.is_finite() {
             break;
         }
-        portrait.points.push(problem.seen(&sample.state));
+        // One point in each oscillation of a fast drive and step of its own.
+        if number.is_multiple_of(problem.cycles() as usize) {
+            portrait.points.push(problem.seen(&sample.state));
+        }
+        taken = number;
         portrait.periods = sample.time / problem.period;
         // What happens to an orbit that has left is no gain or loss any more.
         if portrait.change.abs() < CHANGED {
@@ -113,10 +118,10 @@ fn follow<H: Hamiltonian>(
         }
         let half = usize::from(2 * number > steps);
         portrait.largest[half] = portrait.largest[half].max(change.abs());
-        if change.abs() > LEFT {
+        if H::AUTONOMOUS && change.abs() > LEFT {
             return Ok(portrait);
         }
     }
-    portrait.left = portrait.points.len() <= steps;
+    portrait.left = taken < steps;
     Ok(portrait)
 }

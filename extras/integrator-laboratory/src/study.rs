@@ -25,6 +25,9 @@ pub(crate) struct Study {
     pub(crate) freedom: usize,
     pub(crate) step: f64,
     pub(crate) period: f64,
+    /// The number of oscillations of a drive in a period, one at least, and half the period of the drive.
+    pub(crate) cycles: u32,
+    pub(crate) half_drive: Option<f64>,
     /// The labels of the axes of portraits, horizontal and vertical.
     pub(crate) view: [String; 2],
     /// The orbit in this view, to more digits than are seen.
@@ -73,6 +76,8 @@ pub(crate) fn measure<H: Hamiltonian>(
         freedom,
         step: problem.step,
         period: problem.period,
+        cycles: problem.cycles(),
+        half_drive: (problem.turns > 0).then(|| problem.period / f64::from(problem.turns)),
         view: problem.view.map(|index| name(index, freedom)),
         orbit: orbit.map_while(Result::ok).map(|sample| problem.seen(&sample.state)).collect(),
         methods,

@@ -427,3 +427,18 @@ fn maps_that_stretch_are_symplectic_up_to_rounding() {
     let found = defects(problem.by(AnyReference::from(RungeKutta4)));
     assert!(found.iter().all(|defect| *defect > 1.0), "{found:?}");
 }
+
+/// Tests that steps resolve a drive which is faster than the motion, and that the page warns of a step that does not.
+#[test]
+fn steps_follow_a_fast_drive() {
+    let shaken = Driven { frequency: 20.0, ..DRIVEN };
+    let laboratory = Laboratory::new(&shaken, Phase::new(vec![1.0], vec![0.0]), 12.57);
+    assert_eq!(laboratory.problem.cycles(), 40);
+    assert!((laboratory.problem.step - 12.57 / 40.0 / 80.618).abs() < 1e-6);
+    let mut study = driven_study();
+    let warns =
+        |study: &Study| crate::page::page("", "", Some(study), &[], &[]).contains("half the period of the drive");
+    assert!(study.half_drive.is_some_and(|half| (half - 3.2).abs() < 0.1) && !warns(&study), "{:?}", study.half_drive);
+    study.half_drive = Some(0.99 * study.step);
+    assert!(warns(&study));
+}

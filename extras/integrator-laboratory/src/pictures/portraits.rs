@@ -41,7 +41,7 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
     let inside = |point: &(f64, f64)| (x[0]..x[1]).contains(&point.0) && (y[0]..y[1]).contains(&point.1);
     let steps = format!(
         "{} steps per period, {} periods",
-        plain(steps_per_period(portrait.count)),
+        plain(f64::from(study.cycles) * steps_per_period(portrait.count)),
         plain((10.0 * portrait.periods).round() / 10.0)
     );
     let claim = match (study.resolved, measured.symplectic) {
