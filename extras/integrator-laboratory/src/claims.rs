@@ -87,6 +87,9 @@ const POWER: f64 = 0.4;
 /// An exponent from two long steps is off by the next term of the error, and by two where a column gains nothing.
 const COLUMN: f64 = 1.0;
 
+/// A column that gains two orders has errors that are smaller by orders of magnitude, one that gains nothing has the same.
+const GAIN: f64 = 0.5;
+
 /// Twenty Euler steps, each rounded a few times, in sums whose weights are below nine.
 const CORNER: f64 = 20.0 * 4.0 * 9.0 * f64::EPSILON;
 
@@ -163,7 +166,7 @@ const OF_TAYLOR: Claim = Claim {
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 17] = [
+const CLAIMS: [Claim; 18] = [
     Claim {
         name: "forward_euler_energy_grows",
         says: "Forward Euler gains energy: the change after a period, in units of the largest kinetic energy",
@@ -283,6 +286,13 @@ const CLAIMS: [Claim; 17] = [
         applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.least_excess(),
         within: [-COLUMN, f64::INFINITY],
+    },
+    Claim {
+        name: "each_column_of_the_extrapolation_is_more_accurate",
+        says: "Each column of the extrapolation is more accurate than the one before: the largest ratio of their errors in the finest row",
+        applies: |_| true,
+        value: |study| study.extrapolation.as_ref()?.largest_ratio(),
+        within: [0.0, GAIN],
     },
     Claim {
         name: "the_extrapolation_ends_in_gragg_bulirsch_stoer",

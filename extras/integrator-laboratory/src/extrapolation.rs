@@ -10,8 +10,11 @@ use integrator_reference::{AnyReference, ForwardEuler, GraggBulirschStoer};
 /// Into how many steps of the modified midpoint rule the long one is divided, as Gragg, Bulirsch and Stoer do.
 pub(crate) const DIVISIONS: [u32; 4] = [2, 4, 6, 8];
 
-/// Long steps to a period.
+/// Long steps to a period, and by how many halvings they are shortened until the error of the finest midpoint steps is
+/// below this share of the orbit: of longer ones, the further terms of the error hide what a column gains.
 const COUNT: u32 = 16;
+const HALVINGS: u32 = 6;
+const LARGEST: f64 = 1e-3;
 
 /// Steps of order ten from which the end of the long step is known.
 const REFERENCE: u64 = 64;
@@ -48,12 +51,26 @@ impl Extrapolation {
     pub(crate) fn least_excess(&self) -> Option<f64> {
         self.excess().into_iter().flatten().reduce(f64::min)
     }
+
+    /// The largest error of a column in units of that of the column before, in the finest row of half of the long step.
+    /// None where all errors are those of rounding.
+    pub(crate) fn largest_ratio(&self) -> Option<f64> {
+        let pairs = self.halved.last()?.windows(2).filter(|pair| pair[0] > ROUNDING);
+        pairs.map(|pair| pair[1] / pair[0]).reduce(f64::max)
+    }
 }
 
-/// Makes the table; none where a step does not come to an end.
+/// Makes the table of a step that resolves the motion; none where a step does not come to an end.
 pub(crate) fn extrapolation<H: Hamiltonian>(problem: &Problem<'_, H>, exact: &Exact) -> Option<Extrapolation> {
-    let step = problem.step_of(COUNT);
-    let (entries, errors) = table(problem, exact, step)?;
+    let mut step = problem.step_of(COUNT);
+    let (mut entries, mut errors) = table(problem, exact, step)?;
+    for _ in 0..HALVINGS {
+        if errors.last()?[0] < LARGEST {
+            break;
+        }
+        step *= 0.5;
+        (entries, errors) = table(problem, exact, step)?;
+    }
     let (_, halved) = table(problem, exact, 0.5 * step)?;
     let corner = exact.distance(entries.last()?.last()?, &stepped(problem, GraggBulirschStoer.into(), step)?);
     Some(Extrapolation { step, errors, halved, corner })

@@ -42,7 +42,7 @@ pub(crate) struct Study {
     pub(crate) shifted: f64,
 }
 
-/// Steps to a period of this orbit.
+/// Steps of this orbit to a period, or to one of a drive.
 const ORBIT: f64 = 64.0;
 
 impl Study {
@@ -64,9 +64,10 @@ pub(crate) fn measure<H: Hamiltonian>(
         return Err(format!("a view of coordinate {index}: there are {freedom} positions, then as many momenta").into());
     }
     let exact = exact(problem)?;
-    // For as long as portraits last, in steps whose error is not seen.
-    let step = problem.period / ORBIT;
-    let orbit = problem.run(KahanLi8, &problem.start, step)?.samples(1).take((plan.periods * ORBIT) as usize + 1);
+    // For as long as portraits last, in steps whose error is not seen; of a fast drive as many points, and a period.
+    let per_period = ORBIT * f64::from(problem.cycles());
+    let points = (plan.periods * ORBIT).max(per_period) as usize + 1;
+    let orbit = problem.run(KahanLi8, &problem.start, problem.period / per_period)?.samples(1).take(points);
     let methods = methods::all(problem, plan, &exact)?;
     let modified = methods::modified(problem, plan, &exact, &methods);
     Ok(Study {
