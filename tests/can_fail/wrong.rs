@@ -245,4 +245,11 @@ fn an_edge_in_time_inside_of_a_step() {
         panic!("{shortfalls:?}");
     };
     assert_eq!(time, 0.255, "a quarter of the cell, rounded like the formula");
+    // In the first half of the first step, and in the middle of a step backwards, between two roundings of this middle.
+    for (cell, begin, h, edge) in [(4e5, 99_999.95, 0.125, 1e5), (4.1, 2.05, -0.05, 1.025)] {
+        let outcome = certify::<_, _, f64>(&Ring { cell }, Yoshida4, Phase::new([1.0], [0.3]).at_time(begin), h);
+        let Err(CertifyError::Refused { shortfalls, .. }) = outcome else { panic!("certified: {outcome:?}") };
+        let found = |shortfall: &Shortfall| matches!(shortfall, Shortfall::Unmeasured { reason: CheckError::EdgeInside { time, .. }, .. } if (time - edge).abs() < 1e-9);
+        assert!(shortfalls.iter().any(found), "{shortfalls:?}");
+    }
 }

@@ -30,10 +30,16 @@ pub(crate) fn spacing<H: Hamiltonian>(
     let length = points.first().map_or(0, |point| point.q.length());
     let pieces = Pieces::<H> { parameters: system.parameters(length), points, h };
     let mut apart = 0;
-    for step in 1..steps {
+    // From the start to the middle of the first step, then from middle to middle, so that none lies between two of them.
+    let mut before = t0;
+    for step in 0..steps {
         let end = t0 + step as f64 * h;
-        let Some(time) = pieces.edge(end - h / 2.0, end + h / 2.0) else { continue };
-        if !within(time - end, ROUNDINGS * f64::EPSILON * end.abs()) {
+        let middle = end + h / 2.0;
+        let edge = pieces.edge(before, middle);
+        before = middle;
+        let Some(time) = edge else { continue };
+        let size = end.abs().max(t0.abs()).max(h.abs());
+        if !within(time - end, ROUNDINGS * f64::EPSILON * size) {
             return Err(CheckError::EdgeInside { time, h });
         }
         apart = greatest_common_divisor(apart, step);
