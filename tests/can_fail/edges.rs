@@ -1,5 +1,6 @@
 //! Motions at the edge of what can be measured: what is right is certified there, and what is wrong has one reason.
 
+use crate::schemes::{EulerThatClaims2, Strong};
 use integrator_core::{
     check::{CertifyError, CheckError, Shortfall, gradient_error},
     prelude::*,
@@ -24,7 +25,7 @@ impl Well {
             2 => -(-x * x).exp(),
             3 => 1.0 / (1.0 + x * x),
             4 => 1.0 / (1.0 + x.exp()),
-            5 => -x.cos(),
+            5 => self.offset - x.cos(),
             6 => self.offset + x * x / 2.0,
             _ => 3.0 * (x - 2.0).powi(2) - (a.max(b) + ((a - a.max(b)).exp() + (b - a.max(b)).exp()).ln()),
         }
@@ -42,6 +43,24 @@ fn forces_that_fall_off_are_certified() {
         for outcome in [certify(&well, Verlet, start, 0.02), certify(&well, Yoshida4, start, 0.02)] {
             let certificate = outcome.unwrap_or_else(|error| panic!("{kind}: {error}"));
             assert!(!certificate.stability.expect("T and V").turn.is_nan(), "{certificate}");
+        }
+    }
+}
+
+/// Verdicts depend neither on the zero of the energy, nor on the amplitude, nor on the direction of time, for what is right
+/// and for what is wrong.
+#[test]
+fn verdicts_are_the_same_at_any_zero_and_amplitude() {
+    for (offset, angle) in [(0.0, 1.0), (10.8, 1.0), (1e6, 1.0), (1e12, 1.0), (0.0, 1e-8), (10.8, 1e-8)] {
+        let (well, start) = (Well { kind: 5, offset }, Phase::new([angle], [0.3 * angle]));
+        for h in [0.05, -0.05] {
+            let right = certify(&well, Verlet, start, h);
+            assert!(right.is_ok(), "{offset}, {angle}, {h}: {}", right.expect_err("a refusal"));
+            for wrong in [certify(&well, EulerThatClaims2, start, h), certify(&well, Strong, start, h)] {
+                let Err(CertifyError::Refused { shortfalls, .. }) = wrong else { panic!("certified: {wrong:?}") };
+                let is_order = |shortfall: &Shortfall| matches!(shortfall, Shortfall::Order { .. });
+                assert!(shortfalls.iter().any(is_order), "{offset}, {angle}, {h}: {shortfalls:?}");
+            }
         }
     }
 }
