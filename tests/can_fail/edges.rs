@@ -139,6 +139,7 @@ fn a_start_without_a_force_is_the_only_reason() {
 struct Stepped {
     step: f64,
     width: f64,
+    rate: f64,
 }
 
 #[hamiltonian]
@@ -148,7 +149,7 @@ impl Stepped {
     }
     fn potential(&self, q: [f64; 2], t: f64) -> f64 {
         let square = q[0] * q[0] + q[1] * q[1];
-        let smooth = 0.5 * (q[0] * q[0] + 1.7 * q[1] * q[1]) + 1e-3 * q[0] * t.cos();
+        let smooth = 0.5 * (q[0] * q[0] + 1.7 * q[1] * q[1]) + 1e-3 * q[0] * (self.rate * t).cos();
         let inside = if self.width > 0.0 {
             0.5 * (1.0 + ((0.49 - square) / self.width).tanh())
         } else if square < 0.49 {
@@ -164,7 +165,7 @@ impl Stepped {
 fn a_jump_is_found_where_no_energy_is_conserved() {
     let start = Phase::new([1.0, 0.2], [0.1, 0.6]);
     for step in [0.1, -1e-3, 1e-6] {
-        let outcome = certify(&Stepped { step, width: 0.0 }, Yoshida4, start, 0.05);
+        let outcome = certify(&Stepped { step, width: 0.0, rate: 1.0 }, Yoshida4, start, 0.05);
         let Err(CertifyError::Refused { shortfalls, .. }) = outcome else { panic!("certified: {outcome:?}") };
         let [Shortfall::EnergyJumps { function: "potential", by, .. }] = shortfalls[..] else {
             panic!("{shortfalls:?}")
@@ -173,8 +174,28 @@ fn a_jump_is_found_where_no_energy_is_conserved() {
         assert!((by.abs() - step.abs()).abs() < 64.0 * f64::EPSILON, "{by} at {step}");
     }
     for (step, width) in [(0.0, 0.0), (0.1, 0.3)] {
-        let outcome = certify(&Stepped { step, width }, Yoshida4, start, 0.02);
+        let outcome = certify(&Stepped { step, width, rate: 1.0 }, Yoshida4, start, 0.02);
         assert!(outcome.is_ok(), "{}", outcome.expect_err("a refusal"));
+    }
+}
+
+/// A drive of half a period or more in a step is refused, however accurate a composition is in far shorter steps.
+#[test]
+fn a_step_that_does_not_resolve_a_drive_is_refused() {
+    let (start, h) = (Phase::new([1.0, 0.2], [0.1, 0.6]), 0.05);
+    for (periods, resolved) in [(0.4, true), (0.7, false), (10.3, false), (50.0, false)] {
+        let system = Stepped { step: 0.0, width: 0.0, rate: periods * core::f64::consts::TAU / h };
+        for h in [h, -h] {
+            let found = match certify(&system, Yoshida4, start, h) {
+                Ok(_) => false,
+                Err(CertifyError::Refused { shortfalls, .. }) => {
+                    let [Shortfall::DriveNotResolved { half, .. }] = shortfalls[..] else { panic!("{shortfalls:?}") };
+                    half < h.abs()
+                }
+                Err(error) => panic!("{error}"),
+            };
+            assert_ne!(found, resolved, "{periods} periods in a step of {h}");
+        }
     }
 }
 
@@ -182,7 +203,7 @@ fn a_jump_is_found_where_no_energy_is_conserved() {
 #[test]
 #[allow(clippy::needless_borrows_for_generic_args, reason = "starts by reference are among the forms")]
 fn a_gradient_is_checked_at_any_form_of_a_start() {
-    let system = Stepped { step: 0.1, width: 0.3 };
+    let system = Stepped { step: 0.1, width: 0.3, rate: 1.0 };
     let point = Phase::new([1.0, 0.2], [0.1, 0.6]);
     let expected = gradient_error(&system, point, 1.5);
     assert!(expected.is_ok(), "{expected:?}");

@@ -2,7 +2,7 @@
 
 use integrator_core::{
     Coords, Facts, Method,
-    check::{CheckError, TangentMap, observed_order, tangent_maps},
+    check::{CheckError, TangentMap, observed_order, tangent_maps, turns_in_time},
     prelude::*,
 };
 
@@ -13,7 +13,7 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     /// About how long the slowest motion takes to come around.
     pub(crate) period: f64,
     /// How often `H` turns within a period by the time that it reads: twice in each oscillation of a drive.
-    pub(crate) turns: u32,
+    pub(crate) turns: u64,
     /// The step of energies and of the blob.
     pub(crate) step: f64,
     /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum, unless a
@@ -47,7 +47,7 @@ impl<H: Hamiltonian> Problem<'_, H> {
 
     /// The number of oscillations of a drive in a period, one at least.
     pub(crate) fn cycles(&self) -> u32 {
-        (self.turns / 2).max(1)
+        (self.turns / 2).max(1) as u32
     }
 
     /// The degrees of freedom.
@@ -71,50 +71,19 @@ pub(crate) fn steps_per_period(count: u32) -> f64 {
     f64::from(count) + GOLDEN
 }
 
-/// The times within a period at which `H` is read, the share of its range by which it turns, and the rounding of a range.
-const SAMPLES: u32 = 4096;
-const TURN: f64 = 0.01;
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-/// Counts how often `H` turns within a period while the state stays at the start, or where it is after a quarter: in one
-/// of the two a drive may do nothing.
+/// Counts how often `H` turns within a period by its explicit time, with the state at the start or where it is after a
+/// quarter: in one of the two a drive may do nothing.
 ///
 /// # Errors
-/// A start that is invalid for a run.
-pub(crate) fn turns<H: Hamiltonian>(system: &H, start: &Phase<H::Coords>, period: f64) -> Result<u32, Error> {
+/// A start that is invalid for a run, or a motion that diverges.
+pub(crate) fn turns<H: Hamiltonian>(system: &H, start: &Phase<H::Coords>, period: f64) -> Result<u64, CheckError> {
     if H::AUTONOMOUS {
         return Ok(0);
     }
-    let run = |state: &Phase<H::Coords>| system.run_with::<f64, _>(KahanLi8, state.clone(), period / 256.0);
-    let mut later = run(start)?;
-    let mut most = 0;
-    for _ in 0..2 {
-        let state = later.state();
-        let time = |sample: u32| period * f64::from(sample) / f64::from(SAMPLES);
-        let energies: Result<Vec<f64>, Error> =
-            (0..=SAMPLES).map(|sample| Ok(run(&state)?.at_time(time(sample)).energy())).collect();
-        most = most.max(turns_of(&energies?));
-        later.advance(64)?;
-    }
-    Ok(most)
-}
-
-/// Counts the turns of a curve.
-fn turns_of(curve: &[f64]) -> u32 {
-    let [least, most] = [f64::min, f64::max].map(|of| curve.iter().copied().reduce(of).unwrap_or(0.0));
-    let threshold = (TURN * (most - least)).max(ROUNDING * most.abs().max(least.abs()));
-    let (mut turns, mut rises, mut low, mut high) = (0, None, f64::INFINITY, f64::NEG_INFINITY);
-    for value in curve.iter().copied() {
-        (low, high) = (value.min(low), value.max(high));
-        let rising = match rises {
-            Some(true) | None if high - value > threshold => false,
-            Some(false) | None if value - low > threshold => true,
-            _ => continue,
-        };
-        turns += u32::from(rises.is_some());
-        (rises, low, high) = (Some(rising), value, value);
-    }
-    turns
+    let mut later = system.run_with::<f64, _>(KahanLi8, start.clone(), period / 256.0)?;
+    later.advance(64)?;
+    let at = |state| turns_in_time::<H, f64>(system, state, period);
+    Ok(at(start)?.max(at(&later.state())?))
 }
 
 /// A method on a system. Whatever is measured goes through this, so that measurements are compiled once for a system and
@@ -167,18 +136,7 @@ pub(crate) fn name(index: usize, freedom: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{name, turns_of};
-    use std::f64::consts::TAU;
-
-    #[test]
-    fn a_curve_turns_twice_in_each_oscillation() {
-        let curve = |of: fn(f64) -> f64| turns_of(&(0..4096).map(|i| of(f64::from(i) / 4096.0)).collect::<Vec<_>>());
-        let square = |t: f64| if (5.0 * t).fract() < 0.5 { 1.0 } else { 2.0 };
-        let turns = [curve(|t| (40.0 * TAU * t).cos()), curve(|t| 3.0 + t * t), curve(square)];
-        assert_eq!(turns, [79, 0, 8]);
-        // Rounding is no drive.
-        assert_eq!(curve(|t| 1.0 + 4.0 * f64::EPSILON * (1e3 * t).sin()), 0);
-    }
+    use super::name;
 
     #[test]
     fn coordinates_have_names_however_many_there_are() {

@@ -78,7 +78,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         step: problem.step,
         period: problem.period,
         cycles: problem.cycles(),
-        half_drive: (problem.turns > 0).then(|| problem.period / f64::from(problem.turns)),
+        half_drive: (problem.turns > 0).then(|| problem.period / problem.turns as f64),
         view: problem.view.map(|index| name(index, freedom)),
         orbit: orbit.map_while(Result::ok).map(|sample| problem.seen(&sample.state)).collect(),
         methods,

@@ -8,6 +8,7 @@ use crate::{
         oracle::exact::Steps,
         property::{
             agreement::{Visited, agreement},
+            drive::turns,
             energies::{Energies, gradient_tolerance},
             energy::EnergyDrift,
             flow_laws::{Broken, FlowErrors, flow_errors},
@@ -52,6 +53,9 @@ const MOST_PIECES: u64 = 4096;
 const GRADIENT: &str = "the gradient";
 const FLOWS: &str = "the flows of the parts";
 
+/// The number of steps in which `H` may turn as often by its time.
+const DRIVE_STEPS: u64 = 16;
+
 /// The time over which gradients are taken, in steps, if no order suggests a better one.
 const GRADIENT_SPAN: f64 = 64.0;
 
@@ -63,6 +67,7 @@ const GRADIENT_SPAN: f64 = 64.0;
 /// - errors decrease with the claimed order;
 /// - a composition that claims symmetry is reversible;
 /// - the energy has no drift, or no jumps if `H` depends on time;
+/// - steps are shorter than half the period of a drive, if `H` depends on time;
 /// - the second part of `H` is small, if the composition claims
 ///   [`GENERALISED_ORDERS`](crate::Scheme::GENERALISED_ORDERS);
 /// - the flows are those of the energies, for each named part ([`FlowErrors`]);
@@ -169,6 +174,9 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     });
     let states = subject.states(order);
     let gradient_tolerance = gradient_tolerance(subject.start.phase.q.len());
+    if !autonomous {
+        findings.0.extend(subject.drive(states.as_deref().unwrap_or_default()));
+    }
     let is_separable = subject.measured.stated().energies().is_separable();
     let start = [(subject.start.phase.clone(), subject.start.time)];
     // If no step size works, the error at the start is the reason.
@@ -381,6 +389,14 @@ impl Subject<'_> {
         let Path { start, ends } = path(self.measured.stepper(), &self.start, span, steps)?;
         let times = (0..).map(|part| self.start.time + span * f64::from(part) / PARTS as f64);
         Ok([start].into_iter().chain(ends).zip(times).collect())
+    }
+
+    /// The shortfall that a drive is which turns more than once in a step, at one of some states.
+    fn drive(&self, states: &[Visited]) -> Option<Shortfall> {
+        let (energies, span) = (self.measured.stated().energies(), DRIVE_STEPS as f64 * self.h);
+        let turns = states.iter().map(|(state, time)| turns(energies, state, *time, span)).max()?;
+        let (half, step) = (span.abs() / turns as f64, self.h);
+        (turns > DRIVE_STEPS).then_some(Shortfall::DriveNotResolved { half, step })
     }
 
     /// The errors of the flows of parts at some states, and for each part the first offence against each law.

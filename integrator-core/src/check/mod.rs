@@ -27,6 +27,7 @@
 //! - [`stability()`]: the ratio of the step to the stability limit of the composition. A certificate reports it.
 //! - [`global_error()`]: the error of a run with respect to the exact solution, with its uncertainty.
 //! - [`branches()`]: the branches of `H` that an orbit crosses. Deviation vectors may be wrong there.
+//! - [`turns_in_time`]: how often `H` turns by its explicit time. A certificate requires at most one turn to a step.
 //! - [`monodromy()`]: the stability of a periodic orbit. The module [`chaos`](crate::chaos) is for other orbits.
 //! - [`choose()`]: the cheapest composition and step for a required error. [`choose_among()`] compares several splittings of
 //!   one Hamiltonian.
@@ -60,6 +61,7 @@ pub use modified::{
 };
 pub use property::agreement::Agreement;
 pub use property::branches::{Branches, Crossing, branches};
+pub use property::drive::turns_in_time;
 pub use property::energy::{EnergyDrift, energy_drift};
 pub use property::flow_laws::{FlowErrors, FlowLaw};
 pub use property::global_error::{GlobalError, global_error};

@@ -62,6 +62,18 @@ pub enum Shortfall {
         /// The order that the composition claims.
         claimed: u32,
     },
+    /// `H` oscillates with the time that it reads, faster than the steps can follow.
+    #[error(
+        "half the period of the drive is {half:.1e}, but a step takes {}\nhelp: use a step below {half:.1e}\nnote: longer \
+         steps meet the drive at any phase, so the run follows another motion",
+        Number(*step)
+    )]
+    DriveNotResolved {
+        /// Half the period.
+        half: f64,
+        /// The step of the certificate.
+        step: f64,
+    },
     /// The order was observed up to a time only.
     #[error("order {claimed} was observed only up to t = {}: beyond it, {}", Number(readable(*time)), Shrinking(*observed))]
     OrderLost {

@@ -3,6 +3,7 @@
 pub(crate) mod agreement;
 pub(crate) mod branches;
 mod course;
+pub(crate) mod drive;
 pub(crate) mod energies;
 pub(crate) mod energy;
 pub(crate) mod flow_laws;
