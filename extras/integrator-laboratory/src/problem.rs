@@ -40,7 +40,7 @@ impl<H: Hamiltonian> Problem<'_, H> {
         Box::new(Of { system: self.system, method })
     }
 
-    /// Returns the step of which a period has so many, and a fraction; the period of the drive, where that is shorter.
+    /// Returns the step of which a period has `count` and a fraction, or the period of a drive that is faster.
     pub(crate) fn step_of(&self, count: u32) -> f64 {
         self.period / f64::from(self.cycles()) / steps_per_period(count)
     }
