@@ -49,6 +49,11 @@ const FOLLOWING: f64 = 3.0;
 /// fortieth only.
 const MOST_PIECES: u64 = 4096;
 
+/// The factor by which steps are finer in a second search for the order, down to the step of the run, and the number of
+/// pieces in this search.
+const FINER: f64 = 8.0;
+const MOST_FINE: u64 = 128;
+
 /// The names of the checks of the flows, as `T(p)` and `V(q)` have them and as other parts do.
 const GRADIENT: &str = "the gradient";
 const FLOWS: &str = "the flows of the parts";
@@ -337,7 +342,15 @@ impl Subject<'_> {
         let piece = unit * UNITS as f64;
         let pieces = ((span / piece.abs()).ceil() as u64).min(MOST_PIECES);
         let needed = needed_along(stepper.facts().order);
-        order_along((stepper, needed), &self.start, piece, pieces)
+        let along = order_along((stepper, needed), &self.start, piece, pieces);
+        if along.loss.is_some() || within(unit, self.h.abs()) {
+            return along;
+        }
+        // In finer steps, the error of a missing derivative prevails over those that shrink faster. Where a motion turns
+        // suddenly, high orders show in steps that are finer still.
+        let piece = (unit / FINER).abs().max(self.h.abs()).copysign(self.h) * UNITS as f64;
+        let fine = order_along((stepper, needed.min(needed_along(4))), &self.start, piece, MOST_FINE);
+        if fine.loss.is_some() { fine } else { along }
     }
 
     /// A round trip over the span of the order, in the coarsest steps that show it, or in steps of `h` where they are
