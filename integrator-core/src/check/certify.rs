@@ -58,7 +58,7 @@ const MOST_FINE: u64 = 128;
 const GRADIENT: &str = "the gradient";
 const FLOWS: &str = "the flows of the parts";
 
-/// The number of steps in which `H` may turn as often by its time.
+/// Over this many steps, `H` may turn at most as often by its explicit time.
 const DRIVE_STEPS: u64 = 16;
 
 /// The time over which gradients are taken, in steps, if no order suggests a better one.
@@ -346,8 +346,8 @@ impl Subject<'_> {
         if along.loss.is_some() || within(unit, self.h.abs()) {
             return along;
         }
-        // In finer steps, the error of a missing derivative prevails over those that shrink faster. Where a motion turns
-        // suddenly, high orders show in steps that are finer still.
+        // In finer steps, the error of a missing derivative exceeds those that shrink faster. At sudden turns of a motion,
+        // high orders are seen in steps that are finer still.
         let piece = (unit / FINER).abs().max(self.h.abs()).copysign(self.h) * UNITS as f64;
         let fine = order_along((stepper, needed.min(needed_along(4))), &self.start, piece, MOST_FINE);
         if fine.loss.is_some() { fine } else { along }
@@ -404,7 +404,7 @@ impl Subject<'_> {
         Ok([start].into_iter().chain(ends).zip(times).collect())
     }
 
-    /// The shortfall that a drive is which turns more than once in a step, at one of some states.
+    /// A shortfall if `H` turns more than once per step by its explicit time, at one of these states.
     fn drive(&self, states: &[Visited]) -> Option<Shortfall> {
         let (energies, span) = (self.measured.stated().energies(), DRIVE_STEPS as f64 * self.h);
         let turns = states.iter().map(|(state, time)| turns(energies, state, *time, span)).max()?;
