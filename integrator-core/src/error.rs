@@ -61,9 +61,10 @@ pub enum Error {
         /// The value of the coordinate.
         value: f64,
     },
-    /// The initial state lacks coordinates that the functions of the system read.
+    /// The initial state lacks coordinates that the functions of the system read by a number, such as `q[3]`, also in loops
+    /// that have no iteration.
     #[error(
-        "the functions of the system read the coordinate with index {}, but the initial state has {length}\nhelp: start with \
+        "the functions of the system read the coordinate with index {}, but the initial state has only {length}\nhelp: start with \
          at least {least}",
         least.saturating_sub(1)
     )]

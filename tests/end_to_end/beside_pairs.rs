@@ -41,6 +41,9 @@ struct Parameters {
     /// Bodies that come before a body and have no force on it, but for the first body, and pairs of bodies.
     excluded: Vec<Vec<u32>>,
     bonded: HashSet<(usize, usize)>,
+    /// Differences of the numbers of two bodies, and types of two bodies.
+    skipped: Vec<usize>,
+    allowed: Vec<(usize, usize)>,
     angles: Vec<(usize, usize, usize)>,
 }
 
@@ -69,6 +72,8 @@ impl Parameters {
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
             excluded: (1..BODIES as u32).map(|i| vec![i - 1, i * 3 % 7, i / 2]).collect(),
             bonded: (2..BODIES).flat_map(|i| [(i - 2, i), (i, i - 1), (i * 11 % i, i)]).collect(),
+            skipped: vec![1, 3],
+            allowed: vec![(0, 1), (2, 2), (2, 0)],
             angles: (2..BODIES).filter(|i| i % 5 > 1).map(|i| (i - 2, i - 1, i)).collect(),
         }
     }
@@ -400,6 +405,12 @@ potential!(sets_of_pairs, self, q, v;
                 if self.0.bonded.contains(&(j, i)) {
                     v += 0.5 * r2;
                 }
+            }
+        }
+        for j in i + 1..q.len() {
+            let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+            if !self.0.skipped.contains(&(j - i)) && self.0.allowed.contains(&(self.0.types[i], self.0.types[j])) && r2 < 1.5 {
+                v += (1.5 - r2).powi(2);
             }
         }
     }

@@ -185,7 +185,7 @@ impl Bound {
     }
 }
 
-/// Loops without iterations read nothing, but code reads outside of loops what is the same in all iterations.
+/// Generated code reads a coordinate before a loop if all iterations read the same one, even if there are none.
 #[test]
 fn a_start_has_the_coordinates_that_are_read_by_number() {
     for strengths in [vec![], vec![0.5, 2.0]] {

@@ -3,14 +3,15 @@
 use super::classes::ByClass;
 use core::ops::Range;
 
-/// Returns the least value of these bodies, without those that are not numbers; NaN if there is none.
+/// Returns the least value of these bodies; negative infinity if one is NaN, which has no bounds, and if there are none.
 pub fn least(bodies: Range<usize>, value: &dyn Fn(usize) -> f64) -> f64 {
-    bodies.map(value).fold(f64::NAN, f64::min)
+    -greatest(bodies, &|body| -value(body))
 }
 
-/// Returns the greatest value of these bodies, without those that are not numbers; NaN if there is none.
+/// Returns the greatest value of these bodies; infinity if one is NaN, which has no bounds, and if there are none.
 pub fn greatest(bodies: Range<usize>, value: &dyn Fn(usize) -> f64) -> f64 {
-    bodies.map(value).fold(f64::NAN, f64::max)
+    let bounded = |value: f64| if value.is_nan() { f64::INFINITY } else { value };
+    bodies.map(value).map(bounded).reduce(f64::max).unwrap_or(f64::INFINITY)
 }
 
 impl ByClass<f64> {
@@ -29,12 +30,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn extremes_leave_out_what_is_no_number() {
+    fn values_that_are_no_numbers_have_no_bounds() {
         let values = [2.0, f64::NAN, -3.0, 1.0];
         let of = |bodies: Range<usize>| [least(bodies.clone(), &|at| values[at]), greatest(bodies, &|at| values[at])];
-        assert_eq!(of(0..4), [-3.0, 2.0]);
-        assert_eq!(of(3..4), [1.0, 1.0]);
-        assert!(of(1..2).into_iter().all(f64::is_nan));
+        let unbounded = [f64::NEG_INFINITY, f64::INFINITY];
+        assert_eq!([of(0..4), of(1..2), of(4..4)], [unbounded; 3]);
+        assert_eq!([of(2..4), of(3..4)], [[-3.0, 1.0], [1.0, 1.0]]);
         let table = ByClass::new([0..4, 0..4], [&|a, b| a == b; 2], &|i, j| (i < j).then_some((i + j) as f64 - 2.0));
         assert_eq!([table.least(), table.greatest()], [-1.0, 3.0]);
     }

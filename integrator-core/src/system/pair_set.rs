@@ -62,7 +62,7 @@ impl<R: Real> PairSet<R> {
     /// Whether a pair is in the set.
     fn contains(&self, first: usize, second: usize) -> bool {
         let [Some(start), Some(end)] = [first, first + 1].map(|at| self.starts.get(at)) else { return false };
-        self.partners[*start..*end].contains(&second)
+        self.partners[*start..*end].binary_search(&second).is_ok()
     }
     /// Returns the derivative of its entries, as a set without pairs.
     pub fn zeros(mut self) -> Self {
@@ -105,7 +105,7 @@ impl<R: Digested> Digested for PairSet<R> {
 #[derive(Debug)]
 pub struct Items<'a, T: ?Sized>(pub &'a T);
 
-/// A collection of another type, whose items are not at hand.
+/// A collection whose items are not integers, or are not known.
 #[derive(Debug)]
 pub struct Unlisted;
 
@@ -119,17 +119,17 @@ impl<'a, T: ?Sized> Items<'a, T>
 where
     &'a T: IntoIterator<Item: Number>,
 {
-    /// Returns the bodies below `length` among its items.
-    pub fn bodies(&self, length: usize, contains: &dyn Fn(usize) -> bool) -> Vec<usize> {
+    /// Returns those of some bodies that are among its items.
+    pub fn bodies(&self, bodies: Range<usize>, contains: &dyn Fn(usize) -> bool) -> Vec<usize> {
         let numbers = self.0.into_iter().filter_map(|item| item.number());
-        numbers.filter(|body| *body < length && contains(*body)).collect()
+        numbers.filter(|body| bodies.contains(body) && contains(*body)).collect()
     }
 }
 
 impl Unlisted {
-    /// Returns the bodies below `length` that it contains.
-    pub fn bodies(&self, length: usize, contains: &dyn Fn(usize) -> bool) -> Vec<usize> {
-        (0..length).filter(|body| contains(*body)).collect()
+    /// Returns those of some bodies that it contains.
+    pub fn bodies(&self, bodies: Range<usize>, contains: &dyn Fn(usize) -> bool) -> Vec<usize> {
+        bodies.filter(|body| contains(*body)).collect()
     }
 }
 
@@ -162,18 +162,19 @@ mod tests {
     use alloc::{boxed::Box, collections::BTreeSet, vec};
 
     #[test]
-    fn bodies_are_read_from_items_or_asked_for() {
+    fn bodies_are_items_or_are_tested_one_by_one() {
         let contains = |of: &[usize]| {
             let of = of.to_vec();
             move |body: usize| of.contains(&body)
         };
-        assert_eq!(Items(&vec![4_usize, 1, 9]).bodies(5, &contains(&[4, 1, 9])), [4, 1]);
-        assert_eq!(Items(&[3_u32, 2]).bodies(5, &contains(&[2, 3])), [3, 2]);
-        assert_eq!(Items(&BTreeSet::from([3_i64, -1])).bodies(5, &contains(&[3])), [3]);
-        // Neither has items of integers.
-        assert_eq!(Items(&(1_usize..3)).bodies(5, &contains(&[1, 2])), [1, 2]);
+        assert_eq!(Items(&vec![4_usize, 1, 9, 0]).bodies(1..5, &contains(&[4, 1, 9, 0])), [4, 1]);
+        assert_eq!(Items(&[3_u32, 2]).bodies(0..5, &contains(&[2, 3])), [3, 2]);
+        assert_eq!(Items(&BTreeSet::from([3_i64, -1])).bodies(0..5, &contains(&[3])), [3]);
         let boxed: Box<[usize]> = Box::new([2]);
-        assert_eq!(Items(&boxed).bodies(5, &contains(&[2])), [2]);
+        assert_eq!(Items(&boxed).bodies(0..5, &contains(&[2])), [2]);
+        // The items of the first are not known, and those of the second are not integers.
+        assert_eq!(Items(&(1_usize..3)).bodies(0..5, &contains(&[1, 2])), [1, 2]);
+        assert_eq!(Items(&vec![1.0]).bodies(2..5, &contains(&[1, 4])), [4]);
     }
 
     #[test]

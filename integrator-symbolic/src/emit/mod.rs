@@ -94,7 +94,7 @@ struct Stepper<'i> {
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
     device: Option<DeviceText>,
-    /// The number of coordinates that every start must have, where their type does not have it.
+    /// The number of coordinates that every start must have, if the type does not fix it.
     least_length: u64,
 }
 
@@ -305,16 +305,14 @@ impl<'i> Stepper<'i> {
     }
 }
 
-/// The number of coordinates that every start must have, where their type does not have it.
+/// The number of coordinates that every start must have, if the type does not fix it.
 fn least_length(model: &Model) -> u64 {
-    match model.shape.length {
-        Length::OfStart => {
-            let rate = model.rate.iter().map(|(rate, _)| *rate);
-            let invariants = model.invariants.iter().map(|invariant| invariant.value);
-            model.graph.least_length([model.kinetic, model.potential].into_iter().chain(rate).chain(invariants))
-        }
-        _ => 0,
+    if model.shape.length.literal().is_some() {
+        return 0;
     }
+    let rate = model.rate.iter().map(|(rate, _)| *rate);
+    let invariants = model.invariants.iter().map(|invariant| invariant.value);
+    model.graph.least_length([model.kinetic, model.potential].into_iter().chain(rate).chain(invariants))
 }
 
 /// The recurrences of the motion, whose flows follow from these gradients. Steps of the Taylor method end where a condition

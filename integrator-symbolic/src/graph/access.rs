@@ -50,6 +50,14 @@ impl Loops {
         }
     }
 
+    /// Whether a loop ends where the coordinates do, or before.
+    pub(super) fn ends_within(&self, by: LoopId) -> bool {
+        let Some(length) = self.extents().next() else { return false };
+        let to = self.get(by).to;
+        let is_shorter = matches!(self.index(to), Index::Sub(end, _) | Index::Monus(end, _) if end == length);
+        is_shorter || self.is_at_most(to, length, DEEPEST)
+    }
+
     /// Whether an index plus or minus a number has a coordinate in all iterations of its loop, which ends or begins by as
     /// much before the ends of the coordinates.
     fn stays_within(&self, id: IndexId) -> bool {
@@ -149,7 +157,7 @@ impl Graph {
     }
 
     /// The number of coordinates, points or planes that every start must have: one more than the largest number that is an
-    /// index in these nodes, but for indices behind a condition.
+    /// index in these nodes. An index under a condition does not count; one in a loop does, even if the loop has no iteration.
     pub(crate) fn least_length(&self, roots: impl IntoIterator<Item = NodeId>) -> u64 {
         let mut open: Vec<NodeId> = roots.into_iter().collect();
         let (mut seen, mut least) = (vec![false; self.len()], 0);
@@ -207,8 +215,8 @@ impl Graph {
         self.protects(Scope::Loop(by), body) && !self.facts[body.position()].read_in.contains(by)
     }
 
-    /// Whether a condition may decide that what is read with an access is there: one on integers, and for what is not
-    /// there by the index of a loop any.
+    /// Whether a condition may decide that what is read with an access is there. For what is read by the index of a loop, that is
+    /// a condition on integers; for what is read by a number, any condition.
     fn bears_on(&self, condition: NodeId, access: Access) -> bool {
         match self.node(condition) {
             Node::CompareIndex(_, a, b) => access == Access::WhereWritten || self.loops.bounds_from_above(a, b),

@@ -458,9 +458,9 @@ impl Graph {
                 facts.beside_sums = facts.beside_sums.max(child.beside_sums);
             }
         }
-        // All that a sum reads by the indices of loops, it reads in its own.
-        if matches!(node, Node::Sum(..) | Node::Fold(..)) && facts.loops.is_empty() && facts.access == Access::ByRunning
-        {
+        // Without loops around it, a sum over coordinates reads only coordinates that its own loops reach.
+        let is_sum = matches!(node, Node::Sum(..) | Node::Fold(..)) && facts.loops.is_empty();
+        if is_sum && facts.access == Access::ByRunning && facts.summed.iter().all(|by| self.loops.ends_within(by)) {
             facts.access = Access::Anywhere;
         }
         // A prepared constant is known to be finite, and a condition is no factor of anything.

@@ -34,7 +34,8 @@ pub(crate) fn cutoff(
     dimension: u64,
     parameters: &mut dyn Parameters,
 ) -> Option<Cutoff> {
-    Distances { bodies, dimension, extremes: Extremes { pair, ends, parameters } }.of_energy(graph, energy)?
+    Distances { bodies, dimension, extremes: Extremes { pair, ends, parameters, known: HashMap::new() } }
+        .of_energy(graph, energy)?
 }
 
 /// What distances are made of.
@@ -135,7 +136,10 @@ impl Distances<'_> {
                 self.of_condition(graph, a, holds).or_else(|| self.of_condition(graph, b, holds))
             }
             (Node::Compare(Comparison::Less | Comparison::LessOrEqual, a, b), true) => self.of_bound(graph, a, b),
-            (Node::Compare(Comparison::Less | Comparison::LessOrEqual, a, b), false) => self.of_bound(graph, b, a),
+            // The condition is false for a bound that is not a number.
+            (Node::Compare(Comparison::Less | Comparison::LessOrEqual, a, b), false) => {
+                if Extremes::may_be_nan(graph, a) { None } else { self.of_bound(graph, b, a) }
+            }
             _ => None,
         }
     }

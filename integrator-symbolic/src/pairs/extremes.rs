@@ -1,14 +1,15 @@
 //! Bounds of a prepared number over all pairs, for cutoffs that depend on the bodies.
 //!
 //! In: a prepared number of a pair, such as `self.sigma[i] + self.sigma[j]`. Out: two numbers that a run prepares once. Always
-//! true: the number of each pair lies between them, by interval arithmetic, or it is not a number. So lists of neighbours
-//! within the larger bound contain every pair within its own cutoff.
+//! true: the number of each pair lies between them, by interval arithmetic, or it is a root or a quotient that is not a number. So
+//! lists of neighbours within the larger bound contain every pair within its own cutoff.
 
 use crate::graph::{
     Comparison, Graph, Node, NodeId,
     index::LoopId,
     rename::{End, Parameters},
 };
+use std::collections::HashMap;
 
 /// The pairs that numbers are bounded over.
 pub(super) struct Extremes<'p> {
@@ -16,6 +17,8 @@ pub(super) struct Extremes<'p> {
     /// The ends of the list at which the bodies have no partner.
     pub(super) ends: [Option<End>; 2],
     pub(super) parameters: &'p mut dyn Parameters,
+    /// The bounds found so far.
+    pub(super) known: HashMap<NodeId, Option<[NodeId; 2]>>,
 }
 
 impl Extremes<'_> {
@@ -24,6 +27,25 @@ impl Extremes<'_> {
         if graph.loops_of(id).is_empty() {
             return Some([id; 2]);
         }
+        if let Some(known) = self.known.get(&id) {
+            return *known;
+        }
+        let bounds = self.of_operation(graph, id);
+        self.known.insert(id, bounds);
+        bounds
+    }
+
+    /// Whether a number may be NaN for finite parameters: a root or a quotient of numbers of the pair.
+    pub(super) fn may_be_nan(graph: &Graph, id: NodeId) -> bool {
+        let mut numbers = graph.reachable([id]).into_iter().filter(|id| !graph.loops_of(*id).is_empty());
+        numbers.any(|id| match graph.node(id) {
+            Node::Div(..) => true,
+            Node::Power(_, halves) => halves < 0 || halves % 2 != 0,
+            _ => false,
+        })
+    }
+
+    fn of_operation(&mut self, graph: &mut Graph, id: NodeId) -> Option<[NodeId; 2]> {
         match graph.node(id) {
             Node::Parameter(parameter) => {
                 let of_loop = |by: &LoopId| graph.loops.of_parameter(parameter).contains(*by);
@@ -59,8 +81,13 @@ impl Extremes<'_> {
                 // A root is not a number below zero.
                 let ends = if halves % 2 == 0 { ends } else { ends.map(|end| graph.call_two("max", end, zero)) };
                 let [least, greatest] = ends.map(|end| graph.power(end, halves));
-                let is_even = halves % 4 == 0;
-                Some(if is_even { [zero, graph.call_two("max", least, greatest)] } else { [least, greatest] })
+                if halves % 4 != 0 {
+                    return Some([least, greatest]);
+                }
+                let opposite = graph.neg(ends[1]);
+                let nearest = graph.call_two("max", ends[0], opposite);
+                let nearest = graph.call_two("max", nearest, zero);
+                Some([graph.power(nearest, halves), graph.call_two("max", least, greatest)])
             }
             Node::Binary(function, a, b) if matches!(function.name(), "max" | "min") => {
                 let both = [self.of(graph, a)?, self.of(graph, b)?];

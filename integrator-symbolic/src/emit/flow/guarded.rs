@@ -240,6 +240,16 @@ const ROWS: &[Row] = rows! { q:
         }
         v
     }
+    a_sum_over_a_number_of_coordinates {
+        let mut v = 0.0;
+        for x in q {
+            if q.len() > 2 {
+                let z = (0..3).map(|k| q[k] * q[k]).sum::<f64>();
+                v += (z * x).cos();
+            }
+        }
+        v
+    }
     coordinates_that_may_not_be_there {
         let mut v = 0.0;
         for x in q {

@@ -37,12 +37,12 @@ impl Texts<'_> {
             return Some(graph.compare(Comparison::Less, zero, number));
         }
         let condition = self.equality(graph, &text, pair, ends, loops);
-        let condition = condition.or_else(|| self.membership(graph, id, pair, ends));
-        condition.or_else(|| {
+        let condition = condition.or_else(|| {
             let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8 as f64), pair, ends)?;
             let zero = graph.constant(0.0);
             Some(graph.compare(Comparison::Less, zero, entry))
-        })
+        });
+        condition.or_else(|| self.membership(graph, id, pair, ends))
     }
 
     /// An equality of values of the two bodies.

@@ -1,7 +1,8 @@
 //! Conditions such as `self.excluded[i].contains(&j)` and `self.bonded.contains(&(i, j))` as sets of pairs, for sums over pairs.
 //!
 //! In: the text of a condition. Out: whether the numbers of the two bodies are a pair of a set that a run prepares once. Always
-//! true: the set has the pairs for which the text is true, each asked by the text itself.
+//! true: the set has those pairs of the loops for which the text is true. For an own type of collection, this requires that its
+//! items are what it contains.
 
 use super::{
     flags::OTHER_BODY,
@@ -59,9 +60,9 @@ impl Texts<'_> {
         let (root, this, other) = (self.root, running_index(first), format_ident!("{OTHER_BODY}"));
         let member = with_index(&member, second, other.clone());
         let (bodies, partners) = match ends[own] {
-            None => (quote!(0..length), quote!(length)),
-            Some(End::First) => (quote!(1..length), quote!(#this)),
-            Some(End::Last) => (quote!(0..length.saturating_sub(1)), quote!(length)),
+            None => (quote!(0..length), quote!(0..length)),
+            Some(End::First) => (quote!(1..length), quote!(0..#this)),
+            Some(End::Last) => (quote!(0..length.saturating_sub(1)), quote!(#this + 1..length)),
         };
         let items = match is_listed {
             true => quote!(#root::__private::Items(&#receiver)),
@@ -83,10 +84,17 @@ impl Texts<'_> {
     }
 }
 
+/// Integers that the number of a body fits into.
+const WIDE: [&str; 8] = ["u32", "u64", "u128", "usize", "i32", "i64", "i128", "isize"];
+
 /// Whether an expression is the index of a loop, perhaps as another type.
 fn is_number(expression: &Expr, by: LoopId) -> bool {
     match without_parentheses(expression) {
-        Expr::Cast(inner) => is_number(&inner.expr, by),
+        // A shorter type may not have the number.
+        Expr::Cast(inner) => {
+            let to = inner.ty.to_token_stream().to_string();
+            is_number(&inner.expr, by) && WIDE.contains(&to.as_str())
+        }
         index => running_index(by) == index.to_token_stream().to_string(),
     }
 }

@@ -6,8 +6,8 @@ use crate::{
 };
 
 impl Reader<'_> {
-    /// The same flows by at least two parts: neighbours that are functions of positions alone, or of momenta alone,
-    /// commute, so their sum is one part.
+    /// Joins neighbours that are functions of positions alone, or of momenta alone: they commute, so their sum is one part. At
+    /// least two parts are left.
     pub(crate) fn commuting_as_one(&mut self, parts: Vec<ExactPart>) -> Vec<ExactPart> {
         let is_one = |[first, second]: [&ExactPart; 2]| {
             matches!(first.form, Exact::OfPositions | Exact::OfMomenta) && first.form == second.form
