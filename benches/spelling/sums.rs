@@ -1,0 +1,220 @@
+//! Sums over rows of data, matrices, graphs, planes and chains.
+
+use crate::{Group, spellings};
+use integrator_core::prelude::*;
+
+const ROWS: usize = 1000;
+const COVARIATES: usize = 20;
+const SIZE: usize = 500;
+const SITES: usize = 4000;
+const WIDTH: usize = 64;
+const STEP: f64 = 0.001;
+
+#[derive(Clone)]
+struct Data {
+    covariates: Vec<f64>,
+    outcomes: Vec<f64>,
+    couplings: Vec<Vec<f64>>,
+    flat: Vec<f64>,
+    neighbours: Vec<Vec<usize>>,
+    edges: Vec<[usize; 2]>,
+    width: usize,
+    strength: f64,
+}
+
+fn data() -> Data {
+    let coupling = |i: usize, j: usize| if i == j { 0.0 } else { 0.001 * ((i * j) as f64).cos() };
+    let links = |i: usize| [1, 17, SITES - 1, SITES - 17].map(|step| (i + step) % SITES).to_vec();
+    Data {
+        covariates: (0..ROWS * COVARIATES).map(|k| (0.7 * k as f64).sin()).collect(),
+        outcomes: (0..ROWS).map(|row| (row % 2) as f64).collect(),
+        couplings: (0..SIZE).map(|i| (0..SIZE).map(|j| coupling(i, j)).collect()).collect(),
+        flat: (0..SIZE * SIZE).map(|k| coupling(k / SIZE, k % SIZE)).collect(),
+        neighbours: (0..SITES).map(links).collect(),
+        edges: (0..SITES).flat_map(|i| [1, 17].map(|step| [i, (i + step) % SITES])).collect(),
+        width: WIDTH,
+        strength: 0.1,
+    }
+}
+
+fn waves(length: usize) -> Phase<Vec<f64>> {
+    Phase::new((0..length).map(|i| (0.37 * i as f64).sin()).collect(), vec![0.0; length])
+}
+
+macro_rules! sums {
+    ($name:ident, $coordinates:ty, |$self:ident, $q:ident| $potential:expr) => {
+        struct $name(Data);
+
+        #[hamiltonian]
+        impl $name {
+            fn kinetic(&self, p: $coordinates) -> f64 {
+                p.iter().map(|p| 0.5 * p * p).sum()
+            }
+            fn potential(&$self, $q: $coordinates) -> f64 {
+                $potential
+            }
+        }
+    };
+    ($name:ident, |$self:ident, $q:ident| $potential:expr) => {
+        sums!($name, &[f64], |$self, $q| $potential);
+    };
+}
+
+sums!(Array, [f64; COVARIATES + 1], |self, b| {
+    let mut v = 0.0;
+    for row in 0..self.0.outcomes.len() {
+        let mut z = b[0];
+        for k in 0..20 {
+            z += self.0.covariates[row * 20 + k] * b[k + 1];
+        }
+        v += z.exp().ln_1p() - self.0.outcomes[row] * z;
+    }
+    v
+});
+sums!(Slice, |self, b| {
+    let mut v = 0.0;
+    for row in 0..self.0.outcomes.len() {
+        let mut z = b[0];
+        for k in 0..b.len() - 1 {
+            z += self.0.covariates[row * (b.len() - 1) + k] * b[k + 1];
+        }
+        v += z.exp().ln_1p() - self.0.outcomes[row] * z;
+    }
+    v
+});
+sums!(Iterators, |self, b| self
+    .0
+    .covariates
+    .chunks_exact(20)
+    .zip(&self.0.outcomes)
+    .map(|(row, outcome)| {
+        let z = b[0] + row.iter().zip(&b[1..]).map(|(x, b)| x * b).sum::<f64>();
+        z.exp().ln_1p() - outcome * z
+    })
+    .sum());
+
+sums!(Square, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            v += 0.5 * self.0.couplings[i][j] * q[i] * q[j];
+        }
+    }
+    v
+});
+sums!(FlatSquare, |self, q| {
+    let n = q.len();
+    let mut v = 0.0;
+    for i in 0..n {
+        for j in 0..n {
+            v += 0.5 * self.0.flat[i * n + j] * q[i] * q[j];
+        }
+    }
+    v
+});
+sums!(Triangle, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for j in 0..i {
+            v += self.0.couplings[i][j] * q[i] * q[j];
+        }
+    }
+    v
+});
+
+sums!(Edges, |self, q| {
+    let mut v = 0.0;
+    for &[i, j] in &self.0.edges {
+        v -= (q[i] - q[j]).cos();
+    }
+    v
+});
+sums!(Neighbours, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for &j in &self.0.neighbours[i] {
+            v -= 0.5 * (q[i] - q[j]).cos();
+        }
+    }
+    v
+});
+
+struct Rows(Data);
+
+#[hamiltonian]
+impl Rows {
+    fn kinetic(&self, p: &[[f64; WIDTH]]) -> f64 {
+        p.iter().flatten().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[[f64; WIDTH]]) -> f64 {
+        let mut v = 0.0;
+        for y in 0..q.len() {
+            for x in 0..WIDTH {
+                v += 0.5 * (q[y][x] - q[y][(x + 1) % WIDTH]).powi(2);
+                v += 0.5 * (q[y][x] - q[(y + 1) % q.len()][x]).powi(2) + self.0.strength * q[y][x].powi(4);
+            }
+        }
+        v
+    }
+}
+sums!(FlatPlane, |self, q| {
+    let (w, h) = (self.0.width, q.len() / self.0.width);
+    let mut v = 0.0;
+    for y in 0..h {
+        for x in 0..w {
+            v += 0.5 * (q[y * w + x] - q[y * w + (x + 1) % w]).powi(2);
+            v += 0.5 * (q[y * w + x] - q[(y + 1) % h * w + x]).powi(2) + self.0.strength * q[y * w + x].powi(4);
+        }
+    }
+    v
+});
+
+sums!(Walls, |self, q| {
+    let n = q.len();
+    let mut v = 0.5 * (q[0] * q[0] + q[n - 1] * q[n - 1]);
+    for i in 0..n - 1 {
+        v += 0.5 * (q[i + 1] - q[i]).powi(2) + self.0.strength * q[i].powi(4);
+    }
+    v + self.0.strength * q[n - 1].powi(4)
+});
+sums!(Windows, |self, q| {
+    let bonds: f64 = q.windows(2).map(|pair| 0.5 * (pair[1] - pair[0]).powi(2)).sum();
+    let sites: f64 = q.iter().map(|q| self.0.strength * q.powi(4)).sum();
+    bonds + sites + 0.5 * (q[0].powi(2) + q[q.len() - 1].powi(2))
+});
+sums!(EndsByIf, |self, q| {
+    let n = q.len();
+    let mut v = 0.0;
+    for i in 0..=n {
+        let left = if i == 0 { 0.0 } else { q[i - 1] };
+        let right = if i == n { 0.0 } else { q[i] };
+        v += 0.5 * (right - left).powi(2) + self.0.strength * right.powi(4);
+    }
+    v
+});
+
+pub(crate) fn groups() -> Vec<Group<'static>> {
+    let mut regression = Group::new("regression", 200);
+    let array = || Phase::new(std::array::from_fn(|k| (0.37 * k as f64).sin()), [0.0; COVARIATES + 1]);
+    spellings!(regression, data(), array(), STEP; "array" Array);
+    spellings!(regression, data(), waves(COVARIATES + 1), STEP; "slice" Slice, "iterators" Iterators);
+    let mut matrix = Group::new("matrix", 50);
+    spellings!(matrix, data(), waves(SIZE), STEP;
+        "half of all entries" Square, "the same, flat" FlatSquare, "lower triangle" Triangle,
+    );
+    let mut graph = Group::new("graph", 100);
+    spellings!(graph, data(), waves(SITES), STEP; "edges" Edges, "lists of neighbours" Neighbours);
+    let mut plane = Group::new("plane", 1000);
+    let wave = |k: usize| (0.37 * k as f64).sin();
+    let rows = || {
+        let row = |y: usize| std::array::from_fn(|x| wave(y * WIDTH + x));
+        Phase::new((0..WIDTH).map(row).collect(), vec![[0.0; WIDTH]; WIDTH])
+    };
+    spellings!(plane, data(), rows(), STEP; "rows" Rows);
+    spellings!(plane, data(), waves(WIDTH * WIDTH), STEP; "flat coordinates" FlatPlane);
+    let mut chain = Group::new("chain", 2000);
+    spellings!(chain, data(), waves(SITES), STEP;
+        "loop over bonds" Walls, "windows" Windows, "ends by if" EndsByIf,
+    );
+    vec![regression, matrix, graph, plane, chain]
+}
