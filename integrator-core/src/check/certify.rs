@@ -49,10 +49,13 @@ const FOLLOWING: f64 = 3.0;
 /// fortieth only.
 const MOST_PIECES: u64 = 4096;
 
-/// The factor by which steps are finer in a second search for the order, down to the step of the run, and the number of
-/// pieces in this search.
+/// The factor by which steps are finer in a second search for the order, down to the step of the run.
 const FINER: f64 = 8.0;
+
+/// The number of pieces in this search for a state of few coordinates. Larger states have fewer pieces in proportion, because
+/// each of them takes longer.
 const MOST_FINE: u64 = 128;
+const FEW_COORDINATES: u64 = 8;
 
 /// The names of the checks of the flows, as `T(p)` and `V(q)` have them and as other parts do.
 const GRADIENT: &str = "the gradient";
@@ -349,7 +352,9 @@ impl Subject<'_> {
         // In finer steps, the error of a missing derivative exceeds those that shrink faster. At sudden turns of a motion,
         // high orders are seen in steps that are finer still.
         let piece = (unit / FINER).abs().max(self.h.abs()).copysign(self.h) * UNITS as f64;
-        let fine = order_along((stepper, needed.min(needed_along(4))), &self.start, piece, MOST_FINE);
+        let coordinates = self.start.phase.q.len() as u64;
+        let pieces = (MOST_FINE * FEW_COORDINATES / coordinates.max(FEW_COORDINATES)).max(1);
+        let fine = order_along((stepper, needed.min(needed_along(4))), &self.start, piece, pieces);
         if fine.loss.is_some() { fine } else { along }
     }
 
