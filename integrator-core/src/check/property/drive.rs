@@ -8,7 +8,7 @@ use crate::{
         CheckError,
         property::energies::{Differentiable, Energies, Part},
         start::IntoStart,
-        statistics::points::begin,
+        statistics::{GOLDEN, points::begin},
     },
     hamiltonian::Hamiltonian,
     scalar::tolerance::largest,
@@ -63,8 +63,6 @@ pub fn turns_in_time<H: Hamiltonian, K: Precision>(
 
 /// [`turns_in_time`] of a state and a time.
 pub(crate) fn turns(system: &dyn Differentiable, state: &Flat, time: f64, span: f64) -> u64 {
-    /// Its multiples fall evenly between whole numbers.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let sample = |index: u32| {
         let share = (f64::from(index) + (GOLDEN * f64::from(index)).fract()) / f64::from(SAMPLES);
         let energies = Part::BOTH.map(|part| system.bounded_energy(part, state, time + share * span));

@@ -9,7 +9,10 @@ use crate::{
         CheckError,
         oracle::tangent::{Carry, Tangents},
         start::{IntoStart, Start},
-        statistics::points::{coordinate, numbers, origin, plain, resolution, run},
+        statistics::{
+            GOLDEN,
+            points::{coordinate, numbers, origin, plain, resolution, run},
+        },
     },
     error::Error,
     hamiltonian::Hamiltonian,
@@ -151,12 +154,11 @@ impl Size {
 /// The largest size, in units of `size`, that tangents reach within `steps` steps, where every number of a tangent
 /// begins with one unit.
 fn growth(tangents: &dyn Carry, point: &Flat, size: Size, (t0, h): (f64, f64), steps: u64) -> f64 {
-    /// Its multiples fall evenly into (0, 1), so that signs taken from them share no symmetry with the system: a shift
-    /// of all bodies together, for example, would not change the forces between them.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     largest([1.0, -1.0].map(|sign_of_p| {
         let (mut point, mut tangent) = (point.clone(), origin(point));
         for index in 0..2 * size.positions {
+            // Signs that share no symmetry with the system: a shift of all bodies together, for example, would not change
+            // the forces between them.
             let sign = if (index as f64 * GOLDEN).fract() < 0.5 { 1.0 } else { -1.0 };
             let relative = if index < size.positions { 1.0 } else { sign_of_p };
             *coordinate(&mut tangent, index) = sign * relative * size.unit(index);

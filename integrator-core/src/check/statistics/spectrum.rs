@@ -3,6 +3,7 @@
 //! In: such an operator. Out: approximations of its eigenvalues, the outermost ones first to be accurate. Always true:
 //! in few dimensions all distinct eigenvalues, up to rounding.
 
+use super::GOLDEN;
 use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 /// The dimension of the largest subspace. The outermost eigenvalues of a chain, the most crowded ones of all systems
@@ -15,12 +16,11 @@ const SWEEPS: usize = 100 * SUBSPACE;
 /// Approximate eigenvalues of `operator` on vectors of `length` numbers (Arnoldi 1951): those of its restriction to the
 /// space of a vector and its first images. `None` where the operator is not finite.
 pub(crate) fn eigenvalues(length: usize, operator: &dyn Fn(&[f64]) -> Vec<f64>) -> Option<Vec<Complex<f64>>> {
-    /// Its multiples fall evenly into (0, 1), so that the vector lies in no space that a symmetry leaves to itself.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     if length == 0 {
         return Some(Vec::new());
     }
     let size = length.min(SUBSPACE);
+    // Such a vector lies in no space that a symmetry leaves to itself.
     let mut basis = vec![DVector::from_fn(length, |i, _| (GOLDEN * (i + 1) as f64).fract() - 0.5).normalize()];
     let mut restricted = DMatrix::<f64>::zeros(size, size);
     let mut found = size;

@@ -7,7 +7,7 @@
 //! `A` is minimax (Remez in 300 bits, weighted for the relative error of the result, coefficients rounded one after the
 //! other and the later ones fitted again).
 
-use super::{Bits, cubic, linear};
+use super::{Bits, cubic, linear, with_fallback_of_two};
 use crate::scalar::{
     elementary::Elementary,
     exact::{Parts, fast_two_sum, lost_by_quotient},
@@ -84,8 +84,7 @@ fn quadrant<R: Bits>(x: R, steep: R::Mask) -> (R, R) {
 fn with_fallback<R: Bits<Scalar: Arc>>(value: R, [y, x]: [R; 2], [small, big]: [R; 2]) -> R {
     let [least, greatest] = R::Scalar::MODERATE.map(R::of);
     let moderate = least.less(big).and(big.less(greatest)).and(least.less(small).or(small.equal(R::of(0.0))));
-    let outside = moderate.not();
-    if outside.any() { R::select(outside, y.zip_scalars(x, R::Scalar::fallback), value) } else { value }
+    with_fallback_of_two(value, moderate, [y, x], R::Scalar::fallback)
 }
 
 /// The arc tangent, with an error of at most 1 ulp.

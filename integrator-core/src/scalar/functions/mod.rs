@@ -106,3 +106,15 @@ fn with_fallback<R: Bits>(value: R, fast: R::Mask, x: R, fallback: fn(&mut [R::S
     let outside = fast.not();
     if outside.any() { R::select(outside, x.map_scalars(fallback), value) } else { value }
 }
+
+/// The same with a fallback of two arguments.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn with_fallback_of_two<R: Bits>(
+    value: R,
+    fast: R::Mask,
+    [x, y]: [R; 2],
+    fallback: fn(&mut [R::Scalar], &[R::Scalar]),
+) -> R {
+    let outside = fast.not();
+    if outside.any() { R::select(outside, x.zip_scalars(y, fallback), value) } else { value }
+}

@@ -12,6 +12,7 @@ use super::{
     exponential::{Exponential, parts, raised},
     linear,
     logarithm::{Logarithm, normal, split},
+    with_fallback_of_two,
 };
 use crate::scalar::{
     elementary::Elementary,
@@ -62,8 +63,8 @@ pub(crate) fn powf<R: Bits<Scalar: Power>>(x: R, y: R) -> R {
     let [exponent, lost] = two_product(y, logarithm);
     let (n, [less_one, _]) = parts(exponent, y.fma(small, lost));
     let value = raised(n, less_one);
-    let outside = normal(x).and(exponent.abs().less_or_equal(R::of(R::Scalar::MAX_FAST_ARGUMENT))).not();
-    if outside.any() { R::select(outside, x.zip_scalars(y, <R::Scalar as Power>::fallback), value) } else { value }
+    let fast = normal(x).and(exponent.abs().less_or_equal(R::of(R::Scalar::MAX_FAST_ARGUMENT)));
+    with_fallback_of_two(value, fast, [x, y], <R::Scalar as Power>::fallback)
 }
 
 /// The error of the polynomial: 2^-66.3.

@@ -4,7 +4,7 @@
 //! monotone. Both `x - n y` and the same with one more `y` are numbers: multiples of the last place of `x` or `y`, and not
 //! larger than `y`. So a fused multiply-add computes the first, and a sum the second, without rounding.
 
-use super::Bits;
+use super::{Bits, with_fallback_of_two};
 use crate::scalar::{elementary::Elementary, real::Mask};
 
 /// The remainder in one format.
@@ -28,9 +28,8 @@ pub(crate) fn remainder<R: Bits<Scalar: Remainder>>(x: R, y: R) -> R {
     let rest = (-quotient.trunc()).fma(y, x).bits_xor(sign);
     let size = R::select(rest.less(R::of(0.0)), rest + divisor, rest);
     let value = size.abs().bits_xor(sign);
-    let is_integral = quotient.abs().less(R::of(R::Scalar::LARGEST_QUOTIENT)).not();
-    let outside = is_integral.or(divisor.less(R::of(f64::INFINITY)).not());
-    if outside.any() { R::select(outside, x.zip_scalars(y, fallback), value) } else { value }
+    let has_fraction = quotient.abs().less(R::of(R::Scalar::LARGEST_QUOTIENT));
+    with_fallback_of_two(value, has_fraction.and(divisor.less(R::of(f64::INFINITY))), [x, y], fallback)
 }
 
 macro_rules! remainder_of {

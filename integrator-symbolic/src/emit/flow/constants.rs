@@ -58,15 +58,15 @@ impl Constants {
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
             let whole = content.node().and_then(|id| whole(emitter.model, id));
-            let is_of_pairs = whole.is_some() && table.levels.is_empty();
+            let is_of_pairs = whole.as_ref().is_some_and(|whole| whole.table.is_some());
             let (kind, value) = match content {
                 Content::Number(id) => match (&whole, table.levels.first()) {
-                    (None, _) => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
-                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
-                    (Some(Whole { code, table }), None) => {
-                        let (runtime, kind) = (&names.runtime, format_ident!("{}", table.unwrap_or("ByClass")));
+                    (Some(Whole { code, table: Some(kind) }), _) => {
+                        let (runtime, kind) = (&names.runtime, format_ident!("{kind}"));
                         (quote!(#runtime::#kind<#scalar>), code.clone())
                     }
+                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
+                    _ => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                 },
                 Content::Integer(id) => {
                     let text = emitter.model.text(id);

@@ -3,6 +3,7 @@
 use crate::errors::quoted;
 use crate::model::{
     expressions::elementary::is_elementary,
+    parameters::text::without_parentheses,
     values::{
         value::{Value, is_list},
         whole::as_number,
@@ -201,13 +202,6 @@ pub(crate) fn no_function(name: &str, value: &Value, call: &ExprCall) -> Option<
         _ => return None,
     };
     Some(format!("{name} is {}, not a function\nhelp: write `{cure}`", value.describe()))
-}
-
-fn without_parentheses(expression: &Expr) -> &Expr {
-    match expression {
-        Expr::Paren(inner) => without_parentheses(&inner.expr),
-        other => other,
-    }
 }
 
 /// The value of a literal, with its sign.

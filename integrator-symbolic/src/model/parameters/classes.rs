@@ -7,7 +7,7 @@ use super::{
     flags::OTHER_BODY,
     parameter_text::Texts,
     presence::is_there,
-    running_index::{running_index, with_index},
+    running_index::{but_for, running_index, with_index},
 };
 use crate::graph::{
     Graph, NodeId, ParameterId,
@@ -41,11 +41,7 @@ impl Texts<'_> {
         let [Some(first), Some(second)] = values else { return None };
         // A list that is read for either body has all elements.
         let alike = with_index(&second, pair[1], running_index(pair[0])).to_string() == first.to_string();
-        let bodies = ends.map(|end| match end.filter(|_| !alike) {
-            None => quote!(0..length),
-            Some(End::First) => quote!(1..length),
-            Some(End::Last) => quote!(0..length.saturating_sub(1)),
-        });
+        let bodies = ends.map(|end| but_for(end.filter(|_| !alike)));
         let root = self.root;
         let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
         let equal = [(&first, pair[0]), (&second, pair[1])].map(|(value, by)| {

@@ -1,6 +1,10 @@
 //! Bounds of the values of a parameter: over all bodies, or over the entries of a table by classes.
 
-use super::{parameter_text::Texts, presence::looked_up, running_index::running_index};
+use super::{
+    parameter_text::Texts,
+    presence::looked_up,
+    running_index::{but_for, running_index},
+};
 use crate::graph::{
     Graph, ParameterId,
     index::{LoopId, LoopSet},
@@ -23,11 +27,7 @@ impl Texts<'_> {
             return None;
         }
         let text = looked_up(&text, root).unwrap_or(text);
-        let bodies = match end {
-            None => quote!(0..length),
-            Some(End::First) => quote!(1..length),
-            Some(End::Last) => quote!(0..length.saturating_sub(1)),
-        };
+        let bodies = but_for(end);
         Some(self.both(graph, id, |name| quote!(#root::__private::#name(#bodies, &|#index: usize| #text))))
     }
 

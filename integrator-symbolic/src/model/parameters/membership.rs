@@ -7,14 +7,14 @@
 use super::{
     flags::OTHER_BODY,
     parameter_text::Texts,
-    running_index::{mentions, running_index, with_index},
+    running_index::{but_for, mentions, running_index, with_index},
+    text::without_parentheses,
 };
 use crate::graph::{
     Comparison, Graph, NodeId, ParameterId,
     index::{Index, LoopId},
     rename::End,
 };
-use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 use syn::{Expr, UnOp};
 
@@ -45,24 +45,24 @@ impl Texts<'_> {
         let [argument] = &call.args.iter().collect::<Vec<_>>()[..] else { return None };
         let Expr::Reference(argument) = without_parentheses(argument) else { return None };
         let (receiver, member) = (call.receiver.to_token_stream(), argument.expr.to_token_stream());
-        let is_of = |text: &TokenStream, by: &LoopId| mentions(text, *by);
-        let of_receiver: Vec<usize> = (0..2).filter(|at| is_of(&receiver, &pair[*at])).collect();
+        if graph.loops.of_parameter(id).iter().count() != 2 {
+            return None;
+        }
+        let of_receiver: Vec<usize> = (0..2).filter(|at| mentions(&receiver, pair[*at])).collect();
         let own = of_receiver.first().copied().unwrap_or(0);
         let [first, second] = [pair[own], pair[1 - own]];
         let is_listed = match of_receiver[..] {
-            [_] => !is_of(&member, &first) && is_number(&argument.expr, second),
-            [] if is_of(&member, &first) && is_of(&member, &second) => false,
+            [_] if is_number(&argument.expr, second) => true,
+            [] if pair.iter().all(|by| mentions(&member, *by)) => false,
             _ => return None,
         };
-        if graph.loops.of_parameter(id).iter().count() != 2 || of_receiver.len() == 1 && !is_listed {
-            return None;
-        }
         let (root, this, other) = (self.root, running_index(first), format_ident!("{OTHER_BODY}"));
         let member = with_index(&member, second, other.clone());
-        let (bodies, partners) = match ends[own] {
-            None => (quote!(0..length), quote!(0..length)),
-            Some(End::First) => (quote!(1..length), quote!(0..#this)),
-            Some(End::Last) => (quote!(0..length.saturating_sub(1)), quote!(#this + 1..length)),
+        let bodies = but_for(ends[own]);
+        let partners = match ends[own] {
+            None => quote!(0..length),
+            Some(End::First) => quote!(0..#this),
+            Some(End::Last) => quote!(#this + 1..length),
         };
         let items = match is_listed {
             true => quote!(#root::__private::Items(&#receiver)),
@@ -96,12 +96,5 @@ fn is_number(expression: &Expr, by: LoopId) -> bool {
             is_number(&inner.expr, by) && WIDE.contains(&to.as_str())
         }
         index => running_index(by) == index.to_token_stream().to_string(),
-    }
-}
-
-fn without_parentheses(expression: &Expr) -> &Expr {
-    match expression {
-        Expr::Paren(inner) => without_parentheses(&inner.expr),
-        other => other,
     }
 }

@@ -4,9 +4,12 @@
 //! name in the user's code. The identifier gets the name of the index when it is printed. Source that is moved between
 //! loops hence captures no variable.
 
-use crate::graph::index::{LoopId, LoopSet};
+use crate::graph::{
+    index::{LoopId, LoopSet},
+    rename::End,
+};
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
-use quote::format_ident;
+use quote::{format_ident, quote};
 
 /// What the identifiers begin with, before the number of the loop.
 const PREFIX: &str = "__index_of_loop_";
@@ -41,6 +44,15 @@ pub(crate) fn with_indices(text: &TokenStream, of: &dyn Fn(LoopId) -> Option<Tok
 pub(crate) fn with_index(text: &TokenStream, by: LoopId, index: impl Into<TokenTree>) -> TokenStream {
     let index = index.into();
     with_indices(text, &|other| (other == by).then(|| index.clone()))
+}
+
+/// The range of all bodies but the one at an end.
+pub(super) fn but_for(end: Option<End>) -> TokenStream {
+    match end {
+        None => quote!(0..length),
+        Some(End::First) => quote!(1..length),
+        Some(End::Last) => quote!(0..length.saturating_sub(1)),
+    }
 }
 
 /// Whether a text mentions the index of a loop.

@@ -32,6 +32,14 @@ pub(crate) fn in_parentheses(text: TokenStream) -> TokenStream {
     group.to_token_stream()
 }
 
+/// What parentheses contain.
+pub(crate) fn without_parentheses(expression: &Expr) -> &Expr {
+    match expression {
+        Expr::Paren(inner) => without_parentheses(&inner.expr),
+        other => other,
+    }
+}
+
 /// A reference to what a text stands for.
 pub(crate) fn reference_to(text: &TokenStream) -> TokenStream {
     match syn::parse2(quote!(&#text)) {
