@@ -74,6 +74,17 @@ pub enum Error {
         /// The number of coordinates, points or planes of the initial state.
         length: usize,
     },
+    /// The functions of the system read flat coordinates as points, and the initial state has a part of a point.
+    #[error(
+        "the functions of the system read points with {components} components each, and the initial state has {length} \
+         coordinates\nhelp: start with a multiple of {components}"
+    )]
+    PartialPoint {
+        /// The number of components of a point.
+        components: usize,
+        /// The number of coordinates of the initial state.
+        length: usize,
+    },
     /// A force or a velocity at the initial state is not finite, because a constant that depends on parameters is not.
     #[error(
         "the equations of motion are not finite at the initial state: {}\nhelp: check these parameters of the system",

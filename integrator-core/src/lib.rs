@@ -256,7 +256,7 @@ pub mod __private {
         system::{
             MovedBy, QuadraticKinetic, ReadBy, Shaped, StatedEnergy, System,
             by_value::by_value,
-            classes::{ByClass, classes, numbers_of_values},
+            classes::{ByClass, classes, numbers_of_values, padded},
             counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
@@ -264,7 +264,7 @@ pub mod __private {
             extremes::{greatest, least},
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
-            least_length::are_at_least,
+            least_length::{are_at_least, are_points},
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},
             not_finite::{all_found, not_finite},
             pair_set::{Items, PairSet, Unlisted},

@@ -11,6 +11,7 @@ mod cutoff;
 mod exchange;
 mod extremes;
 mod order;
+pub(crate) mod points;
 mod terms;
 
 use crate::{
@@ -29,6 +30,7 @@ use exchange::Forms;
 use order::Order;
 pub(crate) use order::with_numbers_of_each;
 use terms::{Terms, addends};
+pub(crate) use terms::{acting, moving};
 
 /// A potential of pairs.
 pub(crate) struct Pairs {
@@ -121,8 +123,8 @@ pub(crate) fn per_body(
     apart.then(|| gradient(graph, alone, part))
 }
 
-/// The loop over all bodies.
-fn over_all(graph: &mut Graph, length: IndexId) -> LoopId {
+/// The loop over this number of bodies.
+pub(crate) fn over_all(graph: &mut Graph, length: IndexId) -> LoopId {
     let from = graph.loops.intern(Index::Literal(0));
     graph.loops.range(Loop { parent: None, from, to: length })
 }

@@ -46,12 +46,20 @@ impl Pattern {
     pub(crate) fn restate(&self, model: &mut Model, stated: &mut NodeId) -> bool {
         let Self::AllPairs(pairs) = self else { return false };
         let Model { graph, parameters, running, potential, root, .. } = model;
-        let mut texts = Texts::new(parameters, running, root);
+        let mut texts = Texts::of_bodies(parameters, running, root, pairs.are_of_length());
         let known = *potential;
         for energy in [potential, stated] {
             *energy = with_numbers_of_each(graph, *energy, pairs.pair, pairs.ends, &mut texts);
         }
         model.potential != known
+    }
+
+    /// The pairs, if bodies act on each other in pairs.
+    pub(crate) fn pairs(&self) -> Option<&AllPairs> {
+        match self {
+            Self::AllPairs(pairs) => Some(pairs),
+            Self::Sites(_) => None,
+        }
     }
 
     /// The stencil of the gradient of `V`.

@@ -299,3 +299,189 @@ fn a_cutoff_is_proved_or_all_pairs_are_summed() {
 fn of_pairs(length: &str, kind: &str, distance: &str, branch: &str) -> String {
     stepper(length, kind, ["for i in 0..N { for j in 0..i {", &format!("{distance} {branch}"), "} }"])
 }
+
+/// Loops over bodies whose number is not the length of the coordinates: a name, the coordinates, T, V, and what is found: the
+/// number of coordinates of a body, and whether a number of the system says how many act and how many move.
+type Counted = (&'static str, &'static str, &'static str, &'static str, Option<(u32, bool, bool)>);
+
+const POINTS: &str = "&[[f64; 3]]";
+const FREE: &str = "p.iter().map(|p| 0.5 * p * p).sum()";
+const FREE_POINTS: &str = "p.iter().flatten().map(|p| 0.5 * p * p).sum()";
+
+/// A loop over pairs of flat points with the number of bodies `n`.
+macro_rules! flat {
+    ($n:literal) => {
+        flat!($n, "for j in 0..i")
+    };
+    ($n:literal, $inner:literal) => {
+        flat!($n, $inner, "let d = q[3 * i + k] - q[3 * j + k]; r2 += d * d;")
+    };
+    ($n:literal, $inner:literal, $square:literal) => {
+        concat!(
+            "let n = ",
+            $n,
+            "; let mut v = 0.0; for i in 0..n { ",
+            $inner,
+            " { let mut r2 = self.softening; for k in 0..3 { ",
+            $square,
+            " } v -= self.m[i] * self.m[j] / r2.sqrt(); } } v"
+        )
+    };
+}
+
+/// The same of points.
+macro_rules! points {
+    ($outer:literal, $inner:literal) => {
+        concat!(
+            "let n = self.m.len(); let mut v = 0.0; ",
+            $outer,
+            " { ",
+            $inner,
+            " { let mut r2 = self.softening; for k in 0..3 { r2 += (q[i][k] - q[j][k]).powi(2); } ",
+            "v -= self.m[i] * self.m[j] / r2.sqrt(); } } v"
+        )
+    };
+}
+
+const COUNTED: [Counted; 28] = [
+    ("flat", "&[f64]", FREE, flat!("q.len() / 3"), Some((3, false, false))),
+    ("flat, partners behind", "&[f64]", FREE, flat!("q.len() / 3", "for j in i + 1..n"), Some((3, false, false))),
+    (
+        "flat, all others",
+        "&[f64]",
+        FREE,
+        "let n = q.len() / 3; let mut v = 0.0; for i in 0..n { for j in 0..n { if i != j { \
+         v += 0.5 * self.m[i] * self.m[j] * (q[3 * i] - q[3 * j]).cos(); } } } v",
+        Some((3, false, false)),
+    ),
+    ("a flat array", "[f64; 300]", FREE, flat!("100"), Some((3, false, false))),
+    ("a short flat array", "[f64; 18]", FREE, flat!("6"), None),
+    ("a number of flat bodies", "&[f64]", FREE, flat!("self.n"), Some((3, true, false))),
+    ("a list of flat bodies", "&[f64]", FREE, flat!("self.m.len()"), Some((3, true, false))),
+    (
+        "the factor behind",
+        "&[f64]",
+        FREE,
+        flat!("q.len() / 3", "for j in 0..i", "r2 += (q[i * 3 + k] - q[k + 3 * j]).powi(2);"),
+        Some((3, false, false)),
+    ),
+    (
+        "masses in T",
+        "&[f64]",
+        "let mut t = 0.0; for i in 0..self.m.len() { for k in 0..3 { t += p[3 * i + k].powi(2) / (2.0 * self.m[i]); } } t",
+        flat!("q.len() / 3"),
+        Some((3, false, true)),
+    ),
+    (
+        "chunks",
+        "&[f64]",
+        FREE,
+        "let mut v = 0.0; for (i, a) in q.chunks_exact(2).enumerate() { for b in q.chunks_exact(2).take(i) { \
+         v -= 1.0 / ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2) + self.softening).sqrt(); } } v",
+        Some((2, false, false)),
+    ),
+    (
+        "a term of all coordinates",
+        "&[f64]",
+        FREE,
+        concat!("q.iter().map(|q| self.k * q * q).sum::<f64>() + { ", flat!("q.len() / 3"), " }"),
+        Some((3, false, false)),
+    ),
+    (
+        "a number by the index of a coordinate",
+        "&[f64]",
+        "let mut t = 0.0; for k in 0..p.len() { t += p[k].powi(2) / self.m[k]; } t",
+        flat!("q.len() / 3"),
+        None,
+    ),
+    (
+        "a component beyond the point",
+        "&[f64]",
+        FREE,
+        flat!("q.len() / 3", "for j in 0..i", "r2 += (q[3 * i + k] - q[3 * j + 3]).powi(2);"),
+        None,
+    ),
+    (
+        "another factor",
+        "&[f64]",
+        FREE,
+        flat!("q.len() / 3", "for j in 0..i", "r2 += (q[3 * i + k] - q[2 * j + k]).powi(2);"),
+        None,
+    ),
+    ("points", POINTS, FREE_POINTS, points!("for i in 0..n", "for j in 0..i"), Some((3, true, false))),
+    ("partners behind", POINTS, FREE_POINTS, points!("for i in 0..n", "for j in i + 1..n"), Some((3, true, false))),
+    ("not the last", POINTS, FREE_POINTS, points!("for i in 0..n - 1", "for j in i + 1..n"), Some((3, true, false))),
+    ("not the last two", POINTS, FREE_POINTS, points!("for i in 0..n - 2", "for j in i + 1..n"), None),
+    ("not the last partner", POINTS, FREE_POINTS, points!("for i in 0..n - 1", "for j in i + 1..n - 1"), None),
+    (
+        "not the last point",
+        POINTS,
+        FREE_POINTS,
+        points!("for i in 0..q.len() - 1", "for j in i + 1..q.len()"),
+        Some((3, false, false)),
+    ),
+    ("two numbers", POINTS, FREE_POINTS, points!("for i in 0..n", "for j in 0..self.n"), None),
+    ("the first of the others", POINTS, FREE_POINTS, points!("for i in n..q.len()", "for j in 0..n"), None),
+    (
+        "zipped",
+        POINTS,
+        "p.iter().zip(&self.m).map(|(p, m)| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / m).sum()",
+        "let mut v = 0.0; for (i, (a, m)) in q.iter().zip(&self.m).enumerate() { for (b, n) in q.iter().zip(&self.m).take(i) { \
+         v -= m * n / ((0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>() + self.softening).sqrt(); } } v",
+        Some((3, true, false)),
+    ),
+    (
+        "numbers alone",
+        "&[f64]",
+        FREE,
+        "let mut v = 0.0; for i in 0..self.n { for j in 0..i { v += (q[i] - q[j]).cos(); } } v",
+        Some((1, true, false)),
+    ),
+    (
+        "a product with a table",
+        POINTS,
+        FREE_POINTS,
+        "let mut v = 0.0; for i in 0..self.n { for j in 0..i { if self.molecule[i] != self.molecule[j] { \
+         v += self.table[self.kind[i]][self.kind[j]] * self.m[i] * self.m[j] * (q[i][0] - q[j][0]).cos(); } } } v",
+        Some((3, true, false)),
+    ),
+    (
+        "a product with a table of bodies",
+        POINTS,
+        FREE_POINTS,
+        "let mut v = 0.0; for i in 0..self.n { for j in 0..i { v += self.table[i][j] * self.m[i] * (q[i][0] - q[j][0]).cos(); } } v",
+        None,
+    ),
+    (
+        "a number of a member",
+        POINTS,
+        FREE_POINTS,
+        "let n = self.count as usize; let mut v = 0.0; for i in 0..n { for j in 0..i { v += (q[i][0] - q[j][0]).cos(); } } v",
+        Some((3, true, false)),
+    ),
+    (
+        "twice as many",
+        POINTS,
+        FREE_POINTS,
+        "let mut v = 0.0; for i in 0..2 * self.n { for j in 0..i { v += (q[i][0] - q[j][0]).cos(); } } v",
+        None,
+    ),
+];
+
+#[test]
+fn bodies_are_counted_by_the_loops() {
+    for (name, coordinates, kinetic, potential, found) in COUNTED {
+        let text = format!(
+            "impl Bodies {{ fn kinetic(&self, p: {coordinates}) -> f64 {{ {kinetic} }} \
+             fn potential(&self, q: {coordinates}) -> f64 {{ {potential} }} }}"
+        );
+        let text = hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string();
+        assert!(!text.contains("compile_error"), "{name}: {text}");
+        let dimension = text.split_once("runtime :: ManyBody < ").map(|(_, text)| text[..1].parse().expect("a digit"));
+        let counts =
+            dimension.map(|dimension: u32| (dimension, text.contains("fn acting"), text.contains("fn moving")));
+        assert_eq!(counts, found, "{name}: {text}");
+        let is_flat = found.is_some_and(|(dimension, ..)| dimension > 1 && coordinates.contains("[f64]"));
+        assert_eq!(text.contains("are_points"), is_flat, "{name}: {text}");
+    }
+}

@@ -14,6 +14,7 @@ mod ensemble;
 mod ensemble_checkpoints;
 mod ensemble_times;
 mod external;
+mod first_bodies;
 mod generic;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;

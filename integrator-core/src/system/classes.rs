@@ -38,6 +38,12 @@ pub fn classes(bodies: Range<usize>, length: usize, is_equal: &dyn Fn(usize, usi
     numbers
 }
 
+/// Returns numbers of the first bodies, and zero for the others of at most `length` bodies.
+pub fn padded(mut numbers: Vec<f64>, length: usize) -> Vec<f64> {
+    numbers.resize(length.max(numbers.len()), 0.0);
+    numbers
+}
+
 /// Returns a number for each body, the same for bodies with equal values. Small integers are their own numbers and need no
 /// search. Other values get negative numbers.
 pub fn numbers_of_values(

@@ -14,8 +14,8 @@ use crate::{
     differentiate::{Contribution, gradient},
     graph::{NodeId, Part},
     judge::coordinates::KEPLER_PARTS,
-    model::{ExactPart, Length, Model, Split},
-    pattern::{Pattern, recognise},
+    model::{ExactPart, Length, Model, Split, operand},
+    pattern::{Pattern, all_pairs::AllPairs, recognise},
     prose::motion_documentation,
     scheme::Class,
     syntax::{Compose, Gpu, Input, names::Names},
@@ -24,13 +24,17 @@ use fingerprint::fingerprint;
 pub use flow::form::Form;
 pub(crate) use flow::form::forms;
 use flow::{
-    Flows, constants::Constants, device::DeviceText, field, force_gradient, invariants, jacobi, pieces::Pieces,
+    Flows,
+    constants::{Constants, with_count},
+    device::DeviceText,
+    field, force_gradient, invariants, jacobi,
+    pieces::Pieces,
     transformed, user_energies,
 };
 pub(crate) use printer::cuda::device_functions;
-use printer::{block::Emitter, fields::Fields, function::Body};
+use printer::{block::Emitter, fields::Fields};
 use proc_macro2::{Literal, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 use read_by_methods::ReadByMethods;
 use syn::spanned::Spanned;
 use taylor::{
@@ -94,8 +98,10 @@ struct Stepper<'i> {
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
     device: Option<DeviceText>,
-    /// The number of coordinates that every start must have, if the type does not fix it.
-    least_length: u64,
+    /// What a start is checked for.
+    admissible: Option<TokenStream>,
+    /// What declares the number of bodies for the text of parameters.
+    count: Option<TokenStream>,
 }
 
 impl<'i> Stepper<'i> {
@@ -114,7 +120,12 @@ impl<'i> Stepper<'i> {
         let (parts, visit) = (named_parts(&model), visit_compositions(&model, &names));
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
-        let least_length = least_length(&model);
+        let pairs = pattern.pairs();
+        let admissible = match input.coordinates.as_ref().filter(|_| model.jacobi().is_some()) {
+            Some(coordinates) => Some(jacobi::admissible(coordinates, &names)),
+            None => admissible(&model, pairs, &names),
+        };
+        let count = pairs.and_then(|pairs| pairs.count(&model));
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
         let flows = match emitter.model.split {
             Split::Copies(coupling) => Flows::of_copies(&mut emitter, coupling),
@@ -164,7 +175,8 @@ impl<'i> Stepper<'i> {
             rated,
             of_jacobi,
             device,
-            least_length,
+            admissible,
+            count,
             names,
         };
         (stepper, obstacle)
@@ -190,7 +202,7 @@ impl<'i> Stepper<'i> {
         let transformed =
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
         let rated = self.rated.as_ref().map(|items| implementation(quote!(#runtime::Rated), items));
-        let sensitive = constants.sensitive(&input.sensitive, names);
+        let sensitive = constants.sensitive(&input.sensitive, self.count.as_ref(), names);
         let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
@@ -246,7 +258,6 @@ impl<'i> Stepper<'i> {
     /// The items of `System`. What else is implemented, `others`, is known by the fingerprint alone.
     fn system(&self, others: &TokenStream) -> TokenStream {
         let Self {
-            input,
             names,
             coordinates,
             constants,
@@ -257,7 +268,7 @@ impl<'i> Stepper<'i> {
             invariants,
             parts,
             autonomous,
-            least_length,
+            admissible,
             ..
         } = self;
         let Names { runtime, scalar, leaf, .. } = names;
@@ -265,19 +276,7 @@ impl<'i> Stepper<'i> {
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
         let (energies, Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
-        let in_jacobi = input.coordinates.as_ref().filter(|_| self.of_jacobi.is_some());
-        let admissible = match in_jacobi {
-            Some(coordinates) => Some(jacobi::admissible(coordinates, names)),
-            None => (*least_length > 0).then(|| {
-                let least = Literal::u64_unsuffixed(*least_length);
-                quote! {
-                    fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
-                        #runtime::are_at_least(#least, length)
-                    }
-                }
-            }),
-        };
-        let prepare = Body::new(constants.prepare(names));
+        let prepare = with_count(constants.prepare(names), self.count.as_ref());
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
         quote! {
@@ -305,14 +304,44 @@ impl<'i> Stepper<'i> {
     }
 }
 
-/// The number of coordinates that every start must have, if the type does not fix it.
-fn least_length(model: &Model) -> u64 {
+/// What checks that a start has the coordinates that are read by number, and those of all bodies that act.
+fn admissible(model: &Model, pairs: Option<&AllPairs>, names: &Names) -> Option<TokenStream> {
     if model.shape.length.literal().is_some() {
-        return 0;
+        return None;
     }
+    let runtime = &names.runtime;
     let rate = model.rate.iter().map(|(rate, _)| *rate);
     let invariants = model.invariants.iter().map(|invariant| invariant.value);
-    model.graph.least_length([model.kinetic, model.potential].into_iter().chain(rate).chain(invariants))
+    let least = model.graph.least_length([model.kinetic, model.potential].into_iter().chain(rate).chain(invariants));
+    let flat = pairs.and_then(|pairs| pairs.of.flat);
+    let components = flat.map(Literal::u64_unsuffixed);
+    let counts = pairs.into_iter().flat_map(|pairs| [pairs.of.acting, pairs.of.moving]).flatten();
+    let mut counts: Vec<_> = counts.filter(|first| !first.or_all).map(|first| first.number).collect();
+    counts.dedup();
+    let counts = counts.into_iter().map(|number| {
+        let (number, factor) = (operand(model.text(number)), components.iter());
+        quote!(#number #(* #factor)*)
+    });
+    let literal = Literal::u64_unsuffixed(least).to_token_stream();
+    let mut counts: Vec<_> = (least > 0).then_some(literal).into_iter().chain(counts).collect();
+    let first = counts.pop();
+    let least =
+        first.map(|first| counts.into_iter().fold(first, |most, next| quote!(::core::cmp::Ord::max(#next, #most))));
+    let check = match components {
+        Some(components) => {
+            let least = least.unwrap_or_else(|| quote!(0));
+            quote!(are_points(#components, #least, length))
+        }
+        None => {
+            let least = least?;
+            quote!(are_at_least(#least, length))
+        }
+    };
+    Some(quote! {
+        fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
+            #runtime::#check
+        }
+    })
 }
 
 /// The recurrences of the motion, whose flows follow from these gradients. Steps of the Taylor method end where a condition

@@ -28,9 +28,10 @@ use code::shape::{Signature, WholeSignature, mismatch, signature, whole_signatur
 use code::sign::is_never_negative;
 use control::arm::Arm;
 pub(crate) use expressions::elementary::known_functions;
-pub(crate) use parameters::parameter_text::Texts;
+pub(crate) use parameters::parameter_text::{COUNT, Texts};
 pub(crate) use parameters::prepared::{is_constant, is_field, is_leaf};
 use parameters::running_index::with_indices;
+pub(crate) use parameters::text::operand;
 use parameters::text::standing_alone;
 pub(crate) use parameters::text::with_own_self;
 use proc_macro2::{Ident, TokenStream};

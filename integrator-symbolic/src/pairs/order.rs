@@ -25,10 +25,18 @@ pub(super) struct Order {
 }
 
 /// The constants that are chosen by the order.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Constants {
+    InEntries,
     InConditions,
+    InEntriesAndConditions,
     All,
+}
+
+impl Constants {
+    /// From the fewest to all.
+    const CHOICES: [Option<Self>; 5] =
+        [None, Some(Self::InEntries), Some(Self::InConditions), Some(Self::InEntriesAndConditions), Some(Self::All)];
 }
 
 impl Order {
@@ -65,7 +73,7 @@ impl Order {
         let known = graph.truth(true);
         let energy = rewritten(graph, energy, |_, id| if id == self.holds { Some(known) } else { None });
         let mut choices = None;
-        for constants in [None, Some(Constants::InConditions), Some(Constants::All)] {
+        for constants in Constants::CHOICES {
             let chosen = match constants {
                 None => energy,
                 Some(constants) => {
@@ -166,12 +174,19 @@ fn without(graph: &mut Graph, id: NodeId, by: LoopId, end: End, parameters: &mut
 fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &HashMap<NodeId, NodeId>) -> NodeId {
     match constants {
         Constants::All => rewritten(graph, energy, |_, id| chosen.get(&id).copied()),
-        Constants::InConditions => rewritten(graph, energy, |graph, id| match graph.node(id) {
-            Node::Compare(comparison, a, b) if graph.is_prepared(id) => {
-                let [a, b] = [a, b].map(|side| rewritten(graph, side, |_, id| chosen.get(&id).copied()));
-                Some(graph.compare(comparison, a, b))
+        some => rewritten(graph, energy, |graph, id| {
+            let of = |graph: &mut Graph, side| rewritten(graph, side, |_, id| chosen.get(&id).copied());
+            match graph.node(id) {
+                Node::Compare(comparison, a, b) if graph.is_prepared(id) && some != Constants::InEntries => {
+                    let [a, b] = [of(graph, a), of(graph, b)];
+                    Some(graph.compare(comparison, a, b))
+                }
+                Node::Entry(table, row, column) if some != Constants::InConditions => {
+                    let [row, column] = [of(graph, row), of(graph, column)];
+                    Some(graph.rebuilt(Node::Entry(table, row, column)))
+                }
+                _ => None,
             }
-            _ => None,
         }),
     }
 }

@@ -35,6 +35,44 @@ pub(super) struct Terms<'p> {
     pub(super) others: Vec<NodeId>,
 }
 
+/// How many of `all` bodies the loops over pairs run over: all, or else a number of the system, which may be smaller.
+pub(crate) fn acting(graph: &Graph, energy: NodeId, all: IndexId) -> Option<IndexId> {
+    let found = graph.reachable([energy]).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Sum(other, _) => {
+            let by = graph.loops.get(other).parent?;
+            let [own, to] = [by, other].map(|by| graph.loops.get(by).to);
+            let mut counts = [own, to].into_iter().filter(|to| is_number_of_bodies(graph, *to, all));
+            counts.find(|to| is_partner(graph, *to, by, other).is_some())
+        }
+        _ => None,
+    });
+    the_only(found, all)
+}
+
+/// How many of `all` bodies the loops of an energy run over.
+pub(crate) fn moving(graph: &Graph, energy: NodeId, all: IndexId) -> Option<IndexId> {
+    let found = graph.reachable([energy]).into_iter().filter_map(|id| match graph.node(id) {
+        Node::Sum(by, _) if graph.loops.get(by).parent.is_none() => Some(graph.loops.get(by).to),
+        _ => None,
+    });
+    the_only(found.filter(|to| is_number_of_bodies(graph, *to, all)), all)
+}
+
+fn the_only(found: impl Iterator<Item = IndexId>, all: IndexId) -> Option<IndexId> {
+    let found: Vec<_> = found.collect();
+    let first = found.first().copied();
+    if found.contains(&all) { Some(all) } else { first.filter(|first| found.iter().all(|to| to == first)) }
+}
+
+/// Whether an integer is the number of all bodies, a number of the system, or the smaller one of both.
+fn is_number_of_bodies(graph: &Graph, to: IndexId, all: IndexId) -> bool {
+    let is_parameter = |id| matches!(graph.loops.index(id), Index::Parameter(_)) && graph.loops.of_index(id).is_empty();
+    match graph.loops.index(to) {
+        Index::Min(a, b) => a == all && is_parameter(b) || b == all && is_parameter(a),
+        _ => to == all || is_parameter(to),
+    }
+}
+
 impl<'p> Terms<'p> {
     pub(super) fn of(
         graph: &mut Graph,
@@ -67,7 +105,7 @@ impl<'p> Terms<'p> {
             let range = graph.loops.get(by);
             // The first body has none before it, so a loop over pairs may leave it out.
             if let (None, Some(first @ (0 | 1))) = (range.parent, graph.loops.literal(range.from))
-                && range.to == self.length
+                && (range.to == self.length || self.is_one_less(graph, range.to))
             {
                 return self.collect_of_body(graph, by, first, body, factor);
             }
@@ -113,6 +151,19 @@ impl<'p> Terms<'p> {
         }
     }
 
+    /// Whether a loop ends one body before the last one, which has no partner after it.
+    fn is_one_less(&self, graph: &Graph, to: IndexId) -> bool {
+        match graph.loops.index(to) {
+            Index::Sub(count, one) | Index::Monus(count, one) => {
+                count == self.length && graph.loops.literal(one) == Some(1)
+            }
+            _ => match (graph.loops.literal(to), graph.loops.literal(self.length)) {
+                (Some(to), Some(count)) => to + 1 == count,
+                _ => false,
+            },
+        }
+    }
+
     /// A term that is zero unless the conditions around it have the values of its branch.
     fn where_conditions_hold(&self, graph: &mut Graph, term: NodeId) -> NodeId {
         let zero = graph.constant(0.0);
@@ -125,8 +176,8 @@ impl<'p> Terms<'p> {
     /// Returns the energy of a pair if `factor` times the node is a sum over the partners of a body.
     fn of_pair(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<NodeId> {
         let Node::Sum(other, body) = graph.node(id) else { return None };
-        let twice = self.is_partner(graph, by, other)?;
-        let (pair, before) = ([by, other], self.is_before(graph, by, other));
+        let twice = is_partner(graph, self.length, by, other)?;
+        let (pair, before) = ([by, other], is_before(graph, by, other));
         if first != 0 && (twice || !before) || self.pair.is_some_and(|known| known != pair) {
             return None;
         }
@@ -147,36 +198,13 @@ impl<'p> Terms<'p> {
         Some(energy)
     }
 
-    /// Whether a loop runs over the partners of the body with the index of `by`; `true` if each pair comes twice.
-    fn is_partner(&self, graph: &Graph, by: LoopId, other: LoopId) -> Option<bool> {
-        let Loop { parent, from, to } = graph.loops.get(other);
-        if parent != Some(by) {
-            return None;
-        }
-        if self.is_before(graph, by, other) {
-            return Some(false);
-        }
-        let after = match graph.loops.index(from) {
-            Index::Add(a, b) => graph.loops.index(a) == Index::Running(by) && graph.loops.literal(b) == Some(1),
-            _ => false,
-        };
-        let all = graph.loops.literal(from) == Some(0);
-        (to == self.length && (after || all)).then_some(all)
-    }
-
-    /// Whether a loop runs over the bodies before the one with the index of `by`.
-    fn is_before(&self, graph: &Graph, by: LoopId, other: LoopId) -> bool {
-        let Loop { from, to, .. } = graph.loops.get(other);
-        graph.loops.literal(from) == Some(0) && graph.loops.index(to) == Index::Running(by)
-    }
-
     /// Whether a sum over partners is among the parts of a node.
     fn has_partners(&mut self, graph: &Graph, by: LoopId, id: NodeId) -> bool {
         if let Some(known) = self.partners.get(&(by, id)) {
             return *known;
         }
         let found = match graph.node(id) {
-            Node::Sum(other, _) => self.is_partner(graph, by, other).is_some(),
+            Node::Sum(other, _) => is_partner(graph, self.length, by, other).is_some(),
             Node::Neg(a) => self.has_partners(graph, by, a),
             Node::Add(a, b) => self.has_partners(graph, by, a) || self.has_partners(graph, by, b),
             Node::Mul(a, b) if graph.is_prepared(a) => self.has_partners(graph, by, b),
@@ -189,6 +217,30 @@ impl<'p> Terms<'p> {
         self.partners.insert((by, id), found);
         found
     }
+}
+
+/// Whether a loop runs over the partners of the body with the index of `by` among `count` bodies; `true` if each pair comes
+/// twice.
+fn is_partner(graph: &Graph, count: IndexId, by: LoopId, other: LoopId) -> Option<bool> {
+    let Loop { parent, from, to } = graph.loops.get(other);
+    if parent != Some(by) {
+        return None;
+    }
+    if is_before(graph, by, other) {
+        return Some(false);
+    }
+    let after = match graph.loops.index(from) {
+        Index::Add(a, b) => graph.loops.index(a) == Index::Running(by) && graph.loops.literal(b) == Some(1),
+        _ => false,
+    };
+    let all = graph.loops.literal(from) == Some(0);
+    (to == count && (after || all)).then_some(all)
+}
+
+/// Whether a loop runs over the bodies before the one with the index of `by`.
+fn is_before(graph: &Graph, by: LoopId, other: LoopId) -> bool {
+    let Loop { from, to, .. } = graph.loops.get(other);
+    graph.loops.literal(from) == Some(0) && graph.loops.index(to) == Index::Running(by)
 }
 
 /// The addends of `factor` times a node, each with its own factor; `None` if the node is neither a sum nor a multiple.

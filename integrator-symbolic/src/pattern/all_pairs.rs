@@ -5,12 +5,19 @@ use super::{
     stores::stores,
 };
 use crate::{
-    differentiate::{Contribution, fold_branches},
-    graph::{NodeId, Part, Scope, index::LoopId, rename::End},
-    model::{Model, Texts},
-    pairs::{Cutoff, Pairs, cutoff, pairs, per_body, pull},
+    differentiate::{Contribution, fold_branches, gradient},
+    graph::{
+        NodeId, ParameterId, Part, Scope,
+        index::{Index, IndexId, LoopId},
+        rename::End,
+    },
+    model::{Length, Model, Texts},
+    pairs::{Cutoff, Pairs, acting, cutoff, moving, over_all, pairs, per_body, points, pull},
     program::{Sink, Store, is_direct},
 };
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+use std::collections::BTreeSet;
 
 /// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs of a liquid are as fast.
 pub(crate) const LISTED_FROM: u64 = 384;
@@ -18,6 +25,9 @@ pub(crate) const LISTED_FROM: u64 = 384;
 /// The fewest bodies, where their number is known, whose pairs are summed apart from other terms, and in order where they may
 /// not be exchanged: fewer are as fast as written, and devices keep them in registers.
 const APART_FROM: u64 = 33;
+
+/// The most flat coordinates that stay as they are: so few are as fast in one expression each.
+const SHORT: u64 = 64;
 
 /// A potential of pairs with a kinetic energy of bodies.
 pub(crate) struct AllPairs {
@@ -45,6 +55,8 @@ pub(crate) struct AllPairs {
     pub(crate) others: Option<Others>,
     /// The condition under which neighbours within a cutoff are listed.
     pub(crate) listed: Option<Listed>,
+    /// How many bodies there are.
+    pub(crate) of: Bodies,
 }
 
 /// Terms beside pairs, in the user's own coordinates.
@@ -55,44 +67,137 @@ pub(crate) struct Others {
     pub(crate) gradient: Vec<Store>,
 }
 
-impl AllPairs {
-    /// That of a model, if its potential is one of pairs and its kinetic energy one of bodies.
-    pub(crate) fn of(model: &mut Model) -> Option<Self> {
+/// How many bodies there are, if not as many as coordinates.
+pub(crate) struct Bodies {
+    /// The number of components of a point, where coordinates are flat.
+    pub(crate) flat: Option<u64>,
+    /// How many bodies act on each other, if not all.
+    pub(crate) acting: Option<First>,
+    /// How many bodies the flow of `T` moves, if not all.
+    pub(crate) moving: Option<First>,
+}
+
+/// The first bodies, as many as a number of the system.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct First {
+    pub(crate) number: ParameterId,
+    /// Whether there may be fewer bodies.
+    pub(crate) or_all: bool,
+}
+
+impl First {
+    /// Those that loops to this end run over, in place of all; an error if no loop can.
+    fn of(model: &Model, end: IndexId, all: IndexId) -> Result<Option<Self>, ()> {
+        let loops = &model.graph.loops;
+        let found = match loops.index(end) {
+            _ if end == all => return Ok(None),
+            _ if !matches!(model.shape.length, Length::OfStart) => None,
+            Index::Parameter(number) => Some(Self { number, or_all: false }),
+            Index::Min(a, b) => [a, b].into_iter().find_map(|end| match loops.index(end) {
+                Index::Parameter(number) => Some(Self { number, or_all: true }),
+                _ => None,
+            }),
+            _ => None,
+        };
+        found.map(Some).ok_or(())
+    }
+}
+
+/// The energies of bodies.
+struct Energies {
+    kinetic: NodeId,
+    potential: NodeId,
+    /// How many coordinates a body has.
+    dimension: u64,
+    /// The number of bodies.
+    all: IndexId,
+    /// Whether the coordinates of the user are flat.
+    is_flat: bool,
+}
+
+impl Energies {
+    /// Those of points, or of numbers, in the user's own coordinates.
+    fn of(model: &Model) -> Option<Self> {
         let dimension = match &model.shape.inner[..] {
             [] => 1,
             [dimension] => dimension.literal()?,
             _ => return None,
         };
-        // A body alone has no pairs.
-        if model.shape.length.literal().is_some_and(|length| length < 2) {
+        let (kinetic, potential, all) = (model.kinetic, model.potential, *model.lengths.first()?);
+        Some(Self { kinetic, potential, dimension, all, is_flat: false })
+    }
+
+    /// Those of points whose coordinates are flat.
+    fn of_flat(model: &mut Model) -> Option<Self> {
+        let is_short = model.shape.numbers().is_some_and(|numbers| numbers <= SHORT);
+        if is_short || !model.shape.inner.is_empty() || model.jacobi().is_some() {
             return None;
         }
-        let (in_jacobi, count) = (model.jacobi().is_some(), model.shape.length.literal());
+        let dimension = points::components(&model.graph, model.potential)?;
+        let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
+        let length = *lengths.first()?;
+        let mut texts = Texts::new(parameters, running, root);
+        let mut of = |energy| points::of_points(graph, energy, dimension, length, &mut texts);
+        let (kinetic, potential) = (of(*kinetic)?, of(*potential)?);
+        let all = points::number_of_points(graph, length, dimension);
+        Some(Self { kinetic, potential, dimension, all, is_flat: true })
+    }
+}
+
+impl AllPairs {
+    /// That of a model, if its potential is one of pairs and its kinetic energy one of bodies.
+    pub(crate) fn of(model: &mut Model) -> Option<Self> {
+        let of_flat = Energies::of_flat(model).and_then(|energies| Self::with(model, &energies));
+        of_flat.or_else(|| {
+            let energies = Energies::of(model)?;
+            Self::with(model, &energies)
+        })
+    }
+
+    fn with(model: &mut Model, energies: &Energies) -> Option<Self> {
+        let &Energies { kinetic, potential, dimension, all, is_flat } = energies;
+        let (in_jacobi, count) = (model.jacobi().is_some(), model.graph.loops.literal(all));
+        // A body alone has no pairs.
+        if count.is_some_and(|count| count < 2) {
+            return None;
+        }
         let fewer_than = |bound| count.is_some_and(|count| count < bound);
         let are_many = !in_jacobi && !fewer_than(APART_FROM);
-        let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
-        let mut texts = Texts::new(parameters, running, root);
-        let length = *lengths.first()?;
+        let acting = acting(&model.graph, potential, all)?;
+        let moving = moving(&model.graph, kinetic, all)?;
+        let [first_acting, first_moving] = [acting, moving].map(|end| First::of(model, end, all));
+        let (first_acting, first_moving) = (first_acting.ok()?, first_moving.ok()?);
+        let is_length = !is_flat && first_acting.is_none();
+        let Model { graph, parameters, running, root, .. } = &mut *model;
+        let mut texts = Texts::of_bodies(parameters, running, root, is_length);
         let Pairs { bodies, pair, ends, energy, written, force, reciprocal, energy_alone, alone, others } =
-            pairs(graph, *potential, length, are_many, &mut texts)?;
-        let (energy_of_others, others) = others;
-        let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts)?;
+            pairs(graph, potential, acting, are_many, &mut texts)?;
+        let (mut energy_of_others, mut others) = others;
+        if is_flat {
+            energy_of_others = points::of_numbers(graph, energy_of_others, dimension);
+            others = gradient(graph, energy_of_others, Part::Position);
+        }
+        let velocity = per_body(graph, kinetic, moving, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
-        if velocity.is_empty() || force.is_empty() || !is_direct(&model.graph.loops, &velocity) {
+        if velocity.is_empty() || force.is_empty() || !is_direct(&graph.loops, &velocity) {
             return None;
         }
-        Texts::new(&mut model.parameters, &mut model.running, &model.root).name_in_place(bodies, pair[0], &pair);
+        let [every, moved] = [all, moving].map(|end| over_all(graph, end));
+        let mut texts = Texts::new(&mut model.parameters, &mut model.running, &model.root);
+        for by in BTreeSet::from([bodies, every, moved]) {
+            texts.name_in_place(by, pair[0], &pair);
+        }
 
         let cutoff = match in_jacobi || fewer_than(LISTED_FROM) {
             true => None,
             false => {
                 let Model { graph, parameters, running, root, .. } = &mut *model;
-                let mut texts = Texts::new(parameters, running, root);
+                let mut texts = Texts::of_bodies(parameters, running, root, is_length);
                 cutoff(graph, written, (pair, ends), bodies, dimension, &mut texts)
             }
         };
-        let mut constants = Constants::new(bodies);
-        let drift = OfBodies::new(model, &mut constants, &[bodies], &velocity, Sink::Update)?;
+        let mut constants = Constants::new(every);
+        let drift = OfBodies::new(model, &mut constants, &[moved], &velocity, Sink::Update)?;
         let acts = match condition(&force) {
             None => None,
             Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
@@ -118,7 +223,44 @@ impl AllPairs {
                 Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
             }
         };
-        Some(Self { pair, ends, dimension, constants, drift, acts, force, central, reciprocal, alone, others, listed })
+        let of = Bodies { flat: is_flat.then_some(dimension), acting: first_acting, moving: first_moving };
+        Some(Self {
+            pair,
+            ends,
+            dimension,
+            constants,
+            drift,
+            acts,
+            force,
+            central,
+            reciprocal,
+            alone,
+            others,
+            listed,
+            of,
+        })
+    }
+
+    /// Whether all bodies act on each other, and their number is the length of the coordinates.
+    pub(crate) fn are_of_length(&self) -> bool {
+        self.of.flat.is_none() && self.of.acting.is_none()
+    }
+
+    /// The number of bodies that act on each other as Rust, by the length of the coordinates, if it is not this length.
+    pub(crate) fn count(&self, model: &Model) -> Option<TokenStream> {
+        let Bodies { flat, acting, .. } = self.of;
+        let all = flat.map(|components| {
+            let components = Literal::u64_unsuffixed(components);
+            quote!(length / #components)
+        });
+        match acting {
+            None => all,
+            Some(First { number, or_all: false }) => Some(model.text(number)),
+            Some(First { number, or_all: true }) => {
+                let (number, all) = (model.text(number), all.unwrap_or_else(|| quote!(length)));
+                Some(quote!(::core::cmp::Ord::min(#number, #all)))
+            }
+        }
     }
 }
 

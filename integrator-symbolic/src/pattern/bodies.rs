@@ -5,8 +5,8 @@ use super::stores::{lower_roots, stores};
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
-        Element, Node, NodeId, Scope,
-        index::LoopId,
+        Element, Node, NodeId, ParameterId, Scope,
+        index::{Index, LoopId, Loops},
         rename::{Renaming, rename},
     },
     model::{Model, Texts, is_field, is_leaf},
@@ -35,12 +35,35 @@ impl Constants {
     fn place(&mut self, model: &mut Model, id: NodeId, by: LoopId) -> Option<usize> {
         let mut texts = Texts::new(&mut model.parameters, &mut model.running, &model.root);
         let renaming = Renaming::one(by, self.bodies);
-        let node = rename(&mut model.graph, id, renaming, &mut texts)?;
+        let mut node = rename(&mut model.graph, id, renaming, &mut texts)?;
+        if let Some(number) = self.first(&model.graph.loops, by) {
+            node = texts.of_first(&mut model.graph, node, self.bodies, number);
+        }
         let known = self.nodes.iter().position(|known| *known == node);
         Some(known.unwrap_or_else(|| {
             self.nodes.push(node);
             self.nodes.len() - 1
         }))
+    }
+
+    /// The number of bodies that a loop runs over, if that may be fewer than all.
+    fn first(&self, loops: &Loops, by: LoopId) -> Option<ParameterId> {
+        let (to, all) = (loops.get(by).to, loops.get(self.bodies).to);
+        if to == all {
+            return None;
+        }
+        match loops.index(to) {
+            Index::Running(outer) => self.first(loops, outer),
+            Index::Parameter(number) if loops.of_parameter(number).is_empty() => Some(number),
+            Index::Min(a, b) | Index::Sub(a, b) | Index::Monus(a, b) => {
+                let number = |end| match loops.index(end) {
+                    Index::Parameter(number) if end != all => Some(number),
+                    _ => None,
+                };
+                number(a).or_else(|| number(b))
+            }
+            _ => None,
+        }
     }
 
     /// The tables that hold what a function reads of its bodies, by the nodes that read them.

@@ -47,8 +47,32 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     threads: usize,
     /// The number of bodies.
     pub(crate) bodies: usize,
+    /// The number of bodies that act on each other, and of those that move by the flow of `T`: the first ones.
+    acting: usize,
+    moving: usize,
     /// Prepared constants.
     pub parameters: P,
+}
+
+/// The last row of bodies that move, where others in it stay.
+#[inline(always)]
+fn shared_row<T: Copy>(rows: &[T], moving: usize, bodies: usize) -> Option<T> {
+    (moving < bodies && !moving.is_multiple_of(WIDTH)).then(|| rows[moving / WIDTH])
+}
+
+/// Puts back the bodies of that row that stay.
+#[inline(always)]
+fn put_back<R: Real, L: Slot<R::Row<WIDTH>>, const D: usize>(
+    rows: &mut [[L; D]],
+    moving: usize,
+    before: Option<[L; D]>,
+) {
+    let Some(before) = before else { return };
+    let (row, moved) = (&mut rows[moving / WIDTH], moving % WIDTH);
+    let stays: R::Row<WIDTH> = Real::parameter(&|lane| if lane / R::LANES < moved { 0.0 } else { 1.0 });
+    for d in 0..D {
+        row[d] = Slot::select(Real::less(Real::of(0.0), stays), before[d], row[d]);
+    }
 }
 
 /// The indices of the bodies of a row, out of this number of bodies.
@@ -114,6 +138,8 @@ impl<R: Real, K: Precision, P: Clone, const D: usize, const S: usize> Clone for 
             neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,
+            acting: self.acting,
+            moving: self.moving,
             parameters: self.parameters.clone(),
         }
     }
@@ -128,7 +154,8 @@ where
     P::Single: BodyConstants<S>,
 {
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
-        let bodies = states[0].q.length();
+        let bodies = states[0].q.flat().len() / D;
+        let (acting, moving) = (constants[0].acting(bodies), constants[0].moving(bodies));
         let rows = bodies.div_ceil(WIDTH);
         let (mut q, mut p) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
         let mut rows_of_constants = Vec::with_capacity(rows);
@@ -139,7 +166,8 @@ where
             rows_of_constants.push(load_constants::<R, P::Single, WIDTH, S>(&bodies, constants));
         }
         let (constants, parameters) = (rows_of_constants, P::gather(constants));
-        Self { q, p, constants, gradients: Vec::new(), neighbours: Neighbours::none(), threads: 1, bodies, parameters }
+        let (gradients, neighbours) = (Vec::new(), Neighbours::none());
+        Self { q, p, constants, gradients, neighbours, threads: 1, bodies, acting, moving, parameters }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
         for row in 0..self.q.len() {
@@ -157,10 +185,10 @@ where
         self.neighbours.share(&from.neighbours);
     }
     fn found(&self) -> Option<Found> {
-        self.neighbours.found(self.bodies)
+        self.neighbours.found(self.acting)
     }
     fn use_found(&mut self, found: &Found) {
-        self.neighbours.use_found(found, self.bodies);
+        self.neighbours.use_found(found, self.acting);
     }
     fn share_among(&mut self, threads: Option<usize>) {
         self.threads = threads.unwrap_or_else(all_threads).max(1);
@@ -178,28 +206,33 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn drift<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let step = Real::of(duration);
-        let Self { q, p, constants, parameters, .. } = self;
-        for row in 0..q.len() {
+        let Self { q, p, constants, parameters, moving, bodies, .. } = self;
+        // Lanes after the last body may drift, but not bodies that stay.
+        let before = shared_row(q, *moving, *bodies);
+        for row in 0..moving.div_ceil(WIDTH) {
             H::drift_body::<R, R::Row<WIDTH>, _>(parameters, &mut q[row], values(&p[row]), constants[row], step, time);
         }
+        put_back::<R, _, D>(q, *moving, before);
     }
     /// The flow of `V`.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let step = Real::of(-duration);
+        let before = shared_row(&self.p, self.acting, self.bodies);
         if let Some(cutoffs) = self.cutoffs::<H>(time) {
             self.kick_by_neighbours::<H>(&cutoffs, step, time);
         } else {
             self.sum_over_pairs::<H>(time);
-            let Self { p, gradients, .. } = self;
-            for row in 0..p.len() {
+            let Self { p, gradients, acting, .. } = self;
+            for row in 0..acting.div_ceil(WIDTH) {
                 let (p, gradient) = (&mut p[row], &gradients[row]);
                 for d in 0..D {
                     p[d].fma(step, gradient[d]);
                 }
             }
         }
+        put_back::<R, _, D>(&mut self.p, self.acting, before);
         if const { H::OTHER_TERMS } {
             let Self { q, p, bodies, parameters, .. } = self;
             R::enter(OtherTerms::<H, R, K, D, S> { q, p, bodies: *bodies, parameters, step, time });
@@ -212,7 +245,7 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         if const { H::LISTED_FROM == usize::MAX } {
             return None;
         }
-        if H::LISTED_FROM > self.bodies {
+        if H::LISTED_FROM > self.acting {
             return None;
         }
         Some(Cutoffs::of::<H, R, S>(&self.parameters, time)).filter(Cutoffs::any)
@@ -227,17 +260,20 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         if covered {
             self.sum_over_pairs::<H>(time);
         }
-        let Self { q, p, constants, gradients, neighbours, threads, bodies, parameters } = self;
-        let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *bodies, parameters, time, threads: *threads };
+        let Self { q, p, constants, gradients, neighbours, threads, acting, parameters, .. } = self;
+        let rows = acting.div_ceil(WIDTH);
+        let (q, constants, p) = (&q[..rows], &constants[..rows], &mut p[..rows]);
+        let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
         neighbours.kick(sum, cutoffs, covered.then_some(&gradients[..]), step, p);
     }
     /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
     pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
         let cutoffs = self.cutoffs::<H>(time).filter(Cutoffs::all)?;
+        let rows = self.acting.div_ceil(WIDTH);
         let sum = Sum::<H, R, _, D, S> {
-            q: &self.q,
-            constants: &self.constants,
-            bodies: self.bodies,
+            q: &self.q[..rows],
+            constants: &self.constants[..rows],
+            bodies: self.acting,
             parameters: &self.parameters,
             time,
             threads: self.threads,
@@ -247,8 +283,9 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     /// Sums the forces of all pairs, chunk by chunk, and all chunks in their order.
     #[inline(always)]
     fn sum_over_pairs<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
-        let Self { q, constants, gradients, threads, bodies, parameters, .. } = self;
-        let (rows, bodies, count, system) = (q.len(), *bodies, chunks(*bodies), PhantomData);
+        let Self { q, constants, gradients, threads, acting, parameters, .. } = self;
+        let (rows, bodies, count, system) = (acting.div_ceil(WIDTH), *acting, chunks(*acting), PhantomData);
+        let (q, constants) = (&q[..rows], &constants[..rows]);
         gradients.resize(count * rows, [Real::of(0.0); D]);
         let sum = |number: usize, gradient: &mut [[R::Row<WIDTH>; D]]| {
             R::enter(PairChunk::<H, R, K, D, S> {
@@ -310,6 +347,8 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             neighbours: self.neighbours.clone(),
             threads: self.threads,
             bodies: self.bodies,
+            acting: self.acting,
+            moving: self.moving,
             parameters: self.parameters.clone(),
         }
     }

@@ -15,6 +15,16 @@ use crate::{
 pub trait BodyConstants<const S: usize> {
     /// The constants of one body.
     fn body_constants(&self, body: usize) -> [f64; S];
+    /// How many of this number of bodies act on each other: the first ones.
+    #[inline]
+    fn acting(&self, bodies: usize) -> usize {
+        bodies
+    }
+    /// How many of this number of bodies move by the flow of `T`: the first ones.
+    #[inline]
+    fn moving(&self, bodies: usize) -> usize {
+        bodies
+    }
 }
 
 /// A Hamiltonian of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over pairs,

@@ -17,7 +17,7 @@ use crate::{
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
-    model::{Length, Model, Whole},
+    model::{COUNT, Length, Model, Whole},
     program::Program,
     prose::{self, Formulas},
     syntax::names::Names,
@@ -174,7 +174,12 @@ impl Constants {
     }
 
     /// The items for the runtime about their derivatives, if these are requested.
-    pub(crate) fn sensitive(&self, parameters: &[Ident], names: &Names) -> Option<TokenStream> {
+    pub(crate) fn sensitive(
+        &self,
+        parameters: &[Ident],
+        count: Option<&TokenStream>,
+        names: &Names,
+    ) -> Option<TokenStream> {
         let (by_none, by_each) = self.slopes.split_last()?;
         let made = |values: &TokenStream| {
             let parameters = &names.parameters;
@@ -185,7 +190,7 @@ impl Constants {
             quote!(#number => #slopes,)
         });
         let by_none = made(by_none);
-        let body = Body::new(quote!(match parameter { #(#arms)* _ => #by_none }));
+        let body = with_count(quote!(match parameter { #(#arms)* _ => #by_none }), count);
         let (length, body, single) = (body.argument("length"), &body.0, self.kind(&quote!(f64), names));
         let parameters = parameters.iter().map(ToString::to_string);
         Some(quote! {
@@ -241,6 +246,18 @@ impl Constants {
                 #set
             }
         }
+    }
+}
+
+/// Lines that evaluate parameters, with the number of bodies if they read it.
+pub(crate) fn with_count(lines: TokenStream, count: Option<&TokenStream>) -> Body {
+    let body = Body::new(lines);
+    match count.filter(|_| body.mentions(COUNT)) {
+        Some(count) => {
+            let (name, lines) = (format_ident!("{COUNT}"), &body.0);
+            Body::new(quote!(let #name = #count; #lines))
+        }
+        None => body,
     }
 }
 

@@ -11,7 +11,7 @@ use crate::{
     },
     graph::{NodeId, Part, index::LoopId},
     pattern::{
-        all_pairs::{AllPairs, LISTED_FROM, Listed, Others},
+        all_pairs::{AllPairs, Bodies, LISTED_FROM, Listed, Others},
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
@@ -30,7 +30,7 @@ pub(crate) struct ManyBody {
     sizes: [Literal; 2],
     /// What the runtime requires of the system.
     functions: TokenStream,
-    /// The prepared constants of one body, by its index.
+    /// The prepared constants of one body, by its index, and how many bodies act and move.
     per_body: TokenStream,
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     listed: Option<bool>,
@@ -57,6 +57,7 @@ impl ManyBody {
             alone,
             others,
             listed,
+            of,
         } = pairs;
         let (pair, central) = (*pair, *central);
         let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
@@ -68,7 +69,7 @@ impl ManyBody {
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
         let (beside, form_of_others) = beside.map(|others| writer.others(others)).unzip();
         let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
-        let per_body = writer.per_body();
+        let per_body = writer.per_body(of);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
         let functions = quote! {
             const RECIPROCAL: bool = #reciprocal;
@@ -156,8 +157,7 @@ struct Writer<'w, 'm> {
 impl Writer<'_, '_> {
     /// What the flow of `T` does to a body.
     fn drift(&mut self, drift: &OfBodies) -> TokenStream {
-        let [q, p, of] =
-            ["q", "p", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
+        let [q, p, of] = ["q", "p", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, drift.of[0]));
         let body = self.lines(drift);
         let (Names { runtime, wide, leaf, .. }, [d, s]) = (self.emitter.names, self.sizes);
         let generics = quote!(#leaf: #runtime::Slot<#wide>);
@@ -198,7 +198,7 @@ impl Writer<'_, '_> {
         let body = self.gradient(alone, quote!(::core::option::Option::Some(gradient)));
         let (d, wide) = (&self.sizes[0], &self.emitter.names.wide);
         let result = quote!(::core::option::Option<[#wide; #d]>);
-        self.function("one_body", TokenStream::new(), self.one_body(), Some(result), body)
+        self.function("one_body", TokenStream::new(), self.one_body(alone), Some(result), body)
     }
 
     /// The gradient of the terms beside pairs, in the user's own coordinates, and its form.
@@ -222,8 +222,8 @@ impl Writer<'_, '_> {
     }
 
     /// The coordinates and prepared constants of a body, as arguments.
-    fn one_body(&self) -> TokenStream {
-        let [q, of] = ["q", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, self.constants.bodies));
+    fn one_body(&self, alone: &OfBodies) -> TokenStream {
+        let [q, of] = ["q", "constants"].map(|what| OfBodies::name_of(what, self.emitter.model, alone.of[0]));
         let ([d, s], wide) = (self.sizes, &self.emitter.names.wide);
         quote!(#q: [#wide; #d], #of: [#wide; #s])
     }
@@ -242,7 +242,13 @@ impl Writer<'_, '_> {
         let energy = self.function("energy", none(), self.two_bodies(of), Some(quote!(#wide)), energy);
         let alone = energy_alone.as_ref().map(|alone| {
             let lines = self.lines(alone).map(|energy| quote!(::core::option::Option::Some({ #energy })));
-            self.function("energy_alone", none(), self.one_body(), Some(quote!(::core::option::Option<#wide>)), lines)
+            self.function(
+                "energy_alone",
+                none(),
+                self.one_body(alone),
+                Some(quote!(::core::option::Option<#wide>)),
+                lines,
+            )
         });
         let from = Literal::u64_unsuffixed(LISTED_FROM);
         quote! {
@@ -296,7 +302,7 @@ impl Writer<'_, '_> {
     }
 
     /// The prepared constants of a body as an array.
-    fn per_body(&mut self) -> TokenStream {
+    fn per_body(&mut self, of: &Bodies) -> TokenStream {
         let fields = self.constants.fields(self.emitter.model, &mut self.emitter.fields);
         let index = self.emitter.model.running.get(&self.constants.bodies);
         let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
@@ -307,9 +313,20 @@ impl Writer<'_, '_> {
             let leading = self.emitter.fields.integer(parameters, jacobi.leading);
             quote!(let #argument = #runtime::body_at(self.#leading, #argument);)
         });
+        let counts = [("acting", of.acting), ("moving", of.moving)];
+        let (parameters, fields_of) = (&self.emitter.model.parameters, &mut self.emitter.fields);
+        let counts = counts.into_iter().filter_map(|(name, first)| {
+            let (name, number) = (format_ident!("{name}"), fields_of.integer(parameters, first?.number));
+            Some(quote! {
+                #[inline]
+                fn #name(&self, bodies: usize) -> usize { ::core::cmp::Ord::min(self.#number, bodies) }
+            })
+        });
+        let counts: TokenStream = counts.collect();
         quote! {
             #[inline]
             fn body_constants(&self, #argument: usize) -> [f64; #s] { #leading [#(self.#fields[#index]),*] }
+            #counts
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Bounds of integers over all indices of loops.
 
-use super::{Index, IndexId, Loops};
+use super::{Index, IndexId, Loop, LoopId, Loops};
 
 /// The largest number of steps to decide which of two expressions is smaller.
 pub(in crate::graph) const DEEPEST: u32 = 8;
@@ -76,6 +76,29 @@ impl Loops {
         Some(self.intern(bound))
     }
 
+    /// Whether an integer is positive where a loop has an iteration: it is the end of the loop, or at most as far before the end
+    /// as the loop begins after zero.
+    pub(crate) fn ends_after(&self, by: LoopId, id: IndexId) -> bool {
+        let Loop { from, to, .. } = self.get(by);
+        match self.index(id) {
+            _ if id == to => true,
+            Index::Sub(end, less) | Index::Monus(end, less) if end == to => {
+                self.literal(less).is_some_and(|less| less <= self.least(from))
+            }
+            _ => false,
+        }
+    }
+
+    /// A number that an integer is never below.
+    fn least(&self, id: IndexId) -> u64 {
+        match self.index(id) {
+            Index::Literal(number) => number,
+            Index::Add(a, b) => self.least(a).saturating_add(self.least(b)),
+            Index::Running(by) => self.least(self.get(by).from),
+            _ => 0,
+        }
+    }
+
     /// Whether `a <= b` whatever the values of what is not known; `false` where it takes more than `depth` steps to
     /// see.
     pub(in crate::graph) fn is_at_most(&self, a: IndexId, b: IndexId, depth: u32) -> bool {
@@ -92,7 +115,7 @@ impl Loops {
             _ => false,
         };
         let from_left = match self.index(a) {
-            Index::Monus(x, _) => is(x, b),
+            Index::Monus(x, _) | Index::Div(x, _) => is(x, b),
             Index::Min(x, y) => is(x, b) || is(y, b),
             // It is read inside of its loop alone, and below its end there.
             Index::Running(by) => is(self.get(by).to, b),

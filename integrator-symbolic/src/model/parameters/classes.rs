@@ -4,10 +4,11 @@
 //! bodies. Always true: the entry is the value of the text for a pair with equal values, which the loops visit.
 
 use super::{
+    factors::factors,
     flags::OTHER_BODY,
-    parameter_text::Texts,
-    presence::is_there,
-    running_index::{but_for, running_index, with_index},
+    parameter_text::{Texts, without_condition},
+    presence::{is_there, looked_up, unlooked},
+    running_index::{but_for, mentions, running_index, with_index},
 };
 use crate::graph::{
     Graph, NodeId, ParameterId,
@@ -21,27 +22,80 @@ use quote::{format_ident, quote};
 pub(super) const THIS_BODY: &str = "__this_body";
 
 impl Texts<'_> {
-    /// The entry for a pair; `None` if the text depends on more than one value of each body. `own` is the text of the parameter
-    /// as a number.
-    pub(super) fn entry_of_pair(
+    /// A number of a pair as the entry of a table, or as a product of entries and numbers of one body each. A condition of the
+    /// user around it, which the flow asks as well, is left out: the number is looked up where its lists have it.
+    pub(super) fn number_of_pair(
         &mut self,
         graph: &mut Graph,
         id: ParameterId,
-        own: &TokenStream,
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
         let text = self.text(id);
+        if let Some(entry) = self.entry_of_pair(graph, id, [&text, &text], pair, ends) {
+            return Some(entry);
+        }
+        let inner = without_condition(&text).unwrap_or_else(|| text.clone());
+        let number = unlooked(&inner).unwrap_or(inner);
+        let is_conditional = number.to_string() != text.to_string();
+        let factors = factors(number);
+        if factors.len() < 2 && !is_conditional {
+            return None;
+        }
+        let mut product = graph.constant(1.0);
+        for (factor, exponent) in factors {
+            let factor = self.factor(graph, &factor, is_conditional, pair, ends)?;
+            let power = graph.power(factor, 2 * exponent);
+            product = graph.mul(product, power);
+        }
+        Some(product)
+    }
+
+    /// A factor of a number of a pair.
+    fn factor(
+        &mut self,
+        graph: &mut Graph,
+        own: &TokenStream,
+        is_conditional: bool,
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        let text = is_conditional.then(|| looked_up(own, self.root)).flatten();
+        let may_be_missing = text.is_some();
+        let text = text.unwrap_or_else(|| own.clone());
+        let bodies = pair.into_iter().filter(|by| mentions(&text, *by));
+        let bodies = bodies.fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)));
+        let id = self.id(graph, text.clone(), bodies);
+        self.show(id, own);
+        if may_be_missing {
+            graph.declare_maybe_missing(id);
+        }
+        match bodies.iter().count() {
+            2 => self.entry_of_pair(graph, id, [&text, &text], pair, ends),
+            _ => Some(graph.parameter(id)),
+        }
+    }
+
+    /// The entry for a pair; `None` if the text depends on more than one value of each body. `own` is the text as a number.
+    pub(super) fn entry_of_pair(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        [text, own]: [&TokenStream; 2],
+        pair: [LoopId; 2],
+        ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
         // If each pair comes twice, other sums over the same loops may have bodies with themselves, which tables lack.
         let [Some(first_end), Some(_)] = ends else { return None };
         if graph.loops.of_parameter(id).iter().count() > 2 {
             return None;
         }
-        let values = pair.map(|by| value_of(&text, by));
+        let values = pair.map(|by| value_of(text, by));
         let [Some(first), Some(second)] = values else { return None };
         // A list that is read for either body has all elements.
         let alike = with_index(&second, pair[1], running_index(pair[0])).to_string() == first.to_string();
-        let bodies = ends.map(|end| but_for(end.filter(|_| !alike)));
+        let bodies = ends.map(|end| but_for(end.filter(|_| !alike), &self.count));
+        let count = self.count.clone();
         let root = self.root;
         let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
         let equal = [(&first, pair[0]), (&second, pair[1])].map(|(value, by)| {
@@ -56,7 +110,7 @@ impl Texts<'_> {
         let numbers = [0, 1].map(|at| {
             let (by, bodies, equal) = (pair[at], &bodies[at], &equal[at]);
             let index = running_index(by);
-            let whole = quote!(#root::__private::classes(#bodies, length, #equal));
+            let whole = quote!(#root::__private::classes(#bodies, #count, #equal));
             let number = self.list(graph, quote!((#whole)[#index]), LoopSet::of(by), whole);
             self.show(number, [&first, &second][at]);
             self.rename(graph, number, Renaming::one(by, pair[1 - at]))?;

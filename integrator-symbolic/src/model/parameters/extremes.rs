@@ -27,7 +27,7 @@ impl Texts<'_> {
             return None;
         }
         let text = looked_up(&text, root).unwrap_or(text);
-        let bodies = but_for(end);
+        let bodies = but_for(end, &self.count);
         Some(self.both(graph, id, |name| quote!(#root::__private::#name(#bodies, &|#index: usize| #text))))
     }
 

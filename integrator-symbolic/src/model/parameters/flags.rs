@@ -38,7 +38,8 @@ impl Texts<'_> {
         }
         let condition = self.equality(graph, &text, pair, ends, loops);
         let condition = condition.or_else(|| {
-            let entry = self.entry_of_pair(graph, id, &quote!((#text) as u8 as f64), pair, ends)?;
+            let number = quote!((#text) as u8 as f64);
+            let entry = self.entry_of_pair(graph, id, [&text, &number], pair, ends)?;
             let zero = graph.constant(0.0);
             Some(graph.compare(Comparison::Less, zero, entry))
         });
@@ -98,11 +99,11 @@ impl Texts<'_> {
 
     /// A number that two bodies have in common where a text has the same value for both, and the code of the numbers of all.
     fn class(&self, text: &TokenStream, by: LoopId) -> [TokenStream; 2] {
-        let (root, index) = (self.root, running_index(by));
+        let (root, index, count) = (self.root, running_index(by), &self.count);
         let (other, this) = (format_ident!("{OTHER_BODY}"), format_ident!("{THIS_BODY}"));
         let [a, b] = [&other, &this].map(|index| with_index(text, by, index.clone()));
         let whole = quote!(#root::__private::numbers_of_values(
-            length,
+            #count,
             &|#this| #root::__private::SmallInteger(&(#b)).value(),
             &|#other, #this| #a == #b
         ));

@@ -58,17 +58,18 @@ impl Texts<'_> {
         };
         let (root, this, other) = (self.root, running_index(first), format_ident!("{OTHER_BODY}"));
         let member = with_index(&member, second, other.clone());
-        let bodies = but_for(ends[own]);
+        let bodies = but_for(ends[own], &self.count);
+        let count = &self.count;
         let partners = match ends[own] {
-            None => quote!(0..length),
+            None => quote!(0..#count),
             Some(End::First) => quote!(0..#this),
-            Some(End::Last) => quote!(#this + 1..length),
+            Some(End::Last) => quote!(#this + 1..#count),
         };
         let items = match is_listed {
             true => quote!(#root::__private::Items(&#receiver)),
             false => quote!(#root::__private::Unlisted),
         };
-        let table = quote!(#root::__private::PairSet::new(#bodies, length, &|#this: usize| {
+        let table = quote!(#root::__private::PairSet::new(#bodies, #count, &|#this: usize| {
             #items.bodies(#partners, &|#other: usize| #receiver.contains(&#member))
         }));
         let table = self.table(graph, "PairSet", table);

@@ -1,8 +1,8 @@
 //! The source of the user's parameter expressions, rewritten for other indices.
 
 use crate::graph::{
-    Graph, NodeId, ParameterId,
-    index::{LoopId, LoopSet},
+    Comparison, Graph, Node, NodeId, ParameterId,
+    index::{Index, LoopId, LoopSet},
     rename::{End, Parameters, Place, Renaming},
 };
 use crate::model::{
@@ -18,12 +18,17 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use std::collections::HashMap;
 
+/// What the number of bodies is called where it is not that of the coordinates.
+pub(crate) const COUNT: &str = "__bodies";
+
 /// The texts of a model, and what the indices in them are called.
 pub(crate) struct Texts<'m> {
     parameters: &'m mut Vec<Parameter>,
     running: &'m mut HashMap<LoopId, Ident>,
     /// The runtime crate.
     pub(super) root: &'m syn::Path,
+    /// The number of bodies, as it is called where parameters are evaluated.
+    pub(super) count: Ident,
     /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
     known: HashMap<(LoopSet, String), ParameterId>,
 }
@@ -116,8 +121,7 @@ impl Parameters for Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        let text = self.text(id);
-        self.entry_of_pair(graph, id, &text, pair, ends)
+        self.number_of_pair(graph, id, pair, ends)
     }
 
     fn without(
@@ -128,10 +132,10 @@ impl Parameters for Texts<'_> {
         by: LoopId,
         end: End,
     ) -> Option<ParameterId> {
-        let (text, index) = (self.text(id), running_index(by));
+        let (text, index, count) = (self.text(id), running_index(by), &self.count);
         let is_other = match end {
             End::First => quote!(#index > 0),
-            End::Last => quote!(#index + 1 < length),
+            End::Last => quote!(#index + 1 < #count),
         };
         if self.parameters[id.0 as usize].whole.is_some() {
             return Some(id);
@@ -185,7 +189,48 @@ impl<'m> Texts<'m> {
         running: &'m mut HashMap<LoopId, Ident>,
         root: &'m syn::Path,
     ) -> Self {
-        Self { parameters, running, root, known: HashMap::new() }
+        Self { parameters, running, root, count: format_ident!("length"), known: HashMap::new() }
+    }
+
+    /// The same of bodies whose number is that of the coordinates or another one.
+    pub(crate) fn of_bodies(
+        parameters: &'m mut Vec<Parameter>,
+        running: &'m mut HashMap<LoopId, Ident>,
+        root: &'m syn::Path,
+        is_length: bool,
+    ) -> Self {
+        let texts = Self::new(parameters, running, root);
+        if is_length { texts } else { Self { count: format_ident!("{COUNT}"), ..texts } }
+    }
+
+    /// A number of each body that is zero from the body with the number `acting` on, where the lists of the user may end.
+    pub(crate) fn of_first(&mut self, graph: &mut Graph, id: NodeId, bodies: LoopId, acting: ParameterId) -> NodeId {
+        let index = running_index(bodies);
+        let parameter = match graph.node(id) {
+            Node::FromIndex(_) => return id,
+            Node::Parameter(parameter) => parameter,
+            _ => {
+                let [index, acting] =
+                    [Index::Running(bodies), Index::Parameter(acting)].map(|id| graph.loops.intern(id));
+                let (acts, zero) = (graph.compare_index(Comparison::Less, index, acting), graph.constant(0.0));
+                return graph.select(acts, id, zero);
+            }
+        };
+        let own = self.own_text(parameter);
+        let first = match self.parameters[parameter.0 as usize].whole.clone() {
+            Some(Whole { code, .. }) => {
+                let root = self.root;
+                let code = quote!(#root::__private::padded(#code, length));
+                self.list(graph, quote!((#code)[#index]), LoopSet::of(bodies), code)
+            }
+            None => {
+                let (text, acting) = (self.text(parameter), self.text(acting));
+                self.id(graph, quote!((if #index < #acting { #text } else { 0.0 })), LoopSet::of(bodies))
+            }
+        };
+        self.show(first, &own);
+        graph.declare_missing_like(first, parameter);
+        graph.parameter(first)
     }
 
     /// Names the index of a loop that takes the place of others, one of which it is `like`: apart from those of all loops that
@@ -317,8 +362,22 @@ fn without_sign(text: TokenStream) -> Option<TokenStream> {
 
 /// A text without the condition around it, if that only selects a body by its index.
 fn without_guard(text: TokenStream) -> TokenStream {
+    match guarded(&text) {
+        Some((condition, inner)) if asks_for_indices(&condition) => inner,
+        _ => text,
+    }
+}
+
+/// The text inside of a condition that is not one of indices.
+pub(super) fn without_condition(text: &TokenStream) -> Option<TokenStream> {
+    let (condition, inner) = guarded(text)?;
+    (!asks_for_indices(&condition)).then_some(inner)
+}
+
+/// The condition around a text, and the text inside of it: of `(if condition { text } else { .. })`.
+fn guarded(text: &TokenStream) -> Option<(TokenStream, TokenStream)> {
     let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
-    let [TokenTree::Group(group)] = &tokens[..] else { return text };
+    let [TokenTree::Group(group)] = &tokens[..] else { return None };
     let tokens: Vec<TokenTree> = group.stream().into_iter().collect();
     match &tokens[..] {
         [
@@ -327,8 +386,8 @@ fn without_guard(text: TokenStream) -> TokenStream {
             TokenTree::Group(guarded),
             TokenTree::Ident(_),
             TokenTree::Group(_),
-        ] if choice == "if" && asks_for_indices(&condition.iter().cloned().collect()) => guarded.stream(),
-        _ => text,
+        ] if choice == "if" => Some((condition.iter().cloned().collect(), guarded.stream())),
+        _ => None,
     }
 }
 
@@ -336,7 +395,7 @@ fn without_guard(text: TokenStream) -> TokenStream {
 fn asks_for_indices(condition: &TokenStream) -> bool {
     condition.clone().into_iter().all(|token| match token {
         TokenTree::Ident(name) => {
-            let known = ["length", "saturating_sub", "any", "usize"];
+            let known = ["length", COUNT, "saturating_sub", "any", "usize"];
             known.iter().any(|known| name == known) || loop_of(&name).is_some()
         }
         TokenTree::Group(group) => group.delimiter() == Delimiter::Parenthesis && asks_for_indices(&group.stream()),

@@ -1,7 +1,7 @@
 //! The prepared constants that flows read, and the values that flows compute.
 
 use crate::graph::{Graph, Node, NodeId};
-use crate::model::Parameter;
+use crate::model::{Parameter, parameters::parameter_text::COUNT};
 use proc_macro2::{TokenStream, TokenTree};
 
 /// Whether a node is read from a prepared constant: it depends on parameters, and on one loop at most unless it is a
@@ -26,7 +26,7 @@ pub(crate) fn is_leaf(graph: &Graph, parameters: &[Parameter], id: NodeId) -> bo
 /// Whether a text is the path of a constant, which needs no preparation.
 pub(crate) fn is_constant(text: &TokenStream) -> bool {
     text.clone().into_iter().all(|token| match token {
-        TokenTree::Ident(name) => name != "self" && name != "length",
+        TokenTree::Ident(name) => name != "self" && name != "length" && name != COUNT,
         TokenTree::Punct(mark) => mark.as_char() == ':',
         TokenTree::Literal(_) | TokenTree::Group(_) => false,
     })

@@ -1,13 +1,23 @@
 //! List elements that may be missing: code that checks for them before it reads them.
 
 use proc_macro2::TokenStream;
-use quote::quote;
-use syn::{BinOp, Expr, Lit, Path};
+use quote::{ToTokens, quote};
+use syn::{BinOp, Expr, Lit, Path, Stmt};
 
 /// A number that is looked up where its lists have it, and is NaN elsewhere; `None` of a text that reads no lists.
 pub(crate) fn looked_up(text: &TokenStream, root: &Path) -> Option<TokenStream> {
     let there = is_there(text, root)?;
     Some(quote!((if #there { #text } else { f64::NAN })))
+}
+
+/// The text that [`looked_up`] made another one of.
+pub(super) fn unlooked(text: &TokenStream) -> Option<TokenStream> {
+    let Ok(Expr::Paren(inner)) = syn::parse2::<Expr>(text.clone()) else { return None };
+    let Expr::If(choice) = *inner.expr else { return None };
+    let (_, other) = choice.else_branch?;
+    let is_looked_up = other.to_token_stream().to_string() == "{ f64 :: NAN }";
+    let [Stmt::Expr(number, None)] = &choice.then_branch.stmts[..] else { return None };
+    is_looked_up.then(|| number.to_token_stream())
 }
 
 /// The condition that the lists in a text have its elements; `None` of a text that reads no lists.

@@ -46,12 +46,12 @@ pub(crate) fn with_index(text: &TokenStream, by: LoopId, index: impl Into<TokenT
     with_indices(text, &|other| (other == by).then(|| index.clone()))
 }
 
-/// The range of all bodies but the one at an end.
-pub(super) fn but_for(end: Option<End>) -> TokenStream {
+/// The range of this number of bodies but the one at an end.
+pub(super) fn but_for(end: Option<End>, count: &Ident) -> TokenStream {
     match end {
-        None => quote!(0..length),
-        Some(End::First) => quote!(1..length),
-        Some(End::Last) => quote!(0..length.saturating_sub(1)),
+        None => quote!(0..#count),
+        Some(End::First) => quote!(1..#count),
+        Some(End::Last) => quote!(0..#count.saturating_sub(1)),
     }
 }
 

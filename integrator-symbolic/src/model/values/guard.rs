@@ -144,7 +144,11 @@ impl Reader<'_> {
                     // many elements as the iterations of its loops say.
                     Needs::Bounds => {
                         let loops = &self.graph.loops;
-                        let ends = table.iter().any(|inner| loops.of_index(loops.get(inner).to).contains(by));
+                        let is_from_zero = loops.literal(from) == Some(0);
+                        let ends = table.iter().any(|inner| {
+                            loops.of_index(loops.get(inner).to).contains(by)
+                                || is_from_zero && loops.ends_after(inner, to)
+                        });
                         loops.has_iterations(by) || !around.is_empty() || ends
                     }
                     _ => self.graph.loops.has_iterations(by),
