@@ -64,6 +64,22 @@ bodies!(Conditional, |self, q, i, j| if self.0.masses[i] > 0.0 {
     0.0
 });
 bodies!(
+    Counted,
+    &[[f64; 3]],
+    |self, q| {
+        let n = self.0.masses.len();
+        let mut v = 0.0;
+        for i in 0..n - 1 {
+            for j in i + 1..n {
+                let r2: f64 = q[i].iter().zip(&q[j]).map(|(a, b)| (a - b).powi(2)).sum();
+                v -= self.0.masses[i] * self.0.masses[j] / (r2 + self.0.softening).sqrt();
+            }
+        }
+        v
+    },
+    |p| p.iter().flatten().map(|p| 0.5 * p * p).sum()
+);
+bodies!(
     Flat,
     &[f64],
     |self, q| {
@@ -86,7 +102,7 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut gravity = Group::new("gravity", 400);
     let points = || Phase::new((0..BODIES).map(position).collect(), vec![[0.0; 3]; BODIES]);
     spellings!(gravity, bodies(), points(), STEP;
-        "softening first" First, "softening last" Last, "condition on a mass" Conditional,
+        "softening first" First, "softening last" Last, "condition on a mass" Conditional, "number of masses" Counted,
     );
     let flat = || Phase::new((0..BODIES).flat_map(position).collect(), vec![0.0; 3 * BODIES]);
     spellings!(gravity, bodies(), flat(), STEP; "flat coordinates" Flat);

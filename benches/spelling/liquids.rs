@@ -173,12 +173,49 @@ atoms!(Bonded, |self, i, j, r2| if self.0.bonded.contains(&(i, j)) { 0.0 } else 
 atoms!(Radii, |self, i, j, r2| self.soft(r2, self.0.radii[i] + self.0.radii[j]));
 atoms!(Cutoffs, |self, i, j, r2| self.soft(r2, self.0.cutoffs[self.0.kinds[i]][self.0.kinds[j]]));
 
+/// Atoms whose number is a parameter, and the same with flat coordinates.
+macro_rules! counted {
+    ($name:ident, $coordinates:ty, |$p:ident| $kinetic:expr, |$q:ident, $i:ident, $j:ident, $d:ident| $displacement:expr) => {
+        struct $name(Atoms);
+
+        #[hamiltonian]
+        impl $name {
+            fn kinetic(&self, $p: $coordinates) -> f64 {
+                $kinetic
+            }
+            fn potential(&self, $q: $coordinates) -> f64 {
+                let n = self.0.kinds.len();
+                let mut v = 0.0;
+                for $i in 0..n - 1 {
+                    for $j in $i + 1..n {
+                        let mut r2 = 0.0;
+                        for $d in 0..3 {
+                            let x = $displacement;
+                            r2 += (x - self.0.side * (x / self.0.side).round()).powi(2);
+                        }
+                        if r2 < self.0.cutoff * self.0.cutoff {
+                            let s = (1.0 / r2).powi(3);
+                            v += 4.0 * (s * s - s);
+                        }
+                    }
+                }
+                v
+            }
+        }
+    };
+}
+
+counted!(Counted, &[[f64; 3]], |p| p.iter().flatten().map(|p| 0.5 * p * p).sum(), |q, i, j, d| q[i][d] - q[j][d]);
+counted!(FlatAtoms, &[f64], |p| p.iter().map(|p| 0.5 * p * p).sum(), |q, i, j, d| q[3 * i + d] - q[3 * j + d]);
+
 pub(crate) fn groups() -> Vec<Group<'static>> {
+    let flat = || Phase::new(start().q.concat(), start().p.concat());
     let mut images = Group::new("images", 8);
     spellings!(images, atoms(), start(), STEP;
         "round" Round, "round of a product" Inverse, "floor" Floor, "rem_euclid" Remainder,
-        "min of both ways" Shorter, "branches" Branch, "parts" Parts,
+        "min of both ways" Shorter, "branches" Branch, "parts" Parts, "number of atoms" Counted,
     );
+    spellings!(images, atoms(), flat(), STEP; "flat coordinates" FlatAtoms);
     let mut mixture = Group::new("mixture", 8);
     spellings!(mixture, atoms(), start(), STEP; "table" Table, "flat table" Flat, "branches" Kinds);
     let mut exclusions = Group::new("exclusions", 8);
