@@ -196,15 +196,29 @@ fn stencil_of(
     // Nothing is gained where no loops run over the lattice.
     iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
     for (contribution, own) in gradient.iter().zip(&iterations) {
+        let reads_tables = gathering.reads_tables(contribution.value);
         let begins = own.iter().enumerate().map(|(direction, own)| {
-            if gathering.stencil.directions[direction].apart {
+            // What a few sites add is handed on to none.
+            if gathering.stencil.directions[direction].apart || own.are_few() && !reads_tables {
                 return own.to_place;
             }
             let all = iterations.iter().map(|iterations| &iterations[direction]);
-            let together = all.filter(|other| own.by.is_some() && other.by == own.by);
+            let together =
+                all.filter(|other| own.by.is_some() && other.by == own.by && (reads_tables || !other.are_few()));
             together.map(|other| other.to_place).min().unwrap_or_default()
         });
-        gathering.contribution(contribution.value, own, &begins.collect::<Vec<_>>())?;
+        let mut begins: Vec<_> = begins.collect();
+        let last = own.len() - 1;
+        if let Some([few, others]) =
+            own[last].cut(begins[last]).filter(|_| !reads_tables && !gathering.stencil.directions[last].periodic)
+        {
+            let at = [&own[..last], &[few]].concat();
+            gathering.contribution(contribution.value, &[&own[..last], &[others]].concat(), &begins)?;
+            begins[last] = few.to_place;
+            gathering.contribution(contribution.value, &at, &begins)?;
+        } else {
+            gathering.contribution(contribution.value, own, &begins)?;
+        }
     }
     let stencil = gathering.finished()?;
     let may_be_points = stencil.lattice() == Lattice::Plane && number.is_none() && components == Components::Unknown;
@@ -249,6 +263,12 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         let around: BTreeSet<LoopId> = contribution.loops().collect();
         let running = iterations.iter().filter(|iterations| iterations.by.is_some()).count();
         (by == around && running == by.len() && running == contribution.context.len()).then_some(Some(iterations))
+    }
+
+    /// Whether a value reads prepared constants by the index of an iteration.
+    fn reads_tables(&self, value: NodeId) -> bool {
+        let nodes = computed(self.graph, value, self.leaf);
+        nodes.into_iter().any(|id| (self.leaf)(self.graph, id) && !self.graph.loops_of(id).is_empty())
     }
 
     /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.

@@ -66,6 +66,56 @@ impl Ends {
     }
 }
 
+/// The same, where each spring asks whether it is at an end.
+struct BothEnds;
+
+#[hamiltonian]
+impl BothEnds {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.0;
+        for i in 0..=n {
+            let left = if i == 0 { 0.0 } else { q[i - 1] };
+            let right = if i == n { 0.0 } else { q[i] };
+            energy += self.spring(right - left);
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        stretch.powi(2) / 2.0 + 0.25 * stretch.powi(3) + 0.1 * stretch.powi(4)
+    }
+}
+
+/// The same, each spring with a strength of its own, which is one.
+struct StrongEnds {
+    strengths: Vec<f64>,
+}
+
+#[hamiltonian]
+impl StrongEnds {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let n = q.len();
+        let mut energy = 0.0;
+        for i in 0..n {
+            let behind = if i == 0 { 0.0 } else { q[i - 1] };
+            energy += self.strengths[i] * self.spring(q[i] - behind);
+            if i == n - 1 {
+                energy += self.strengths[i] * self.spring(-q[i]);
+            }
+        }
+        energy
+    }
+    fn spring(&self, stretch: f64) -> f64 {
+        stretch.powi(2) / 2.0 + 0.25 * stretch.powi(3) + 0.1 * stretch.powi(4)
+    }
+}
+
 /// A ring of unequal masses on unequal springs, each site in a well of its own.
 pub(crate) struct Ring {
     mass: Vec<f64>,
@@ -237,6 +287,9 @@ fn walls_at_every_length() {
         let expected = by_hand(&start(sites), &vec![1.0; sites], walls);
         agree("walls", sites, &followed(&Walls, start(sites)), &expected);
         agree("ends", sites, &followed(&Ends, start(sites)), &expected);
+        agree("both ends", sites, &followed(&BothEnds, start(sites)), &expected);
+        let strong = StrongEnds { strengths: vec![1.0; sites] };
+        agree("ends with strengths", sites, &followed(&strong, start(sites)), &expected);
     }
 }
 

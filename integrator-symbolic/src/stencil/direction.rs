@@ -109,8 +109,11 @@ impl Place {
     }
 }
 
+/// The number of places of the smallest lattice.
+const SMALLEST: i64 = 1;
+
 /// The iterations of a loop, or the one iteration where there is none, in which something is added to a place.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Iterations {
     pub(super) by: Option<LoopId>,
     /// Whether there is one for every place; only then may the last place be followed by the first.
@@ -122,6 +125,40 @@ pub(super) struct Iterations {
 }
 
 impl Iterations {
+    /// Whether they belong to a few places at one end.
+    pub(super) fn are_few(&self) -> bool {
+        self.by.is_some() && !self.run()
+    }
+
+    /// The first iteration and the others, where the first one would belong to a place before the first one.
+    pub(super) fn cut(&self, begins: i64) -> Option<[Self; 2]> {
+        let second = Place::FromBegin(1);
+        let is_cut = self.run() && self.from == Place::FromBegin(0) && begins == -1 && self.always_has(self.from);
+        is_cut.then_some([Self { to: second, whole: false, ..*self }, Self { from: second, whole: false, ..*self }])
+    }
+
+    /// Whether one of them has the number of a place on every lattice.
+    fn always_has(&self, place: Place) -> bool {
+        match (self.from, self.to, place) {
+            (Place::FromBegin(from), Place::FromEnd(to), Place::FromBegin(place)) => {
+                from <= place && place < SMALLEST - to
+            }
+            (Place::FromBegin(from), Place::FromEnd(to), Place::FromEnd(place)) => {
+                place > to && SMALLEST - place >= from
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether none of them has the number of a place on any lattice.
+    fn never_has(&self, place: Place) -> bool {
+        match (self.from, self.to, place) {
+            (Place::FromBegin(_), Place::FromBegin(to), Place::FromEnd(place)) => SMALLEST - place >= to,
+            (Place::FromEnd(from), Place::FromEnd(_), Place::FromBegin(place)) => place < SMALLEST - from,
+            _ => false,
+        }
+    }
+
     /// Whether they run over the lattice.
     pub(super) fn run(&self) -> bool {
         matches!((self.from, self.to), (Place::FromBegin(_), Place::FromEnd(_)))
@@ -214,7 +251,9 @@ impl Direction {
             (Comparison::LessOrEqual, true, false) | (Comparison::Less, false, true) => {
                 (own.from.after(behind, self.number)?, own.to)
             }
-            (Comparison::Equal, _, true) if own.whole && place.is_inside() => (place, behind),
+            (Comparison::Equal, _, true) if own.whole && place.is_inside() || own.always_has(place) => (place, behind),
+            (Comparison::Equal, _, true) if own.never_has(place) => return Some(false),
+            (Comparison::Equal, _, false) if own.never_has(place) => (own.from, own.to),
             (Comparison::Equal, _, false) if place == own.from => (behind, own.to),
             (Comparison::Equal, _, false) if behind == own.to => (own.from, place),
             (Comparison::Equal, ..) => return None,
@@ -250,7 +289,11 @@ impl Direction {
             (Place::FromEnd(_), Place::FromBegin(_)) => return None,
         };
         if let Some(by) = iterations.by {
-            self.begins.insert(by, if self.apart { 0 } else { begins });
+            let begins_at = if self.apart { 0 } else { begins };
+            match iterations.are_few() {
+                true => *self.begins.entry(by).or_insert(begins_at),
+                false => self.begins.insert(by, begins_at).unwrap_or(begins_at),
+            };
             if iterations.whole && !self.apart {
                 self.first = self.first.max(begins.unsigned_abs());
                 self.last = self.last.max(begins.unsigned_abs());
