@@ -300,6 +300,26 @@ fn of_pairs(length: &str, kind: &str, distance: &str, branch: &str) -> String {
     stepper(length, kind, ["for i in 0..N { for j in 0..i {", &format!("{distance} {branch}"), "} }"])
 }
 
+/// Energies within a cutoff: a name, the text, and whether the order of the bodies is all that is read of their numbers, which
+/// lists know.
+const NUMBERS: [(&str, &str, bool); 6] = [
+    ("bodies alike", "v += 1.0 / r2;", false),
+    ("a table by type", "v += self.table[self.kind[i]][self.kind[j]] / r2;", true),
+    ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += 1.0 / r2; }", true),
+    ("an odd power", "v += (q[i][0] - q[j][0]).powi(3);", true),
+    ("neighbours in a chain", "if i - j > 1 { v += 1.0 / r2; }", false),
+    ("a set of pairs", "if !self.bonded.contains(&(i, j)) { v += 1.0 / r2; }", false),
+];
+
+#[test]
+fn lists_keep_no_numbers_that_pairs_only_compare() {
+    for (name, energy, is_order) in NUMBERS {
+        let text = of_pairs("len", "[[f64; 3]]", OPEN, &format!("if r2 < self.cutoff {{ {energy} }}"));
+        assert!(text.contains("const LISTED_FROM"), "{name}: {text}");
+        assert_eq!(text.contains("const NUMBER"), is_order, "{name}: {text}");
+    }
+}
+
 /// Loops over bodies whose number is not the length of the coordinates: a name, the coordinates, T, V, and what is found: the
 /// number of coordinates of a body, and whether a number of the system says how many act and how many move.
 type Counted = (&'static str, &'static str, &'static str, &'static str, Option<(u32, bool, bool)>);

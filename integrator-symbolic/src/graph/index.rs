@@ -269,6 +269,11 @@ impl Loops {
         id
     }
 
+    /// The id of an integer expression that is in the table.
+    pub(crate) fn known(&self, index: Index) -> Option<IndexId> {
+        self.index_ids.get(&index).copied()
+    }
+
     /// The loop over a range, new or known.
     pub(crate) fn range(&mut self, range: Loop) -> LoopId {
         if let Some(id) = self.loop_ids.get(&range) {

@@ -57,6 +57,8 @@ pub(crate) struct AllPairs {
     pub(crate) listed: Option<Listed>,
     /// How many bodies there are.
     pub(crate) of: Bodies,
+    /// The constant that is the number of a body, where pairs do nothing but compare it with that of the other body.
+    pub(crate) number: Option<usize>,
 }
 
 /// Terms beside pairs, in the user's own coordinates.
@@ -224,6 +226,12 @@ impl AllPairs {
             }
         };
         let of = Bodies { flat: is_flat.then_some(dimension), acting: first_acting, moving: first_moving };
+        let of_pairs =
+            [Some(&force), acts.as_ref().map(|(acts, _)| acts), listed.as_ref().map(|listed| &listed.energy)];
+        let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
+        let energy_alone = listed.as_ref().and_then(|listed| listed.energy_alone.as_ref());
+        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(energy_alone).collect();
+        let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Some(Self {
             pair,
             ends,
@@ -238,6 +246,7 @@ impl AllPairs {
             others,
             listed,
             of,
+            number,
         })
     }
 

@@ -5,7 +5,7 @@ use super::stores::{lower_roots, stores};
 use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
-        Element, Node, NodeId, ParameterId, Scope,
+        Comparison, Element, Graph, Node, NodeId, ParameterId, Scope,
         index::{Index, LoopId, Loops},
         rename::{Renaming, rename},
     },
@@ -64,6 +64,25 @@ impl Constants {
             }
             _ => None,
         }
+    }
+
+    /// The constant that is the number of a body, if some functions of pairs do nothing but compare it with that of the other
+    /// body, and others do not read it.
+    pub(crate) fn number(&self, graph: &Graph, of_pairs: &[&OfBodies], others: &[&OfBodies]) -> Option<usize> {
+        let index = graph.loops.known(Index::Running(self.bodies))?;
+        let place = self.nodes.iter().position(|id| graph.node(*id) == Node::FromIndex(index))?;
+        let is_read = |of: &&OfBodies| of.reads.iter().any(|(.., read)| *read == place);
+        let is_compared = |of: &&OfBodies| {
+            let numbers: Vec<_> = of.reads.iter().filter(|(.., read)| *read == place).map(|(id, ..)| *id).collect();
+            let roots = of.stores.iter().flat_map(|store| {
+                store.context.iter().filter_map(Scope::condition).chain([store.value]).collect::<Vec<_>>()
+            });
+            graph.reachable(roots).into_iter().all(|id| match graph.node(id) {
+                Node::Compare(Comparison::Less, a, b) if numbers.contains(&a) && numbers.contains(&b) => a != b,
+                node => !node.children().any(|child| numbers.contains(&child)),
+            })
+        };
+        (!others.iter().any(is_read) && of_pairs.iter().all(is_compared)).then_some(place)
     }
 
     /// The tables that hold what a function reads of its bodies, by the nodes that read them.

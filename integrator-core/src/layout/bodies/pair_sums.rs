@@ -96,6 +96,10 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
     /// only such a pair function is used below.
     const LISTED_FROM: usize = usize::MAX;
 
+    /// The constant of a body that is its number, where pairs do nothing but compare it with that of the other body. Lists are in
+    /// the order of these numbers, and do not read them.
+    const NUMBER: Option<usize> = None;
+
     /// The square of the distance beyond which a pair has neither a force nor an energy, the same for all pairs.
     #[inline(always)]
     fn cutoff<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> W {

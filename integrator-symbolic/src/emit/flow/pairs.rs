@@ -58,6 +58,7 @@ impl ManyBody {
             others,
             listed,
             of,
+            number,
         } = pairs;
         let (pair, central) = (*pair, *central);
         let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
@@ -71,7 +72,14 @@ impl ManyBody {
         let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
         let per_body = writer.per_body(of);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
+        let number = number.filter(|_| listed.is_some()).map(|number| {
+            let number = Literal::usize_unsuffixed(number);
+            quote!(
+                const NUMBER: ::core::option::Option<usize> = ::core::option::Option::Some(#number);
+            )
+        });
         let functions = quote! {
+            #number
             const RECIPROCAL: bool = #reciprocal;
             const CENTRAL: bool = #central;
             type Force<#wide: ::core::marker::Copy> = [#wide; #parts];

@@ -175,13 +175,14 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
 
     /// Puts coordinates and constants into slots.
     #[inline(always)]
-    fn fill<L: Slot<R::Row<WIDTH>>, const S: usize>(
+    fn fill<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         &mut self,
         q: &[[L; D]],
         constants: &[[R::Row<WIDTH>; S]],
         slots: &[u32],
     ) {
-        let quads = quads(D + S);
+        let count = const { numbers::<H, D, S>() };
+        let quads = quads(count);
         let length = slots.len() * quads * 4;
         if self.points.len() != length {
             self.points = Aligned::filled(length, R::of(0.0));
@@ -190,8 +191,8 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         for (row, slots) in slots.chunks(WIDTH).enumerate() {
             for quad in 0..quads {
                 let mut numbers = [[R::of(0.0); WIDTH]; 4];
-                for (number, at) in numbers.iter_mut().zip(quad * 4..D + S) {
-                    let values = if at < D { q[row][at].value() } else { constants[row][at - D] };
+                for (number, at) in numbers.iter_mut().zip(quad * 4..count) {
+                    let values = if at < D { q[row][at].value() } else { constants[row][constant::<H, D, S>(at)] };
                     values.write(number);
                 }
                 for (lane, slot) in slots.iter().enumerate() {
@@ -210,7 +211,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         let mut total = R::of(0.0);
         let listed = self.renew(q, bodies, cutoffs, threads);
         let lists = &*listed.lists;
-        self.fill(q, constants, &lists.slot_of);
+        self.fill::<H, L, S>(q, constants, &lists.slot_of);
         let (points, _) = self.points.as_chunks();
         let mut results = vec![[[R::of(0.0); WIDTH]]; q.len()];
         in_portions(lists, &mut results, threads, &|number, rows, results| {
@@ -265,7 +266,7 @@ where
         let Sum { q, constants, bodies, parameters, time, threads } = sum;
         let listed = neighbours.renew(q, bodies, cutoffs, threads);
         let lists = &*listed.lists;
-        neighbours.fill(q, constants, &lists.slot_of);
+        neighbours.fill::<H, L, S>(q, constants, &lists.slot_of);
         let Neighbours { points, results, .. } = neighbours;
         results.resize(q.len(), [[R::of(0.0); WIDTH]; D]);
         let (points, _) = points.as_chunks();
@@ -287,6 +288,21 @@ where
                 p[row][d].fma(factor, gradient[d]);
             }
         }
+    }
+}
+
+/// How many numbers of a body lists read: its coordinates, and its constants but for its number.
+const fn numbers<H: ManyBody<D, S>, const D: usize, const S: usize>() -> usize {
+    if H::NUMBER.is_some() { D + S - 1 } else { D + S }
+}
+
+/// The constant that is the number with this index, after the coordinates.
+#[inline(always)]
+fn constant<H: ManyBody<D, S>, const D: usize, const S: usize>(at: usize) -> usize {
+    let place = at - D;
+    match H::NUMBER {
+        Some(number) if number <= place => place + 1,
+        _ => place,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Sums over lists: eight bodies at a time, each with its own neighbours.
 
-use super::{lists::Portion, quads};
+use super::{constant, lists::Portion, numbers, quads};
 use crate::{
     layout::bodies::{
         many_rows::WIDTH,
@@ -48,27 +48,31 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
         let Self { points, portion, rows, bodies, parameters, time, results, .. } = self;
         for (number, row) in rows.enumerate() {
             let own = own_slots(row, bodies);
-            let body = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &own);
+            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own);
             let mut sum = [Real::of(0.0); D];
             match portion {
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
+                    let before = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
                     let (common, rest) = portion.steps[head.first..][..range.most].split_at(range.common);
-                    for slots in common {
+                    for (step, slots) in common.iter().enumerate() {
                         R::Row::<WIDTH>::fetch_once(slots.as_ptr().wrapping_add(AHEAD));
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, slots);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
+                        put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
                     }
                     for (step, slots) in (range.common..).zip(rest) {
                         let acting = range.acting(step);
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, slots);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
+                        put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], Some(acting), time);
                     }
                 }
                 None => {
                     for other in 0..bodies {
-                        let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
+                        put_in_order::<H, R, D, S>(&mut others, || behind::<R>(other, row));
                         let acting = (other / WIDTH == row).then(|| others_than::<R>(other % WIDTH));
                         add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], acting, time);
                     }
@@ -89,10 +93,11 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
         let Self { points, portion, rows, bodies, parameters, time, results, .. } = self;
         for (number, row) in rows.enumerate() {
             let own = own_slots(row, bodies);
-            let body = bodies_at::<R, R::Row<WIDTH>, D, S>(points, &own);
+            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own);
             let mut sum = <R::Row<WIDTH> as Real>::of(0.0);
             let mut add = |at: &[u32; WIDTH], acting: Lanes<R>| {
-                let others = bodies_at::<R, R::Row<WIDTH>, D, S>(points, at);
+                let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, at);
+                put_in_order::<H, R, D, S>(&mut others, || acting);
                 let energy = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [body, others], time);
                 let none = Real::of(0.0);
                 sum += Real::select(acting, energy, none);
@@ -131,25 +136,37 @@ fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
 
 /// The bodies in some slots.
 #[inline(always)]
-fn bodies_at<R: Real, W: Row<R>, const D: usize, const S: usize>(
+fn bodies_at<H: ManyBody<D, S>, R: Real, W: Row<R>, const D: usize, const S: usize>(
     points: &[[R; 4]],
     slots: &[u32; WIDTH],
 ) -> Bodies<W, D, S> {
     let zero = W::of(0.0);
     let mut bodies = Bodies { q: [zero; D], constants: [zero; S] };
-    let quads = const { quads(D + S) };
+    let count = const { numbers::<H, D, S>() };
+    let quads = const { quads(numbers::<H, D, S>()) };
     for quad in 0..quads {
         let numbers = W::transposed(points, slots, quads, quad);
         for (at, number) in numbers.into_iter().enumerate() {
             let place = quad * 4 + at;
             if place < D {
                 bodies.q[place] = number;
-            } else if place < D + S {
-                bodies.constants[place - D] = number;
+            } else if place < count {
+                bodies.constants[constant::<H, D, S>(place)] = number;
             }
         }
     }
     bodies
+}
+
+/// Says of other bodies whether they come before those of a row, whose number is zero here.
+#[inline(always)]
+fn put_in_order<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
+    others: &mut Bodies<R::Row<WIDTH>, D, S>,
+    are_before: impl FnOnce() -> Lanes<R>,
+) {
+    if let Some(number) = const { H::NUMBER } {
+        others.constants[number] = Real::select(are_before(), Real::of(-1.0), Real::of(1.0));
+    }
 }
 
 /// Adds the forces of other bodies on those of a row, in the lanes of `acting`.
