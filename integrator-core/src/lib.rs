@@ -220,6 +220,7 @@ pub mod __private {
                 window::Window,
             },
             lists::{Addend, Read, Term, Terms},
+            loops::{Iteration, Loop, Near},
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},

@@ -10,6 +10,7 @@
 //! - Loops over the same range that do not depend on each other are merged; so are branches on the same condition.
 //! - A node has a name if it is used twice, or in an inner block.
 
+pub(crate) mod lanes;
 pub(crate) mod lists;
 pub(crate) mod nest;
 mod order;

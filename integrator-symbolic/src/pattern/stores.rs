@@ -2,11 +2,15 @@
 
 use crate::{
     differentiate::{Contribution, fold_branches},
-    graph::{Element, NodeId, Part},
+    graph::{Element, Graph, NodeId, Part},
     lower::lower,
     model::{Model, is_leaf},
-    program::{Sink, Store, is_direct, is_protected},
+    program::{
+        Sink, Store, is_direct, is_protected,
+        lanes::{are_many, is_function},
+    },
 };
+use std::collections::HashSet;
 
 /// Stores that are computed together, and the coordinates that they move by way of a buffer, or on the spot.
 pub(crate) struct Pass {
@@ -15,14 +19,17 @@ pub(crate) struct Pass {
 }
 
 /// What moves each coordinate by `step` times its component: on the spot where every coordinate gets one contribution,
-/// else collected in a buffer, and each half in one of its own.
+/// else collected in a buffer, and each half in one of its own. A mean field is collected as well, since loops that collect
+/// compute functions in lanes.
 pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -> Vec<Pass> {
     if gradient.is_empty() {
         return Vec::new();
     }
     let folded = fold_branches(&mut model.graph, gradient);
     let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
-    if !apart && is_direct(&model.graph.loops, &folded) {
+    let in_lanes = are_many(&model.graph, &model.lengths)
+        && folded.iter().any(|contribution| has_functions_and_sums(&model.graph, contribution.value));
+    if !apart && !in_lanes && is_direct(&model.graph.loops, &folded) {
         return vec![Pass { stores: stores(model, &folded, Sink::Update), moved: None }];
     }
     let mut collected = |part: Part, half: &[Contribution]| Pass {
@@ -35,6 +42,24 @@ pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -
     let (own, other): (Vec<_>, Vec<_>) =
         gradient.iter().cloned().partition(|contribution| contribution.element.part == part);
     vec![collected(part, &own), collected(part.other(), &other)]
+}
+
+/// Whether a value is computed from sums over coordinates, and by functions or divisions outside of these.
+fn has_functions_and_sums(graph: &Graph, value: NodeId) -> bool {
+    let (mut has_functions, mut has_sums) = (false, false);
+    let (mut open, mut seen) = (vec![value], HashSet::new());
+    while let Some(id) = open.pop() {
+        if graph.is_prepared(id) || !seen.insert(id) {
+            continue;
+        }
+        if graph.loops_of(id).is_empty() && !graph.summed_in(id).is_empty() {
+            has_sums = true;
+            continue;
+        }
+        has_functions |= is_function(graph.node(id));
+        open.extend(graph.node(id).children());
+    }
+    has_functions && has_sums
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.

@@ -96,7 +96,7 @@ impl<'p> ListSum<'p> {
         let mut nests = context.nests(by, body)?;
         let Nest { body, reads, constants, predicates, invariants, targets, .. } = nests.pop()?;
         let is_alone = nests.is_empty() && predicates.is_empty() && targets.len() <= MOST && reads.len() <= MOST;
-        if !is_alone || body.iter().any(|line| calls(graph, named, line)) {
+        if !is_alone || body.iter().any(|line| computes(graph, named, line, is_called)) {
             return None;
         }
         let components = match components.map(|components| graph.loops.literal(components)) {
@@ -153,30 +153,37 @@ impl<'p> ListSum<'p> {
 }
 
 /// The position of an element, which is appended where it is new.
-fn position<T: PartialEq>(list: &mut Vec<T>, element: T) -> usize {
+pub(super) fn position<T: PartialEq>(list: &mut Vec<T>, element: T) -> usize {
     list.iter().position(|known| *known == element).unwrap_or_else(|| {
         list.push(element);
         list.len() - 1
     })
 }
 
-/// Whether a line computes what vectors do not: methods of the user, which are called number by number, and sums.
-fn calls(graph: &Graph, named: &BTreeSet<NodeId>, line: &Item) -> bool {
-    let within = |id: NodeId| has_calls(graph, named, id, true);
+/// Whether a node is one that vectors do not compute: a method of the user, which is called number by number, or what depends on
+/// the step.
+pub(super) fn is_called(node: Node) -> bool {
+    matches!(node, Node::External(..) | Node::Step | Node::Middle)
+}
+
+/// Whether a line computes such a node, beside what is prepared or has a name elsewhere.
+pub(super) fn computes(graph: &Graph, named: &BTreeSet<NodeId>, line: &Item, is: fn(Node) -> bool) -> bool {
+    let of = |id: NodeId| contains(graph, named, id, false, is);
+    let within = |body: &[Item]| body.iter().any(|line| computes(graph, named, line, is));
     match line {
-        Item::Branch { condition, body, .. } => within(*condition) || body.iter().any(|line| calls(graph, named, line)),
-        Item::Let(id) => within(*id),
-        Item::SineCosine { argument, .. } => has_calls(graph, named, *argument, false),
-        Item::Choose { value, .. } | Item::Sink(_, value) => has_calls(graph, named, *value, false),
+        Item::Branch { condition, body, .. } => contains(graph, named, *condition, true, is) || within(body),
+        Item::Let(id) => contains(graph, named, *id, true, is),
+        Item::SineCosine { sine, cosine, .. } => [sine, cosine].iter().any(|id| contains(graph, named, **id, true, is)),
+        Item::Choose { value, .. } | Item::Add { value, .. } | Item::Sink(_, value) => of(*value),
         Item::Begin(_) => false,
-        Item::Loop { .. } | Item::Add { .. } => true,
+        Item::Loop { body, .. } => within(body),
     }
 }
 
-fn has_calls(graph: &Graph, named: &BTreeSet<NodeId>, id: NodeId, is_made: bool) -> bool {
+fn contains(graph: &Graph, named: &BTreeSet<NodeId>, id: NodeId, is_made: bool, is: fn(Node) -> bool) -> bool {
     match graph.node(id) {
-        Node::External(..) | Node::Step | Node::Middle => true,
+        node if is(node) && (is_made || !named.contains(&id)) && !graph.is_prepared(id) => true,
         _ if !is_made && named.contains(&id) || graph.is_prepared(id) => false,
-        node => node.children().any(|child| has_calls(graph, named, child, false)),
+        node => node.children().any(|child| contains(graph, named, child, false, is)),
     }
 }

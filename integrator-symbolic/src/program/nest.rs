@@ -24,6 +24,8 @@ pub(crate) struct Nest<'p> {
     pub(crate) invariants: Vec<NodeId>,
     /// The coordinates that an iteration moves.
     pub(crate) targets: Vec<Element>,
+    /// The sums of the surrounding lines that an iteration adds to: none, unless the nest may have some.
+    pub(crate) sums: Vec<NodeId>,
 }
 
 /// The program around a loop nest.
@@ -49,10 +51,30 @@ impl NestContext<'_> {
                 let elsewhere = of_all.difference(&own).copied().collect();
                 let mut needs = Needs::new(self, own, elsewhere);
                 needs.of_lines(&body)?;
-                let Needs { reads, constants, predicates, invariants, targets, .. } = needs;
-                Some(Nest { loops, body, reads, constants, predicates, invariants, targets })
+                Some(needs.nest(loops, body))
             })
             .collect()
+    }
+
+    /// A loop without others inside, which may add to sums of the surrounding lines. A branch reads no coordinate that the
+    /// lines around it do not read.
+    pub(crate) fn innermost<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Nest<'p>> {
+        if body.iter().any(|item| matches!(item, Item::Loop { .. })) {
+            return None;
+        }
+        let body: Vec<&Item> = body.iter().collect();
+        let mut needs = Needs { may_sum: true, ..Needs::new(self, made(&body), BTreeSet::new()) };
+        let (branches, lines): (Vec<_>, Vec<_>) =
+            body.iter().copied().partition(|item| matches!(item, Item::Branch { .. }));
+        needs.of_lines(&lines)?;
+        for branch in &branches {
+            if let Item::Branch { condition, .. } = branch {
+                needs.of(*condition)?;
+            }
+        }
+        let read = needs.reads.len();
+        needs.of_lines(&branches)?;
+        (needs.reads.len() == read).then(|| needs.nest(vec![by], body))
     }
 
     /// Whether all loops are such nests, and every iteration reads coordinates of its own first (without it, moves
@@ -136,6 +158,9 @@ struct Needs<'s> {
     predicates: Vec<NodeId>,
     invariants: Vec<NodeId>,
     targets: Vec<Element>,
+    sums: Vec<NodeId>,
+    /// Whether the lines may add to sums of the lines around them.
+    may_sum: bool,
 }
 
 impl<'s> Needs<'s> {
@@ -150,7 +175,14 @@ impl<'s> Needs<'s> {
             predicates: Vec::new(),
             invariants: Vec::new(),
             targets: Vec::new(),
+            sums: Vec::new(),
+            may_sum: false,
         }
+    }
+
+    fn nest<'p>(self, loops: Vec<LoopId>, body: Vec<&'p Item>) -> Nest<'p> {
+        let Self { reads, constants, predicates, invariants, targets, sums, .. } = self;
+        Nest { loops, body, reads, constants, predicates, invariants, targets, sums }
     }
 
     fn of_lines(&mut self, lines: &[&Item]) -> Option<()> {
@@ -165,6 +197,12 @@ impl<'s> Needs<'s> {
                 Item::Choose { value, .. } => self.of(*value)?,
                 Item::Sink(Sink::Collect(element), value) => {
                     self.targets.push(*element);
+                    self.of(*value)?;
+                }
+                Item::Add { sum, value } if self.may_sum => {
+                    if !self.sums.contains(sum) {
+                        self.sums.push(*sum);
+                    }
                     self.of(*value)?;
                 }
                 Item::Loop { .. } | Item::Add { .. } | Item::Sink(..) => return None,

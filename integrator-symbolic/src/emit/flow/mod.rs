@@ -25,6 +25,7 @@ use crate::{
         block::Emitter,
         frame::Frame,
         function::{Body, Lines},
+        lanes::has_lanes,
         lists::has_list_sums,
     },
     graph::{Graph, NodeId, Part, exact::Exact},
@@ -269,7 +270,7 @@ pub(crate) struct Flow {
     sweep: Option<Sweep>,
     /// Whether it computes terms of lists in lanes.
     over_lists: bool,
-    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists in lanes.
+    /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists or functions in lanes.
     is_wide: bool,
     /// Whether it takes so long that a choice among flows costs nothing beside it.
     is_large: bool,
@@ -343,9 +344,11 @@ impl Flow {
             Part::Position => quote!(-duration),
         };
         let over_lists = has_list_sums(emitter.model, &lines.program);
-        let (scalar, is_wide) = (&emitter.names.scalar, lines.program.divides_by_root_cubed || over_lists);
+        let [has_lanes, has_wide_lanes] = has_lanes(emitter.model, &lines.program);
+        let is_wide = lines.program.divides_by_root_cubed || over_lists || has_wide_lanes;
+        let scalar = &emitter.names.scalar;
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, over_lists, is_wide, is_large: over_lists, ..Self::default() }
+        Self { body, over_lists, is_wide, is_large: over_lists || has_lanes, ..Self::default() }
     }
 
     /// The lines that move each coordinate by `step` times its component.

@@ -5,14 +5,18 @@ use super::{
     fields::Fields,
     frame::Frame,
     function::Lines,
+    lanes::lane_context,
 };
 use crate::{
     graph::{
         Element, Fold, Graph, Node, NodeId, Part,
         index::{Index, LoopId},
     },
-    model::{Length, Model},
-    program::{Constraints, Item, Program, Sink, Store, lists::is_over_list, results::Results, schedule_with},
+    model::{Length, Model, is_field},
+    program::{
+        Constraints, Item, Program, Sink, Store, lanes::LaneContext, lists::is_over_list, results::Results,
+        schedule_with,
+    },
     syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -40,16 +44,30 @@ impl Emitter<'_> {
         stores: &[Store],
         constraints: &Constraints,
     ) -> Lines {
-        let Self { model, names, fields } = self;
-        let program = schedule_with(&model.graph, stores, |_, id| frame.is_leaf(model, id), constraints).within(outer);
-        let printer = Printer::new(model, names, &program, frame);
-        let mut block = Block::new(printer, names);
-        Lines { tokens: block.items(fields, &program.items), program }
+        self.print(frame, outer, stores, constraints, frame.is_of_motion())
     }
 
-    /// The line or lines that evaluate `root`, which is lowered.
+    /// The line or lines that evaluate `root`, which is lowered. Their sums have the order of the loops.
     pub(crate) fn value(&mut self, frame: &Frame<'_>, root: NodeId) -> Lines {
-        self.evaluate(frame, &[], &[Store { context: Vec::new(), sink: Sink::Return, value: root }])
+        let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
+        self.print(frame, &[], &[returned], &Constraints::default(), false)
+    }
+
+    /// The lines, whose innermost loops may be in lanes.
+    fn print(
+        &mut self,
+        frame: &Frame<'_>,
+        outer: &[LoopId],
+        stores: &[Store],
+        constraints: &Constraints,
+        in_lanes: bool,
+    ) -> Lines {
+        let Self { model, names, fields } = self;
+        let program = schedule_with(&model.graph, stores, |_, id| frame.is_leaf(model, id), constraints).within(outer);
+        let is_kept = |id| is_field(&model.graph, &model.parameters, id);
+        let mut block = Block::new(Printer::new(model, names, &program, frame), names);
+        block.lanes = in_lanes.then(|| lane_context(model, &program, &is_kept));
+        Lines { tokens: block.items(fields, &program.items), program }
     }
 }
 
@@ -61,6 +79,8 @@ pub(super) enum Accumulation {
     Rounded,
     /// In the results of terms that share vectors, which the runtime scatters.
     Lanes(Results),
+    /// In the point of the gradient that an iteration in lanes has as an argument.
+    Point,
 }
 
 impl Accumulation {
@@ -68,7 +88,7 @@ impl Accumulation {
     pub(super) fn results(self) -> Results {
         match self {
             Self::Lanes(results) => results,
-            Self::Fused | Self::Rounded => Results::default(),
+            Self::Fused | Self::Rounded | Self::Point => Results::default(),
         }
     }
 }
@@ -80,6 +100,10 @@ pub(super) struct Block<'m> {
     pub(super) accumulation: Accumulation,
     /// The conditions around the present line, as masks, outermost first.
     pub(super) masks: Vec<TokenStream>,
+    /// The values that the lines have as arguments, if they are those of a vector.
+    pub(super) arguments: BTreeSet<NodeId>,
+    /// What decides which loops are in lanes; `None` if none is.
+    pub(super) lanes: Option<LaneContext<'m>>,
     /// How many conditions were around the beginning of a sum or a choice.
     begun: HashMap<NodeId, usize>,
 }
@@ -108,17 +132,32 @@ impl<'m> Printer<'m> {
 
 impl<'m> Block<'m> {
     pub(super) fn new(printer: Printer<'m>, names: &'m Names) -> Self {
-        Self { printer, names, accumulation: Accumulation::Fused, masks: Vec::new(), begun: HashMap::new() }
+        Self {
+            printer,
+            names,
+            accumulation: Accumulation::Fused,
+            masks: Vec::new(),
+            arguments: BTreeSet::new(),
+            lanes: None,
+            begun: HashMap::new(),
+        }
     }
 
     fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
-        items.iter().map(|item| self.item(fields, item)).collect()
+        let lanes: Vec<_> = items.iter().map(|item| self.loop_in_lanes(items, item)).collect();
+        let sums: BTreeSet<NodeId> = lanes.iter().flatten().flat_map(|lanes| lanes.sums.iter().copied()).collect();
+        let lines = items.iter().zip(&lanes).map(|(item, lanes)| match (item, lanes) {
+            (Item::Begin(id), _) if sums.contains(id) => TokenStream::new(),
+            (Item::Loop { by, .. }, Some(lanes)) => self.in_lanes(fields, *by, lanes),
+            _ => self.item(fields, item),
+        });
+        lines.collect()
     }
 
     pub(super) fn item(&mut self, fields: &mut Fields, item: &Item) -> TokenStream {
         let printer = &self.printer;
         match item {
-            Item::Let(id) if self.is_argument(*id) => TokenStream::new(),
+            Item::Let(id) if self.arguments.contains(id) => TokenStream::new(),
             Item::Let(id) => {
                 let (name, value) = (&printer.names[id], printer.computation(fields, *id).tokens);
                 quote!(let #name = #value;)
@@ -178,6 +217,11 @@ impl<'m> Block<'m> {
                 }
                 let (at, value) = (printer.at(fields, *element), *value);
                 match self.accumulation {
+                    Accumulation::Point => {
+                        let component =
+                            element.component.map_or(quote!(0), |component| printer.index(fields, component));
+                        self.accumulate(fields, quote!(gradient[#component]), value, 0)
+                    }
                     Accumulation::Rounded => self.accumulate_rounded(fields, quote!(gradient #at), value, 0),
                     _ => self.accumulate(fields, quote!(gradient #at), value, 0),
                 }
@@ -198,13 +242,6 @@ impl<'m> Block<'m> {
                 quote!(gradient #at = #value;)
             }
         }
-    }
-
-    /// Whether a value is an argument of terms that share vectors.
-    fn is_argument(&self, id: NodeId) -> bool {
-        let graph = self.printer.graph;
-        let is_given = graph.is_prepared(id) || matches!(graph.node(id), Node::Coordinate(_));
-        is_given && matches!(self.accumulation, Accumulation::Lanes(_))
     }
 
     /// A value of a term, zero in the lanes in which a condition around it does not hold.

@@ -60,6 +60,11 @@ impl Frame<'_> {
         }
     }
 
+    /// Whether the storage is that of a motion.
+    pub(super) fn is_of_motion(&self) -> bool {
+        matches!(self, Frame::Motion | Frame::OwnTime | Frame::Apart)
+    }
+
     /// Whether a step is as long for all states.
     pub(super) fn has_fixed_step(&self) -> bool {
         !matches!(self, Frame::OwnTime)

@@ -5,7 +5,6 @@ use super::{
     block::{Accumulation, Block},
     expression::Printer,
     fields::Fields,
-    frame::Frame,
     function::Body,
     index::part_name,
 };
@@ -52,7 +51,7 @@ impl Block<'_> {
     /// A loop over a list whose terms share vectors.
     pub(super) fn list_sum(&mut self, fields: &mut Fields, by: LoopId, body: &[Item]) -> Option<TokenStream> {
         let is_plain = matches!(self.accumulation, Accumulation::Fused) && self.masks.is_empty();
-        if !is_plain || !matches!(self.printer.frame, Frame::Motion | Frame::OwnTime | Frame::Apart) {
+        if !is_plain || !self.printer.frame.is_of_motion() {
             return None;
         }
         let named: BTreeSet<NodeId> = self.printer.names.keys().copied().collect();
@@ -86,6 +85,8 @@ impl Block<'_> {
 
         let mut block = Block::new(Printer { names: given, scalar: wide, ..*printer }, names);
         block.accumulation = Accumulation::Lanes(Results::default());
+        let coordinates = sum.coordinates.iter().map(|(id, ..)| *id);
+        block.arguments = sum.constants.iter().chain(&sum.common).copied().chain(coordinates).collect();
         let lines: TokenStream = sum.body.iter().map(|item| block.item(fields, item)).collect();
         let results = block.accumulation.results();
         let lines = Body::new(lines);
@@ -166,7 +167,7 @@ impl Printer<'_> {
     }
 
     /// A table of prepared constants, likewise.
-    fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
+    pub(super) fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
         let name = fields.number(self.graph, self.parameters, id);
         let table = self.prepared(name, self.graph.loops_of(id).without(by));
         quote!(&#table[..])

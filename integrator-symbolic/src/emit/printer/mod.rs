@@ -9,5 +9,6 @@ pub(super) mod frame;
 pub(super) mod function;
 pub(super) mod index;
 pub(super) mod interleaved;
+pub(super) mod lanes;
 pub(super) mod lists;
 pub(super) mod sites;

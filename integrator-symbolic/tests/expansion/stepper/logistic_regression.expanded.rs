@@ -69,7 +69,8 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 844879586378809639;
+        const FINGERPRINT: u64 = 5296978085037665967;
+        const LARGE_FLOWS: bool = true;
         fn admissible(
             &self,
             length: usize,
@@ -111,21 +112,69 @@ const _: () = {
             let q0 = motion.q[0].value();
             let mut sum_1 = Scalar::of(0.0);
             for row in 0..motion.parameters.prepared_2 {
-                let mut sum_0 = Scalar::of(0.0);
-                for k in 0..motion.q.len().saturating_sub(1) {
-                    sum_0 = motion
-                        .parameters
-                        .covariates[row][k]
-                        .scale_add(motion.q[k + 1].value(), sum_0);
-                }
+                let [sum_0] = {
+                    struct Iteration;
+                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                        const READS: [runtime::Near; 1] = [
+                            runtime::Near {
+                                part: 0,
+                                offset: 1,
+                            },
+                        ];
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            [[read_0_0,
+                            ],
+                            ]: [[Wide; 1]; 1],
+                            [constant_0,
+                            ]: [Wide; 1],
+                            []: [Wide; 0],
+                            [mut sum_0,
+                            ]: [Wide; 1],
+                            []: [[Wide; 1]; 0],
+                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                            sum_0 = constant_0.scale_add(read_0_0, sum_0);
+                            ([sum_0], [])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [],
+                    }
+                        .run::<Iteration, _, _, _>(&mut [])
+                };
                 let shared_0 = (q0 + sum_0).exp();
                 let shared_1 = shared_0 / (shared_0 + Scalar::of(1.0))
                     - motion.parameters.outcomes[row];
-                for k in 0..motion.q.len().saturating_sub(1) {
-                    gradient[k + 1] = motion
-                        .parameters
-                        .covariates[row][k]
-                        .scale_add(shared_1, gradient[k + 1]);
+                {
+                    struct Iteration;
+                    impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
+                        const READS: [runtime::Near; 0] = [];
+                        const TARGET: isize = 1;
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            []: [[Wide; 1]; 0],
+                            [constant_0,
+                            ]: [Wide; 1],
+                            [shared_1,
+                            ]: [Wide; 1],
+                            []: [Wide; 0],
+                            [mut gradient,
+                            ]: [[Wide; 1]; 1],
+                        ) -> ([Wide; 0], [[Wide; 1]; 1]) {
+                            gradient[0] = constant_0.scale_add(shared_1, gradient[0]);
+                            ([], [gradient])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [shared_1],
+                    }
+                        .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                 }
                 sum_1 += shared_1;
             }
@@ -201,22 +250,55 @@ const _: () = {
                 let mut sum_2 = Scalar::of(0.0);
                 for row in 0..motion.parameters.prepared_2 {
                     if condition_0.any() {
-                        let mut sum_0 = Scalar::of(0.0);
-                        let mut sum_1 = Scalar::of(0.0);
-                        for k in 0..motion.q.len().saturating_sub(1) {
-                            let shared_0 = motion.q[k + 1].value();
-                            let shared_1 = motion
-                                .parameters
-                                .covariates[row][k]
-                                .scale(shared_0);
-                            let shared_6 = motion.p[k + 1].value();
-                            let shared_7 = motion
-                                .parameters
-                                .covariates[row][k]
-                                .scale(shared_6);
-                            sum_1 += shared_7;
-                            sum_0 += shared_1;
-                        }
+                        let [sum_1, sum_0] = {
+                            struct Iteration;
+                            impl runtime::Iteration<2, 1, 0, 2, 0, 1> for Iteration {
+                                const READS: [runtime::Near; 2] = [
+                                    runtime::Near {
+                                        part: 0,
+                                        offset: 1,
+                                    },
+                                    runtime::Near {
+                                        part: 1,
+                                        offset: 1,
+                                    },
+                                ];
+                                #[inline(always)]
+                                fn next<
+                                    Scalar: runtime::Real,
+                                    Wide: runtime::Block<Scalar>,
+                                >(
+                                    [[shared_0,
+                                    ],
+                                    [shared_6,
+                                    ],
+                                    ]: [[Wide; 1]; 2],
+                                    [constant_0,
+                                    ]: [Wide; 1],
+                                    []: [Wide; 0],
+                                    [mut sum_1,
+                                    mut sum_0,
+                                    ]: [Wide; 2],
+                                    []: [[Wide; 1]; 0],
+                                ) -> ([Wide; 2], [[Wide; 1]; 0]) {
+                                    let shared_1 = constant_0.scale(shared_0);
+                                    let shared_7 = constant_0.scale(shared_6);
+                                    sum_1 += shared_7;
+                                    sum_0 += shared_1;
+                                    ([sum_1, sum_0], [])
+                                }
+                            }
+                            runtime::Loop {
+                                range: 0..motion.q.len().saturating_sub(1),
+                                parts: [
+                                    motion.q.as_chunks::<1>().0,
+                                    motion.p.as_chunks::<1>().0,
+                                ],
+                                constants: [&motion.parameters.covariates[row][..]],
+                                common: [],
+                            }
+                                .run::<Iteration, _, _, _>(&mut [])
+                        };
                         let shared_2 = q0 + sum_0;
                         let shared_3 = shared_2.exp();
                         let shared_4 = shared_3 + Scalar::of(1.0);
@@ -241,32 +323,111 @@ const _: () = {
             }
             let mut sum_3 = Scalar::of(0.0);
             for row in 0..motion.parameters.prepared_2 {
-                let mut sum_0 = Scalar::of(0.0);
-                for k in 0..motion.q.len().saturating_sub(1) {
-                    let shared_0 = motion.q[k + 1].value();
-                    let shared_1 = motion.parameters.covariates[row][k].scale(shared_0);
-                    sum_0 += shared_1;
-                }
+                let [sum_0] = {
+                    struct Iteration;
+                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                        const READS: [runtime::Near; 1] = [
+                            runtime::Near {
+                                part: 0,
+                                offset: 1,
+                            },
+                        ];
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            [[shared_0,
+                            ],
+                            ]: [[Wide; 1]; 1],
+                            [constant_0,
+                            ]: [Wide; 1],
+                            []: [Wide; 0],
+                            [mut sum_0,
+                            ]: [Wide; 1],
+                            []: [[Wide; 1]; 0],
+                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                            let shared_1 = constant_0.scale(shared_0);
+                            sum_0 += shared_1;
+                            ([sum_0], [])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [],
+                    }
+                        .run::<Iteration, _, _, _>(&mut [])
+                };
                 let shared_2 = q0 + sum_0;
                 let shared_3 = shared_2.exp();
                 let shared_4 = shared_3 + Scalar::of(1.0);
                 let shared_5 = Scalar::of(1.0) / shared_4;
                 let shared_11 = shared_5.square();
                 let shared_14 = (-(shared_3 * p0)).fma(shared_11, shared_5 * p0);
-                for k in 0..motion.q.len().saturating_sub(1) {
-                    let shared_9 = motion.parameters.covariates[row][k].scale(shared_3);
-                    gradient[k + 1] = shared_9.fma(shared_14, gradient[k + 1]);
+                {
+                    struct Iteration;
+                    impl runtime::Iteration<0, 1, 2, 0, 1, 1> for Iteration {
+                        const READS: [runtime::Near; 0] = [];
+                        const TARGET: isize = 1;
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            []: [[Wide; 1]; 0],
+                            [constant_0,
+                            ]: [Wide; 1],
+                            [shared_3,
+                            shared_14,
+                            ]: [Wide; 2],
+                            []: [Wide; 0],
+                            [mut gradient,
+                            ]: [[Wide; 1]; 1],
+                        ) -> ([Wide; 0], [[Wide; 1]; 1]) {
+                            let shared_9 = constant_0.scale(shared_3);
+                            gradient[0] = shared_9.fma(shared_14, gradient[0]);
+                            ([], [gradient])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [shared_3, shared_14],
+                    }
+                        .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                 }
                 if condition_0.any() {
-                    let mut sum_1 = Scalar::of(0.0);
-                    for k in 0..motion.q.len().saturating_sub(1) {
-                        let shared_6 = motion.p[k + 1].value();
-                        let shared_7 = motion
-                            .parameters
-                            .covariates[row][k]
-                            .scale(shared_6);
-                        sum_1 += shared_7;
-                    }
+                    let [sum_1] = {
+                        struct Iteration;
+                        impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                            const READS: [runtime::Near; 1] = [
+                                runtime::Near {
+                                    part: 0,
+                                    offset: 1,
+                                },
+                            ];
+                            #[inline(always)]
+                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                                [[shared_6,
+                                ],
+                                ]: [[Wide; 1]; 1],
+                                [constant_0,
+                                ]: [Wide; 1],
+                                []: [Wide; 0],
+                                [mut sum_1,
+                                ]: [Wide; 1],
+                                []: [[Wide; 1]; 0],
+                            ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                                let shared_7 = constant_0.scale(shared_6);
+                                sum_1 += shared_7;
+                                ([sum_1], [])
+                            }
+                        }
+                        runtime::Loop {
+                            range: 0..motion.q.len().saturating_sub(1),
+                            parts: [motion.p.as_chunks::<1>().0],
+                            constants: [&motion.parameters.covariates[row][..]],
+                            common: [],
+                        }
+                            .run::<Iteration, _, _, _>(&mut [])
+                    };
                     let shared_8 = shared_3 * sum_1;
                     let shared_10 = shared_5 * sum_1;
                     let shared_12 = shared_8 * shared_11;
@@ -360,22 +521,70 @@ const _: () = {
                 let mut sum_1 = Scalar::of(0.0);
                 let mut sum_2 = Scalar::of(0.0);
                 for row in 0..motion.parameters.prepared_2 {
-                    let mut sum_0 = Scalar::of(0.0);
-                    for k in 0..motion.q.len().saturating_sub(1) {
-                        sum_0 = motion
-                            .parameters
-                            .covariates[row][k]
-                            .scale_add(motion.q[k + 1].value(), sum_0);
-                    }
+                    let [sum_0] = {
+                        struct Iteration;
+                        impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                            const READS: [runtime::Near; 1] = [
+                                runtime::Near {
+                                    part: 0,
+                                    offset: 1,
+                                },
+                            ];
+                            #[inline(always)]
+                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                                [[read_0_0,
+                                ],
+                                ]: [[Wide; 1]; 1],
+                                [constant_0,
+                                ]: [Wide; 1],
+                                []: [Wide; 0],
+                                [mut sum_0,
+                                ]: [Wide; 1],
+                                []: [[Wide; 1]; 0],
+                            ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                                sum_0 = constant_0.scale_add(read_0_0, sum_0);
+                                ([sum_0], [])
+                            }
+                        }
+                        runtime::Loop {
+                            range: 0..motion.q.len().saturating_sub(1),
+                            parts: [motion.q.as_chunks::<1>().0],
+                            constants: [&motion.parameters.covariates[row][..]],
+                            common: [],
+                        }
+                            .run::<Iteration, _, _, _>(&mut [])
+                    };
                     let shared_0 = q0 + sum_0;
                     let shared_1 = shared_0.exp();
                     let shared_2 = shared_1 / (shared_1 + Scalar::of(1.0))
                         - motion.parameters.outcomes[row];
-                    for k in 0..motion.q.len().saturating_sub(1) {
-                        gradient[k + 1] = motion
-                            .parameters
-                            .covariates[row][k]
-                            .scale_add(shared_2, gradient[k + 1]);
+                    {
+                        struct Iteration;
+                        impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
+                            const READS: [runtime::Near; 0] = [];
+                            const TARGET: isize = 1;
+                            #[inline(always)]
+                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                                []: [[Wide; 1]; 0],
+                                [constant_0,
+                                ]: [Wide; 1],
+                                [shared_2,
+                                ]: [Wide; 1],
+                                []: [Wide; 0],
+                                [mut gradient,
+                                ]: [[Wide; 1]; 1],
+                            ) -> ([Wide; 0], [[Wide; 1]; 1]) {
+                                gradient[0] = constant_0.scale_add(shared_2, gradient[0]);
+                                ([], [gradient])
+                            }
+                        }
+                        runtime::Loop {
+                            range: 0..motion.q.len().saturating_sub(1),
+                            parts: [motion.q.as_chunks::<1>().0],
+                            constants: [&motion.parameters.covariates[row][..]],
+                            common: [shared_2],
+                        }
+                            .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                     }
                     sum_2 += shared_2;
                     sum_1

@@ -1,0 +1,386 @@
+//! Innermost loops of flows: several iterations in the lanes of a vector.
+//!
+//! In: what an iteration computes, the points that it reads and the numbers that it has. Out: sums over the iterations, and
+//! a gradient. Always true: in groups of eight, iteration `n` of a loop adds to partial sum `n` modulo [`PARTIAL`]; the rest
+//! has a sum of its own; partial sums are added in pairs, and then the rest. So the bits of a sum do not depend on the
+//! width of a vector.
+
+use crate::{
+    scalar::{
+        real::Real,
+        simd::block::{Block, WIDEST},
+    },
+    state::precision::Slot,
+};
+use core::ops::Range;
+
+/// The number of partial sums: a multiple of the width of every block.
+const PARTIAL: usize = WIDEST;
+
+/// The number of iterations in a group. Fewer are computed one by one, which takes less time than to add partial sums.
+const GROUP: usize = 8;
+
+/// A point that an iteration reads.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// The part of the coordinates that the point belongs to, by its number among those that are read.
+    pub part: usize,
+    /// The index of the point, less that of the iteration.
+    pub offset: isize,
+}
+
+/// An iteration, on points with `D` components each: the numbers that it adds to sums, and to one point of a gradient if
+/// `TARGETS` is one. It computes them from the points that it reads, from constants of its own, and from numbers that are
+/// the same in all iterations. Written by `#[hamiltonian]`.
+pub trait Iteration<
+    const READS: usize,
+    const CONSTANTS: usize,
+    const COMMON: usize,
+    const SUMS: usize,
+    const TARGETS: usize,
+    const D: usize,
+>
+{
+    /// The points that it reads.
+    const READS: [Near; READS];
+    /// The index of the point of the gradient that it adds to, less that of the iteration.
+    const TARGET: isize = 0;
+
+    /// The sums and the gradient after a vector of iterations.
+    fn next<R: Real, W: Block<R>>(
+        reads: [[W; D]; READS],
+        constants: [W; CONSTANTS],
+        common: [W; COMMON],
+        sums: [W; SUMS],
+        gradient: [[W; D]; TARGETS],
+    ) -> ([W; SUMS], [[W; D]; TARGETS]);
+}
+
+/// A loop: the indices of its iterations, and what they read.
+pub struct Loop<'m, R, S, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize> {
+    /// The indices of the iterations, which are places in parts and constants.
+    pub range: Range<usize>,
+    /// The parts of the coordinates that are read.
+    pub parts: [&'m [[S; D]]; PARTS],
+    /// The constants of each iteration.
+    pub constants: [&'m [R]; CONSTANTS],
+    /// The numbers that all iterations share.
+    pub common: [R; COMMON],
+}
+
+impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize>
+    Loop<'_, R, S, PARTS, CONSTANTS, COMMON, D>
+{
+    /// Runs all iterations. They add to the gradient, and the result is the sums.
+    #[inline(always)]
+    pub fn run<T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
+        mut self,
+        gradient: &mut [[R; D]],
+    ) -> [R; SUMS]
+    where
+        T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
+    {
+        let grouped = self.range.len() / GROUP * GROUP;
+        let mut partial = [[R::of(0.0); PARTIAL]; SUMS];
+        let done = self.run_blocks::<R::Block, T, READS, SUMS, TARGETS>(0..grouped, &mut partial, gradient);
+        if const { R::Block::WIDTH > GROUP } {
+            self.run_blocks::<R, T, READS, SUMS, TARGETS>(done..grouped, &mut partial, gradient);
+        }
+        let mut rest = [R::of(0.0); SUMS];
+        let common = self.common;
+        for number in self.range.clone() {
+            rest = self.run_block::<R, T, READS, SUMS, TARGETS>(number, common, rest, gradient);
+        }
+        if grouped > 0 {
+            for (rest, partial) in rest.iter_mut().zip(partial) {
+                *rest = total::<R, R::Block>(partial) + *rest;
+            }
+        }
+        rest
+    }
+
+    /// Runs iterations in whole blocks, given by how many come before them. Returns how many come before those that are left.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run_blocks<W: Block<R>, T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
+        &mut self,
+        mut numbers: Range<usize>,
+        partial: &mut [[R; PARTIAL]; SUMS],
+        gradient: &mut [[R; D]],
+    ) -> usize
+    where
+        T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
+    {
+        let mut common = [W::of(0.0); COMMON];
+        for (vector, number) in common.iter_mut().zip(self.common) {
+            *vector = W::splat(number);
+        }
+        while numbers.len() >= W::WIDTH {
+            // A block does not extend beyond the last partial sum, since its width divides their number.
+            let place = numbers.start & (PARTIAL - W::WIDTH);
+            let mut sums = [W::of(0.0); SUMS];
+            for (sum, partial) in sums.iter_mut().zip(&*partial) {
+                *sum = W::read(&partial[place..]);
+            }
+            let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(self.range.start, common, sums, gradient);
+            for (sum, partial) in sums.iter().zip(&mut *partial) {
+                sum.write(&mut partial[place..]);
+            }
+            self.range.start += W::WIDTH;
+            numbers.start += W::WIDTH;
+        }
+        numbers.start
+    }
+
+    /// Runs a block of iterations, and returns the sums after it.
+    #[inline(always)]
+    fn run_block<W: Block<R>, T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
+        &self,
+        first: usize,
+        common: [W; COMMON],
+        sums: [W; SUMS],
+        gradient: &mut [[R; D]],
+    ) -> [W; SUMS]
+    where
+        T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
+    {
+        let mut reads = [[W::of(0.0); D]; READS];
+        for (read, Near { part, offset }) in reads.iter_mut().zip(&T::READS) {
+            *read = points(&self.parts[*part][first.wrapping_add_signed(*offset)..]);
+        }
+        let mut constants = [W::of(0.0); CONSTANTS];
+        for (constant, table) in constants.iter_mut().zip(self.constants) {
+            *constant = W::read(&table[first..]);
+        }
+        let target = first.wrapping_add_signed(T::TARGET);
+        let mut moved = [[W::of(0.0); D]; TARGETS];
+        for point in &mut moved {
+            *point = points(&gradient[target..]);
+        }
+        let (sums, moved) = T::next::<R, W>(reads, constants, common, sums, moved);
+        for point in moved {
+            write(point, &mut gradient[target..]);
+        }
+        sums
+    }
+}
+
+/// A block of the first points of a slice.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn points<R: Real, S: Slot<R>, W: Block<R>, const D: usize>(from: &[[S; D]]) -> [W; D] {
+    if const { D == 1 } {
+        return [S::read(from.as_flattened()); D];
+    }
+    let mut numbers = [[R::of(0.0); WIDEST]; D];
+    for (lane, point) in from[..W::WIDTH].iter().enumerate() {
+        for (numbers, slot) in numbers.iter_mut().zip(point) {
+            numbers[lane] = slot.value();
+        }
+    }
+    let mut vectors = [W::of(0.0); D];
+    for (vector, numbers) in vectors.iter_mut().zip(&numbers) {
+        *vector = W::read(numbers);
+    }
+    vectors
+}
+
+/// Writes a block to the first points of a slice.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn write<R: Real, W: Block<R>, const D: usize>(points: [W; D], to: &mut [[R; D]]) {
+    if const { D == 1 } {
+        points[0].write(to.as_flattened_mut());
+        return;
+    }
+    let mut numbers = [[R::of(0.0); WIDEST]; D];
+    for (numbers, vector) in numbers.iter_mut().zip(points) {
+        vector.write(numbers);
+    }
+    for (lane, point) in to[..W::WIDTH].iter_mut().enumerate() {
+        for (number, numbers) in point.iter_mut().zip(&numbers) {
+            *number = numbers[lane];
+        }
+    }
+}
+
+/// The sum of partial sums: each of the second half is added to one of the first half, and so on.
+#[inline(always)]
+fn total<R: Real, W: Block<R>>(mut partial: [R; PARTIAL]) -> R {
+    let mut half = PARTIAL / 2;
+    while half >= W::WIDTH {
+        for lane in (0..half).step_by(W::WIDTH) {
+            let sum = W::read(&partial[lane..]) + W::read(&partial[lane + half..]);
+            sum.write(&mut partial[lane..]);
+        }
+        half /= 2;
+    }
+    while half > 0 {
+        for lane in 0..half {
+            let other = partial[lane + half];
+            partial[lane] += other;
+        }
+        half /= 2;
+    }
+    partial[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{
+        fma::{Fma, Fused},
+        instruction_set::InstructionSet,
+        real::Kernel,
+        simd::lanes::Lanes,
+    };
+    use core::marker::PhantomData;
+
+    /// Adds `factor constant (x - y)`, where `y` is the second component of the point before, to a sum, the square root of
+    /// its square to another one, and the constant to the gradient of the point after.
+    struct Difference;
+
+    impl Iteration<2, 1, 1, 2, 1, 2> for Difference {
+        const READS: [Near; 2] = [Near { part: 1, offset: 0 }, Near { part: 0, offset: -1 }];
+        const TARGET: isize = 1;
+
+        fn next<R: Real, W: Block<R>>(
+            [[x, _], [_, y]]: [[W; 2]; 2],
+            [constant]: [W; 1],
+            [factor]: [W; 1],
+            [mut first, mut second]: [W; 2],
+            [[mut along, across]]: [[W; 2]; 1],
+        ) -> ([W; 2], [[W; 2]; 1]) {
+            let difference = factor * constant * (x - y);
+            first += difference;
+            second = difference.fma(difference, second).sqrt();
+            along += constant;
+            ([first, second], [[along, across]])
+        }
+    }
+
+    /// The same with one component: adds products of neighbours to a sum.
+    struct Product;
+
+    impl Iteration<2, 0, 0, 1, 0, 1> for Product {
+        const READS: [Near; 2] = [Near { part: 0, offset: 0 }, Near { part: 0, offset: 2 }];
+
+        fn next<R: Real, W: Block<R>>(
+            [[x], [y]]: [[W; 1]; 2],
+            []: [W; 0],
+            []: [W; 0],
+            [sum]: [W; 1],
+            []: [[W; 1]; 0],
+        ) -> ([W; 1], [[W; 1]; 0]) {
+            ([x.fma(y, sum)], [])
+        }
+    }
+
+    /// The most iterations, beside those of an empty loop: some rests after two rounds of all partial sums.
+    const MOST: usize = 40;
+    const BEFORE: usize = 3;
+    const POINTS: usize = BEFORE + MOST + 2;
+
+    /// Bits of all lanes.
+    fn bits<R: Real>(number: R) -> Vec<u64> {
+        (0..R::LANES).map(|lane| number.lane(lane).to_bits()).collect()
+    }
+
+    /// Where an iteration adds to: a partial sum, or that of the rest after them.
+    fn place(number: usize, count: usize) -> usize {
+        if number < count / GROUP * GROUP { number % PARTIAL } else { PARTIAL }
+    }
+
+    /// The sum of a loop, of numbers one by one.
+    fn in_pairs<R: Real>(sums: [R; PARTIAL + 1], count: usize) -> R {
+        if count < GROUP {
+            return sums[PARTIAL];
+        }
+        let mut left = sums[..PARTIAL].to_vec();
+        while left.len() > 1 {
+            let (first, second) = left.split_at(left.len() / 2);
+            left = first.iter().zip(second).map(|(a, b)| *a + *b).collect();
+        }
+        left[0] + sums[PARTIAL]
+    }
+
+    /// Runs loops of all lengths, and compares every bit with the definition.
+    struct Compare<R>(PhantomData<R>);
+
+    impl<R: Real> Kernel for Compare<R> {
+        type Out = ();
+
+        fn call(self) {
+            let number = |seed: usize| {
+                R::state(&|lane| (1.7 * seed as f64 + 0.3 * lane as f64).sin() * (1.0 + seed as f64 / 7.0))
+            };
+            let points = |seed: usize| -> Vec<[R; 2]> {
+                (0..POINTS).map(|i| [0, 1].map(|d| number(seed + 2 * i + d))).collect()
+            };
+            let (q, p, start) = (points(1), points(500), points(900));
+            let constants: Vec<R> = (0..POINTS).map(|i| number(2000 + i)).collect();
+            let factor = number(7);
+            for count in 0..=MOST {
+                let range = BEFORE..BEFORE + count;
+                let (mut expected, mut partial) = (start.clone(), [[R::of(0.0); PARTIAL + 1]; 2]);
+                let mut products = [R::of(0.0); PARTIAL + 1];
+                for (n, i) in range.clone().enumerate() {
+                    let place = place(n, count);
+                    let sums = [partial[0][place], partial[1][place]];
+                    let (sums, [point]) =
+                        Difference::next::<R, R>([p[i], q[i - 1]], [constants[i]], [factor], sums, [expected[i + 1]]);
+                    (partial[0][place], partial[1][place], expected[i + 1]) = (sums[0], sums[1], point);
+                    products[place] = q.as_flattened()[i].fma(q.as_flattened()[i + 2], products[place]);
+                }
+                let mut gradient = start.clone();
+                let both = Loop {
+                    range: range.clone(),
+                    parts: [&q[..], &p[..]],
+                    constants: [&constants[..]],
+                    common: [factor],
+                };
+                let found = both.run::<Difference, _, _, _>(&mut gradient);
+                assert_eq!(found.map(bits), partial.map(|sums| bits(in_pairs(sums, count))), "{count} iterations");
+                for (point, expected) in gradient.iter().zip(&expected) {
+                    assert_eq!(point.map(bits), expected.map(bits), "{count} iterations");
+                }
+                let line = Loop { range, parts: [q.as_flattened().as_chunks::<1>().0], constants: [], common: [] };
+                assert_eq!(
+                    line.run::<Product, _, _, _>(&mut []).map(bits),
+                    [bits(in_pairs(products, count))],
+                    "{count} iterations"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_width_has_the_bits_of_the_definition() {
+        fn compare<R: Real>() {
+            R::enter(Compare(PhantomData::<R>));
+        }
+        compare::<f64>();
+        compare::<f32>();
+        compare::<Lanes<f64, 4>>();
+        for set in InstructionSet::available() {
+            match set {
+                InstructionSet::Baseline => {}
+                InstructionSet::Fused => {
+                    compare::<Fused<f64, Fma>>();
+                    compare::<Fused<f32, Fma>>();
+                    compare::<Lanes<Fused<f64, Fma>, 8>>();
+                }
+                #[cfg(target_arch = "x86_64")]
+                InstructionSet::Avx512 => {
+                    compare::<Fused<f64, crate::scalar::fma::Avx512>>();
+                    compare::<Fused<f32, crate::scalar::fma::Avx512>>();
+                }
+                #[cfg(not(target_arch = "x86_64"))]
+                InstructionSet::Avx512 => {}
+            }
+        }
+    }
+
+    #[test]
+    fn an_empty_loop_reads_nothing() {
+        let empty = Loop::<f64, f64, 1, 0, 0, 1> { range: 5..5, parts: [&[]], constants: [], common: [] };
+        assert_eq!(empty.run::<Product, _, _, _>(&mut []), [0.0]);
+    }
+}

@@ -1,0 +1,152 @@
+//! Rust code for loops in lanes: the computation of an iteration, in vectors of any width, and the call of the runtime's
+//! loop.
+
+use super::{
+    block::{Accumulation, Block},
+    expression::Printer,
+    fields::Fields,
+    function::Body,
+    index::part_name,
+};
+use crate::{
+    graph::{NodeId, index::LoopId},
+    model::{Model, is_field},
+    program::{
+        Item, Program,
+        lanes::{LaneContext, LoopInLanes},
+    },
+    syntax::names::Names,
+};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// What decides which loops of a program are in lanes.
+pub(super) fn lane_context<'m>(
+    model: &'m Model,
+    program: &'m Program,
+    is_kept: &'m dyn Fn(NodeId) -> bool,
+) -> LaneContext<'m> {
+    let (graph, lengths, named, compared) = (&model.graph, &model.lengths[..], &program.named, &program.compared);
+    LaneContext { graph, lengths, named, compared, is_kept }
+}
+
+/// Whether a program has loops in lanes, and whether one of these gains from the widest vectors.
+pub(crate) fn has_lanes(model: &Model, program: &Program) -> [bool; 2] {
+    let is_kept = |id| is_field(&model.graph, &model.parameters, id);
+    let loops = lane_context(model, program, &is_kept).all(program);
+    [!loops.is_empty(), loops.iter().any(|lanes| lanes.is_wide)]
+}
+
+impl Block<'_> {
+    /// The loop in lanes that a line among others is, if it is one here.
+    pub(super) fn loop_in_lanes<'p>(&self, beside: &[Item], item: &'p Item) -> Option<LoopInLanes<'p>> {
+        let lanes = self.lanes?.loop_in_lanes(beside, item)?;
+        // Lanes in which a condition does not hold add to no gradient.
+        let may_add = lanes.target.is_none() || self.masks.is_empty();
+        (may_add && matches!(self.accumulation, Accumulation::Fused)).then_some(lanes)
+    }
+
+    /// A loop in lanes, with the beginning of its sums.
+    pub(super) fn in_lanes(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>) -> TokenStream {
+        let (iteration, reads_time) = self.iteration(fields, lanes);
+        let call = self.call_of_loop(fields, by, lanes, reads_time);
+        let sums = lanes.sums.iter().map(|sum| &self.printer.names[sum]);
+        match lanes.sums.is_empty() {
+            true => quote!({ #iteration #call; }),
+            false => quote!(let [#(#sums),*] = { #iteration #call };),
+        }
+    }
+
+    /// What an iteration computes; `true` if it reads the time.
+    fn iteration(&self, fields: &mut Fields, lanes: &LoopInLanes<'_>) -> (TokenStream, bool) {
+        let (printer, names) = (&self.printer, self.names);
+        let Names { runtime, scalar, wide, iteration, .. } = names;
+        let mut given = printer.names.clone();
+        let mut named = |ids: &[NodeId], kind: &str| -> Vec<Ident> {
+            let named = ids
+                .iter()
+                .enumerate()
+                .map(|(number, id)| given.entry(*id).or_insert_with(|| format_ident!("{kind}_{number}")).clone());
+            named.collect()
+        };
+        let (constants, mut common) = (named(&lanes.constants, "constant"), named(&lanes.common, "common"));
+        let components = lanes.components.unwrap_or(1);
+        let mut reads = vec![vec![format_ident!("_"); components]; lanes.reads.len()];
+        for (id, point, component) in &lanes.coordinates {
+            let name = given.entry(*id).or_insert_with(|| format_ident!("read_{point}_{component}"));
+            reads[*point][*component] = name.clone();
+        }
+
+        let mut block = Block::new(Printer { names: given, scalar: wide, ..*printer }, names);
+        block.accumulation = Accumulation::Point;
+        let coordinates = lanes.coordinates.iter().map(|(id, ..)| *id);
+        block.arguments = lanes.constants.iter().chain(&lanes.common).copied().chain(coordinates).collect();
+        let lines = Body::new(lanes.body.iter().map(|item| block.item(fields, item)).collect());
+        let reads_time = lines.mentions("time");
+        common.extend(reads_time.then(|| format_ident!("time")));
+        let read_by = lanes.reads.iter().map(|(part, offset)| {
+            let (part, offset) = (Literal::usize_unsuffixed(*part), Literal::i64_unsuffixed(*offset));
+            quote!(#runtime::Near { part: #part, offset: #offset })
+        });
+        let target = lanes.target.filter(|offset| *offset != 0).map(|offset| {
+            let offset = Literal::i64_unsuffixed(offset);
+            quote!(const TARGET: isize = #offset;)
+        });
+        let sums: Vec<_> = lanes.sums.iter().map(|sum| &printer.names[sum]).collect();
+        let point = lanes.target.map(|_| quote!(gradient)).into_iter().collect::<Vec<_>>();
+        let counts = [reads.len(), constants.len(), common.len(), sums.len(), point.len(), components];
+        let counts = counts.map(Literal::usize_unsuffixed);
+        let ([of_reads, of_constants, of_common, of_sums, of_targets, of_components], lines) = (&counts, &lines.0);
+        let tokens = quote! {
+            struct #iteration;
+            impl #runtime::Iteration<#(#counts),*> for #iteration {
+                const READS: [#runtime::Near; #of_reads] = [#(#read_by),*];
+                #target
+
+                #[inline(always)]
+                fn next<#scalar: #runtime::Real, #wide: #runtime::Block<#scalar>>(
+                    [#([#(#reads),*]),*]: [[#wide; #of_components]; #of_reads],
+                    [#(#constants),*]: [#wide; #of_constants],
+                    [#(#common),*]: [#wide; #of_common],
+                    [#(mut #sums),*]: [#wide; #of_sums],
+                    [#(mut #point),*]: [[#wide; #of_components]; #of_targets],
+                ) -> ([#wide; #of_sums], [[#wide; #of_components]; #of_targets]) {
+                    #lines
+                    ([#(#sums),*], [#(#point),*])
+                }
+            }
+        };
+        (tokens, reads_time)
+    }
+
+    /// The call of the runtime.
+    fn call_of_loop(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>, reads_time: bool) -> TokenStream {
+        let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
+        let range = printer.graph.loops.get(by);
+        let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
+        let parts = lanes.parts.iter().map(|part| {
+            let part = part_name(*part);
+            match lanes.components {
+                Some(_) => quote!(&motion.#part[..]),
+                None => quote!(motion.#part.as_chunks::<1>().0),
+            }
+        });
+        let constants: Vec<_> = lanes.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
+        let mut common: Vec<_> = lanes.common.iter().map(|id| printer.expression(fields, *id).tokens).collect();
+        common.extend(reads_time.then(|| quote!(time)));
+        let gradient = match (lanes.target, lanes.components) {
+            (None, _) => quote!(&mut []),
+            (Some(_), Some(_)) => quote!(&mut gradient[..]),
+            (Some(_), None) => quote!(gradient.as_chunks_mut::<1>().0),
+        };
+        quote! {
+            #runtime::Loop {
+                range: #from..#to,
+                parts: [#(#parts),*],
+                constants: [#(#constants),*],
+                common: [#(#common),*],
+            }
+            .run::<#iteration, _, _, _>(#gradient)
+        }
+    }
+}
