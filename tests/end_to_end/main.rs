@@ -16,6 +16,7 @@ mod ensemble_times;
 mod external;
 mod first_bodies;
 mod generic;
+mod in_lanes;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod invariants;
