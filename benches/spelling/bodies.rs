@@ -1,10 +1,14 @@
-//! Gravity of 200 bodies: softening, conditions, flat coordinates.
+//! Gravity of 200 bodies: softening, conditions, flat coordinates; and test particles in the field of eight bodies.
 
 use crate::{Group, spellings};
 use integrator_core::prelude::*;
 
 const BODIES: usize = 200;
 const STEP: f64 = 0.001;
+
+/// The bodies that have a field, before test particles.
+const SOURCES: usize = 8;
+const PARTICLES: usize = 2000;
 
 struct Bodies {
     masses: Vec<f64>,
@@ -13,6 +17,10 @@ struct Bodies {
 
 fn bodies() -> Bodies {
     Bodies { masses: (0..BODIES).map(|i| 0.001 * (1 + i % 7) as f64).collect(), softening: 0.01 }
+}
+
+fn sources() -> Bodies {
+    Bodies { masses: bodies().masses[..SOURCES].to_vec(), softening: 0.01 }
 }
 
 fn position(i: usize) -> [f64; 3] {
@@ -98,6 +106,33 @@ bodies!(
     |p| p.iter().map(|p| 0.5 * p * p).sum()
 );
 
+macro_rules! particles {
+    ($name:ident, |$q:ident, $i:ident, $j:ident| $square:expr) => {
+        bodies!(
+            $name,
+            &[[f64; 3]],
+            |self, $q| {
+                let n = self.0.masses.len();
+                let mut v = 0.0;
+                for $i in n..$q.len() {
+                    for $j in 0..n {
+                        let r2: f64 = $square;
+                        v -= self.0.masses[$j] / (r2 + self.0.softening).sqrt();
+                    }
+                }
+                v
+            },
+            |p| p.iter().flatten().map(|p| 0.5 * p * p).sum()
+        );
+    };
+}
+
+particles!(Components, |q, i, j| {
+    let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+    x * x + y * y + z * z
+});
+particles!(OverComponents, |q, i, j| (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum());
+
 pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut gravity = Group::new("gravity", 400);
     let points = || Phase::new((0..BODIES).map(position).collect(), vec![[0.0; 3]; BODIES]);
@@ -106,5 +141,11 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
     );
     let flat = || Phase::new((0..BODIES).flat_map(position).collect(), vec![0.0; 3 * BODIES]);
     spellings!(gravity, bodies(), flat(), STEP; "flat coordinates" Flat);
-    vec![gravity]
+    let mut particles = Group::new("test particles", 200);
+    let count = SOURCES + PARTICLES;
+    let points = || Phase::new((0..count).map(position).collect(), vec![[0.0; 3]; count]);
+    spellings!(particles, sources(), points(), STEP;
+        "components" Components, "sum over components" OverComponents,
+    );
+    vec![gravity, particles]
 }

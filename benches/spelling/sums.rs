@@ -1,4 +1,4 @@
-//! Sums over rows of data, matrices, graphs, planes and chains.
+//! Sums over rows of data, matrices, graphs, planes, chains and mean fields.
 
 use crate::{Group, spellings};
 use integrator_core::prelude::*;
@@ -193,6 +193,20 @@ sums!(EndsByIf, |self, q| {
     v
 });
 
+sums!(MeanField, |self, q| {
+    let c: f64 = q.iter().map(|q| q.cos()).sum();
+    let s: f64 = q.iter().map(|q| q.sin()).sum();
+    -self.0.strength * (c * c + s * s) / (2.0 * q.len() as f64)
+});
+sums!(MeanFieldByLoop, |self, q| {
+    let (mut c, mut s) = (0.0, 0.0);
+    for i in 0..q.len() {
+        c += q[i].cos();
+        s += q[i].sin();
+    }
+    -self.0.strength * (c * c + s * s) / (2.0 * q.len() as f64)
+});
+
 pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut regression = Group::new("regression", 200);
     let array = || Phase::new(std::array::from_fn(|k| (0.37 * k as f64).sin()), [0.0; COVARIATES + 1]);
@@ -216,5 +230,7 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
     spellings!(chain, data(), waves(SITES), STEP;
         "loop over bonds" Walls, "windows" Windows, "ends by if" EndsByIf,
     );
-    vec![regression, matrix, graph, plane, chain]
+    let mut mean_field = Group::new("mean field", 500);
+    spellings!(mean_field, data(), waves(SITES), STEP; "iterators" MeanField, "loop" MeanFieldByLoop);
+    vec![regression, matrix, graph, plane, chain, mean_field]
 }

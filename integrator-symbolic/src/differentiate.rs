@@ -239,7 +239,7 @@ fn is_any_taken(graph: &mut Graph, values: &[Inside<'_>]) -> NodeId {
 }
 
 /// A value where a branch is taken, zero elsewhere.
-fn select_in_branch(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
+pub(crate) fn select_in_branch(graph: &mut Graph, around: Scope, value: NodeId) -> NodeId {
     let zero = graph.constant(0.0);
     match around {
         Scope::Branch(condition, true) => graph.select(condition, value, zero),

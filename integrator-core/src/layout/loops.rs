@@ -68,6 +68,10 @@ pub struct Loop<'m, R, S, const PARTS: usize, const CONSTANTS: usize, const COMM
     pub common: [R; COMMON],
 }
 
+#[allow(
+    clippy::needless_range_loop,
+    reason = "iterators take three times the lines of LLVM IR in every loop of a user"
+)]
 impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize>
     Loop<'_, R, S, PARTS, CONSTANTS, COMMON, D>
 {
@@ -92,8 +96,8 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
             rest = self.run_block::<R, T, READS, SUMS, TARGETS>(number, common, rest, gradient);
         }
         if grouped > 0 {
-            for (rest, partial) in rest.iter_mut().zip(partial) {
-                *rest = total::<R, R::Block>(partial) + *rest;
+            for sum in 0..SUMS {
+                rest[sum] = total::<R, R::Block>(partial[sum]) + rest[sum];
             }
         }
         rest
@@ -111,19 +115,19 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
         let mut common = [W::of(0.0); COMMON];
-        for (vector, number) in common.iter_mut().zip(self.common) {
-            *vector = W::splat(number);
+        for number in 0..COMMON {
+            common[number] = W::splat(self.common[number]);
         }
         while numbers.len() >= W::WIDTH {
             // A block does not extend beyond the last partial sum, since its width divides their number.
             let place = numbers.start & (PARTIAL - W::WIDTH);
             let mut sums = [W::of(0.0); SUMS];
-            for (sum, partial) in sums.iter_mut().zip(&*partial) {
-                *sum = W::read(&partial[place..]);
+            for sum in 0..SUMS {
+                sums[sum] = W::read(&partial[sum][place..]);
             }
             let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(self.range.start, common, sums, gradient);
-            for (sum, partial) in sums.iter().zip(&mut *partial) {
-                sum.write(&mut partial[place..]);
+            for sum in 0..SUMS {
+                sums[sum].write(&mut partial[sum][place..]);
             }
             self.range.start += W::WIDTH;
             numbers.start += W::WIDTH;
@@ -144,21 +148,22 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
         let mut reads = [[W::of(0.0); D]; READS];
-        for (read, Near { part, offset }) in reads.iter_mut().zip(&T::READS) {
-            *read = points(&self.parts[*part][first.wrapping_add_signed(*offset)..]);
+        for read in 0..READS {
+            let Near { part, offset } = T::READS[read];
+            reads[read] = points(&self.parts[part][first.wrapping_add_signed(offset)..]);
         }
         let mut constants = [W::of(0.0); CONSTANTS];
-        for (constant, table) in constants.iter_mut().zip(self.constants) {
-            *constant = W::read(&table[first..]);
+        for constant in 0..CONSTANTS {
+            constants[constant] = W::read(&self.constants[constant][first..]);
         }
         let target = first.wrapping_add_signed(T::TARGET);
         let mut moved = [[W::of(0.0); D]; TARGETS];
-        for point in &mut moved {
-            *point = points(&gradient[target..]);
+        if const { TARGETS > 0 } {
+            moved[0] = points(&gradient[target..]);
         }
         let (sums, moved) = T::next::<R, W>(reads, constants, common, sums, moved);
-        for point in moved {
-            write(point, &mut gradient[target..]);
+        if const { TARGETS > 0 } {
+            write(moved[0], &mut gradient[target..]);
         }
         sums
     }
@@ -170,15 +175,13 @@ fn points<R: Real, S: Slot<R>, W: Block<R>, const D: usize>(from: &[[S; D]]) -> 
     if const { D == 1 } {
         return [S::read(from.as_flattened()); D];
     }
-    let mut numbers = [[R::of(0.0); WIDEST]; D];
-    for (lane, point) in from[..W::WIDTH].iter().enumerate() {
-        for (numbers, slot) in numbers.iter_mut().zip(point) {
-            numbers[lane] = slot.value();
+    let (from, mut vectors) = (&from[..W::WIDTH], [W::of(0.0); D]);
+    for component in 0..D {
+        let mut numbers = [R::of(0.0); WIDEST];
+        for lane in 0..W::WIDTH {
+            numbers[lane] = from[lane][component].value();
         }
-    }
-    let mut vectors = [W::of(0.0); D];
-    for (vector, numbers) in vectors.iter_mut().zip(&numbers) {
-        *vector = W::read(numbers);
+        vectors[component] = W::read(&numbers);
     }
     vectors
 }
@@ -190,13 +193,12 @@ fn write<R: Real, W: Block<R>, const D: usize>(points: [W; D], to: &mut [[R; D]]
         points[0].write(to.as_flattened_mut());
         return;
     }
-    let mut numbers = [[R::of(0.0); WIDEST]; D];
-    for (numbers, vector) in numbers.iter_mut().zip(points) {
-        vector.write(numbers);
-    }
-    for (lane, point) in to[..W::WIDTH].iter_mut().enumerate() {
-        for (number, numbers) in point.iter_mut().zip(&numbers) {
-            *number = numbers[lane];
+    let to = &mut to[..W::WIDTH];
+    for component in 0..D {
+        let mut numbers = [R::of(0.0); WIDEST];
+        points[component].write(&mut numbers);
+        for lane in 0..W::WIDTH {
+            to[lane][component] = numbers[lane];
         }
     }
 }

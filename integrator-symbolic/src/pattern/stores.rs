@@ -1,8 +1,12 @@
 //! The values that a flow along a gradient computes, and their destinations.
 
 use crate::{
-    differentiate::{Contribution, fold_branches},
-    graph::{Element, Graph, NodeId, Part},
+    differentiate::{Contribution, fold_branches, select_in_branch},
+    graph::{
+        Element, Graph, NodeId, Part, Scope,
+        index::{Index, LoopId},
+        unroll::{Unrolled, component, components},
+    },
     lower::lower,
     model::{Model, is_leaf},
     program::{
@@ -32,10 +36,8 @@ pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -
     if !apart && !in_lanes && is_direct(&model.graph.loops, &folded) {
         return vec![Pass { stores: stores(model, &folded, Sink::Update), moved: None }];
     }
-    let mut collected = |part: Part, half: &[Contribution]| Pass {
-        stores: stores(model, half, Sink::Collect),
-        moved: Some(part.other()),
-    };
+    let mut collected =
+        |part: Part, half: &[Contribution]| Pass { stores: collecting(model, half), moved: Some(part.other()) };
     if gradient.iter().all(|contribution| contribution.element.part == part) {
         return vec![collected(part, gradient)];
     }
@@ -60,6 +62,84 @@ fn has_functions_and_sums(graph: &Graph, value: NodeId) -> bool {
         open.extend(graph.node(id).children());
     }
     has_functions && has_sums
+}
+
+/// What collects a gradient in a buffer. Where loops may be in lanes, those over components are written out.
+pub(crate) fn collecting(model: &mut Model, gradient: &[Contribution]) -> Vec<Store> {
+    let unrolled =
+        if are_many(&model.graph, &model.lengths) { by_components(&mut model.graph, gradient) } else { None };
+    stores(model, unrolled.as_deref().unwrap_or(gradient), Sink::Collect)
+}
+
+/// A value that is computed beside such a gradient.
+pub(crate) fn unrolled(model: &mut Model, value: NodeId) -> NodeId {
+    let unrolled = are_many(&model.graph, &model.lengths).then(|| Unrolled::default().value(&mut model.graph, value));
+    unrolled.flatten().unwrap_or(value)
+}
+
+/// Contributions without loops over components; `None` where these cannot be written out.
+fn by_components(graph: &mut Graph, gradient: &[Contribution]) -> Option<Vec<Contribution>> {
+    let (mut unrolled, mut all) = (Unrolled::default(), Vec::new());
+    for contribution in gradient {
+        all.extend(by_component(graph, &mut unrolled, contribution)?);
+    }
+    Some(all)
+}
+
+/// One of them, for each component.
+fn by_component(graph: &mut Graph, unrolled: &mut Unrolled, contribution: &Contribution) -> Option<Vec<Contribution>> {
+    let mut first = contribution.clone();
+    first.value = unrolled.value(graph, contribution.value)?;
+    for around in &mut first.context {
+        if let Scope::Branch(condition, _) = around {
+            *condition = unrolled.value(graph, *condition)?;
+        }
+    }
+    let mut all = vec![first];
+    let is_component = |graph: &Graph, by: LoopId| {
+        let of = |component| graph.loops.index(component) == Index::Running(by);
+        components(graph, by).is_some() && contribution.element.component.is_some_and(of)
+    };
+    let loops: Vec<LoopId> = contribution.loops().filter(|by| is_component(graph, *by)).collect();
+    for by in loops {
+        let numbers = components(graph, by)?;
+        let mut next = Vec::new();
+        for contribution in all {
+            for number in numbers.clone() {
+                let mut item = Contribution {
+                    context: Vec::new(),
+                    element: component(graph, contribution.element, by, number)?,
+                    value: unrolled.item(graph, contribution.value, by, number)?,
+                };
+                for around in &contribution.context {
+                    match around {
+                        Scope::Loop(own) if *own == by => {}
+                        Scope::Loop(_) => item.context.push(*around),
+                        Scope::Branch(condition, holds) => {
+                            let condition = unrolled.item(graph, *condition, by, number)?;
+                            item.context.push(Scope::Branch(condition, *holds));
+                        }
+                    }
+                }
+                next.push(item);
+            }
+        }
+        all = next;
+    }
+    all.iter_mut().for_each(|contribution| sum_up(graph, contribution));
+    Some(all)
+}
+
+/// Turns the loops after all those of the coordinate into sums.
+fn sum_up(graph: &mut Graph, contribution: &mut Contribution) {
+    let own = graph.loops.of_element(contribution.element);
+    let is_own = |around: &Scope| matches!(around, Scope::Loop(by) if own.contains(*by));
+    let deepest = contribution.context.iter().rposition(is_own).map_or(0, |deepest| deepest + 1);
+    if contribution.context[deepest..].iter().any(|around| matches!(around, Scope::Loop(_))) {
+        for around in contribution.context.split_off(deepest).into_iter().rev() {
+            contribution.value = select_in_branch(graph, around, contribution.value);
+        }
+    }
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.

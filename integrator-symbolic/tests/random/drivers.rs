@@ -122,6 +122,9 @@ impl Machine<'_> {
         if name == "add_to" {
             return Some(self.list_sum(call));
         }
+        if name == "run" {
+            return Some(self.loop_in_lanes(call));
+        }
         if !matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("motion")) {
             return None;
         }

@@ -55,7 +55,7 @@ impl Machine<'_> {
 }
 
 /// The structs in a constant that is an array of them.
-fn structures<'t>(term: &'t Term, name: &str) -> Outcome<Vec<&'t ExprStruct>> {
+pub(crate) fn structures<'t>(term: &'t Term, name: &str) -> Outcome<Vec<&'t ExprStruct>> {
     let array = match constant(term, name) {
         Some(Expr::Reference(reference)) => Some(&*reference.expr),
         found => found,
@@ -76,7 +76,7 @@ fn literal<'t>(literal: &'t ExprStruct, name: &str) -> Outcome<&'t Lit> {
     value.map_or_else(|| foreign(format!("no `{name}`")), Ok)
 }
 
-fn integer(of: &ExprStruct, name: &str) -> Outcome<usize> {
+pub(crate) fn integer(of: &ExprStruct, name: &str) -> Outcome<usize> {
     match literal(of, name)? {
         Lit::Int(value) => value.base10_parse().or_else(|_| foreign(format!("`{name}` that is no size"))),
         _ => foreign(format!("`{name}` that is no size")),
@@ -91,7 +91,7 @@ fn truth(of: &ExprStruct, name: &str) -> Outcome<bool> {
 }
 
 /// The buffer that sums go to, and whether it has one number for each point.
-fn sums_of(sums: &Expr) -> Outcome<(&Expr, bool)> {
+pub(crate) fn sums_of(sums: &Expr) -> Outcome<(&Expr, bool)> {
     match sums {
         // `&mut gradient[..]`
         Expr::Reference(reference) => match &*reference.expr {

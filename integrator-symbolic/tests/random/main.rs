@@ -14,6 +14,7 @@ mod expansion;
 mod grammar;
 mod judge;
 mod lists;
+mod loops;
 mod machine;
 mod mutate;
 mod number;

@@ -16,7 +16,7 @@ use crate::{
         function::{Body, Lines},
     },
     graph::{Graph, Node, NodeId, Part},
-    pattern::stores::{Pass, lower_roots, passes, stores},
+    pattern::stores::{Pass, collecting, lower_roots, passes, unrolled},
     program::{Sink, Store, is_direct},
     syntax::names::Names,
 };
@@ -183,7 +183,8 @@ fn simplified(emitter: &mut Emitter<'_>, gradient: &[Contribution], returned: No
 
 /// The logarithmic kick by a potential energy that is summed together with its gradient.
 fn collected(emitter: &mut Emitter<'_>, potential: &[Contribution], energy: NodeId) -> Lines {
-    let mut stores = stores(emitter.model, potential, Sink::Collect);
+    let mut stores = collecting(emitter.model, potential);
+    let energy = unrolled(emitter.model, energy);
     let energy = lower_roots(emitter.model, &[energy])[0];
     stores.push(Store { context: Vec::new(), sink: Sink::Return, value: energy });
     buffered(emitter, &stores, |lines, close| quote!(let energy = { #lines }; let step = step / -energy; #close energy))
