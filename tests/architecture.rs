@@ -142,7 +142,8 @@ const CHECK: MayKnow = (
 );
 
 /// The folders of `layout`.
-const LAYOUT: MayKnow = ("integrator-core/src/layout", &[("lattice", &[]), ("lists", &[]), ("bodies", &["lattice"])]);
+const LAYOUT: MayKnow =
+    ("integrator-core/src/layout", &[("lattice", &[]), ("lists", &[]), ("loops", &[]), ("bodies", &["lattice"])]);
 
 /// The folders of `methods`.
 const METHODS: MayKnow = ("integrator-core/src/methods", &[("implicit", &[]), ("pace", &[]), ("taylor", &[])]);

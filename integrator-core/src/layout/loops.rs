@@ -68,10 +68,7 @@ pub struct Loop<'m, R, S, const PARTS: usize, const CONSTANTS: usize, const COMM
     pub common: [R; COMMON],
 }
 
-#[allow(
-    clippy::needless_range_loop,
-    reason = "iterators take three times the lines of LLVM IR in every loop of a user"
-)]
+#[allow(clippy::needless_range_loop, reason = "iterators take three times the lines of LLVM IR")]
 impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize>
     Loop<'_, R, S, PARTS, CONSTANTS, COMMON, D>
 {
