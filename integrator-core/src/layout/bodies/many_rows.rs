@@ -208,18 +208,20 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         let step = Real::of(duration);
         let Self { q, p, constants, parameters, moving, bodies, .. } = self;
         // Lanes after the last body may drift, but not bodies that stay.
-        let before = shared_row(q, *moving, *bodies);
+        let before = if const { H::SOME_STAY } { shared_row(q, *moving, *bodies) } else { None };
         for row in 0..moving.div_ceil(WIDTH) {
             H::drift_body::<R, R::Row<WIDTH>, _>(parameters, &mut q[row], values(&p[row]), constants[row], step, time);
         }
-        put_back::<R, _, D>(q, *moving, before);
+        if const { H::SOME_STAY } {
+            put_back::<R, _, D>(q, *moving, before);
+        }
     }
     /// The flow of `V`.
     #[cfg_attr(debug_assertions, inline)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let step = Real::of(-duration);
-        let before = shared_row(&self.p, self.acting, self.bodies);
+        let before = if const { H::SOME_STAY } { shared_row(&self.p, self.acting, self.bodies) } else { None };
         if let Some(cutoffs) = self.cutoffs::<H>(time) {
             self.kick_by_neighbours::<H>(&cutoffs, step, time);
         } else {
@@ -232,7 +234,9 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
                 }
             }
         }
-        put_back::<R, _, D>(&mut self.p, self.acting, before);
+        if const { H::SOME_STAY } {
+            put_back::<R, _, D>(&mut self.p, self.acting, before);
+        }
         if const { H::OTHER_TERMS } {
             let Self { q, p, bodies, parameters, .. } = self;
             R::enter(OtherTerms::<H, R, K, D, S> { q, p, bodies: *bodies, parameters, step, time });

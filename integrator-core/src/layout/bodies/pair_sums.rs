@@ -92,6 +92,9 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         let _ = (motion, time);
     }
 
+    /// Whether there may be bodies that do not act or do not move: [`BodyConstants::acting`], [`BodyConstants::moving`].
+    const SOME_STAY: bool = false;
+
     /// The number of bodies from which on the neighbours within a cutoff are listed. A system without a cutoff has none, and
     /// only such a pair function is used below.
     const LISTED_FROM: usize = usize::MAX;

@@ -78,8 +78,14 @@ impl ManyBody {
                 const NUMBER: ::core::option::Option<usize> = ::core::option::Option::Some(#number);
             )
         });
+        let some_stay = (of.acting.is_some() || of.moving.is_some()).then(|| {
+            quote!(
+                const SOME_STAY: bool = true;
+            )
+        });
         let functions = quote! {
             #number
+            #some_stay
             const RECIPROCAL: bool = #reciprocal;
             const CENTRAL: bool = #central;
             type Force<#wide: ::core::marker::Copy> = [#wide; #parts];

@@ -85,7 +85,7 @@ const _: () = {
             1,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5526502467802541415;
+        const FINGERPRINT: u64 = 11348177080543593261;
         const WIDE: bool = true;
         fn admissible(
             &self,
@@ -188,6 +188,7 @@ const _: () = {
     }
     #[automatically_derived]
     impl runtime::ManyBody<3, 1> for Cluster {
+        const SOME_STAY: bool = true;
         const RECIPROCAL: bool = true;
         const CENTRAL: bool = false;
         type Force<Wide: ::core::marker::Copy> = [Wide; 3];
