@@ -363,7 +363,7 @@ macro_rules! points {
     };
 }
 
-const COUNTED: [Counted; 28] = [
+const COUNTED: [Counted; 34] = [
     ("flat", "&[f64]", FREE, flat!("q.len() / 3"), Some((3, false, false))),
     ("flat, partners behind", "&[f64]", FREE, flat!("q.len() / 3", "for j in i + 1..n"), Some((3, false, false))),
     (
@@ -431,6 +431,30 @@ const COUNTED: [Counted; 28] = [
     ("points", POINTS, FREE_POINTS, points!("for i in 0..n", "for j in 0..i"), Some((3, true, false))),
     ("partners behind", POINTS, FREE_POINTS, points!("for i in 0..n", "for j in i + 1..n"), Some((3, true, false))),
     ("not the last", POINTS, FREE_POINTS, points!("for i in 0..n - 1", "for j in i + 1..n"), Some((3, true, false))),
+    (
+        "not the last, all others",
+        POINTS,
+        FREE_POINTS,
+        "let n = q.len(); let mut v = 0.0; for i in 0..n - 1 { for j in 0..n { if i != j { v += (q[i][0] - q[j][0]).cos(); } } } v",
+        None,
+    ),
+    ("not the last, before", POINTS, FREE_POINTS, points!("for i in 0..n - 1", "for j in 0..i"), None),
+    ("a flat array and one more", "[f64; 301]", FREE, flat!("100"), None),
+    ("a number after all bodies", "&[f64]", FREE, concat!("self.k * q[3 * self.n] + { ", flat!("self.n"), " }"), None),
+    (
+        "a condition on flat bodies",
+        "&[f64]",
+        FREE,
+        concat!("let n = q.len() / 3; if n > 2 { ", flat!("q.len() / 3"), " } else { 0.0 }"),
+        None,
+    ),
+    (
+        "a sentinel",
+        POINTS,
+        FREE_POINTS,
+        "let mut v = 0.0; for i in 0..self.n { if self.kind[i] < 0 { continue; } for j in 0..i { if self.kind[j] < 0 { continue; } v += self.table[self.kind[i] as usize][self.kind[j] as usize] * self.m[i] * (q[i][0] - q[j][0]).cos(); } } v",
+        None,
+    ),
     ("not the last two", POINTS, FREE_POINTS, points!("for i in 0..n - 2", "for j in i + 1..n"), None),
     ("not the last partner", POINTS, FREE_POINTS, points!("for i in 0..n - 1", "for j in i + 1..n - 1"), None),
     (

@@ -98,9 +98,9 @@ struct Stepper<'i> {
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
     device: Option<DeviceText>,
-    /// What a start is checked for.
+    /// The check of the length of a start.
     admissible: Option<TokenStream>,
-    /// What declares the number of bodies for the text of parameters.
+    /// The number of bodies, for expressions of parameters.
     count: Option<TokenStream>,
 }
 
@@ -125,7 +125,7 @@ impl<'i> Stepper<'i> {
             Some(coordinates) => Some(jacobi::admissible(coordinates, &names)),
             None => admissible(&model, pairs, &names),
         };
-        let count = pairs.and_then(|pairs| pairs.count(&model));
+        let count = pairs.and_then(|pairs| flow::pairs::count(pairs, &model));
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
         let flows = match emitter.model.split {
             Split::Copies(coupling) => Flows::of_copies(&mut emitter, coupling),
@@ -304,7 +304,7 @@ impl<'i> Stepper<'i> {
     }
 }
 
-/// What checks that a start has the coordinates that are read by number, and those of all bodies that act.
+/// The function that checks whether a start has the coordinates that are read by number, and those of all bodies that act.
 fn admissible(model: &Model, pairs: Option<&AllPairs>, names: &Names) -> Option<TokenStream> {
     if model.shape.length.literal().is_some() {
         return None;

@@ -167,12 +167,24 @@ impl Graph {
         }
     }
 
+    /// The sum that a node is where the loop of the sum has an iteration, if the node is zero elsewhere.
+    pub(crate) fn guarded_sum(&mut self, id: NodeId) -> Option<NodeId> {
+        let Node::Select(condition, sum, zero) = self.node(id) else { return None };
+        let Node::Sum(by, _) = self.node(sum) else { return None };
+        (self.as_constant(zero) == Some(0.0) && self.begins_before_end(by) == condition).then_some(sum)
+    }
+
     /// The condition that a loop around a node has an iteration. Without coordinates there is nothing to compute, so
     /// that a loop over them has this condition only where the node could not be read without.
     pub(super) fn has_iterations(&mut self, by: LoopId, id: NodeId) -> NodeId {
         if self.loops.has_iterations(by) && !self.protects(Scope::Loop(by), id) {
             return self.truth(true);
         }
+        self.begins_before_end(by)
+    }
+
+    /// The condition that a loop begins before its end.
+    fn begins_before_end(&mut self, by: LoopId) -> NodeId {
         let Loop { from, to, .. } = self.loops.get(by);
         // Integers do not go below zero: a < b - c is written as a + c < b.
         let (from, to) = match self.loops.index(to) {

@@ -141,14 +141,10 @@ impl Graph {
                 self.terms(body, coefficient, loops, terms);
                 loops.pop();
             }
-            // A sum that is zero where its loop has no iteration.
-            Node::Select(condition, sum, zero)
-                if self.as_constant(zero) == Some(0.0)
-                    && matches!(self.node(sum), Node::Sum(by, _) if self.asks_for_iterations(condition, by)) =>
-            {
-                self.terms(sum, coefficient, loops, terms);
-            }
             _ => {
+                if let Some(sum) = self.guarded_sum(id) {
+                    return self.terms(sum, coefficient, loops, terms);
+                }
                 let (coefficient, core) = self.gathered(id, coefficient);
                 terms.push(Term { whole: id, loops: loops.clone(), coefficient, core });
             }

@@ -66,18 +66,14 @@ fn collect(
     if let Some(parts) = distributed(graph, id) {
         return parts.into_iter().try_for_each(|part| collect(graph, part, factor, around, terms));
     }
+    if let Some(sum) = graph.guarded_sum(id) {
+        return collect(graph, sum, factor, around, terms);
+    }
     match graph.node(id) {
         Node::Sum(by, body) => {
             around.loops.push(by);
             collect(graph, body, factor, around, terms)?;
             around.loops.pop();
-        }
-        // A sum that is zero where its loop has no iteration.
-        Node::Select(condition, sum, zero)
-            if is_zero(graph, zero)
-                && matches!(graph.node(sum), Node::Sum(by, _) if graph.asks_for_iterations(condition, by)) =>
-        {
-            collect(graph, sum, factor, around, terms)?;
         }
         Node::Select(condition, a, b) if is_of_indices(graph, condition) => {
             for (side, holds) in [(a, true), (b, false)] {

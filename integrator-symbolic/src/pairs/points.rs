@@ -49,6 +49,12 @@ pub(crate) fn of_points(
     let mut new: HashMap<NodeId, NodeId> = HashMap::new();
     for id in graph.reachable([energy]) {
         let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
+        // The constructor of a sum guards it where it has to be: fewer reads of points have to be than of numbers.
+        if let Some(sum) = graph.guarded_sum(id) {
+            let sum = of(sum);
+            new.insert(id, sum);
+            continue;
+        }
         let node = match graph.node(id) {
             Node::Coordinate(element) => {
                 let element = points.element(graph, element, parameters)?;
@@ -66,8 +72,6 @@ pub(crate) fn of_points(
                 None => graph.sum(by, of(body)),
             },
             Node::External(..) => return None,
-            // A sum of points asks again whether it has iterations, if it has to.
-            Node::Select(_, a, _) if is_guarded_sum(graph, id) => of(a),
             node if node.children().all(|child| of(child) == child) => id,
             Node::Select(condition, a, b) => graph.select(of(condition), of(a), of(b)),
             node => graph.rebuilt(node.map(of)),
@@ -75,15 +79,6 @@ pub(crate) fn of_points(
         new.insert(id, node);
     }
     Some(new[&energy])
-}
-
-/// Whether a node is a sum where its loop has iterations, and else zero.
-fn is_guarded_sum(graph: &Graph, id: NodeId) -> bool {
-    let Node::Select(condition, sum, other) = graph.node(id) else { return false };
-    match graph.node(sum) {
-        Node::Sum(by, _) => graph.as_constant(other) == Some(0.0) && graph.asks_for_iterations(condition, by),
-        _ => false,
-    }
 }
 
 /// The number of points that `length` flat coordinates are.
@@ -141,8 +136,14 @@ impl Points {
         self.is_component(graph, component).then_some(Element { index, component: Some(component), ..element })
     }
 
-    /// What an index is the multiple of.
+    /// The index `i` of the point in `components * i`. A number of the system may be that of the coordinates after all points.
     fn multiple(&self, graph: &Graph, index: IndexId) -> Option<IndexId> {
+        let point = self.quotient(graph, index)?;
+        (graph.loops.literal(point).is_some() || !graph.loops.of_index(point).is_empty()).then_some(point)
+    }
+
+    /// The other factor of a multiple of the number of components.
+    fn quotient(&self, graph: &Graph, index: IndexId) -> Option<IndexId> {
         let Index::Mul(a, b) = graph.loops.index(index) else { return None };
         let is_factor = |id| graph.loops.literal(id) == Some(self.components);
         if is_factor(a) { Some(b) } else { is_factor(b).then_some(a) }
@@ -169,7 +170,7 @@ impl Points {
         let factor = graph.loops.intern(Index::Literal(self.components));
         let point_end = match to == self.length {
             true => number_of_points(graph, self.length, self.components),
-            false => self.multiple(graph, to)?,
+            false => self.quotient(graph, to)?,
         };
         let point = graph.loops.range(Loop { parent: None, from, to: point_end });
         let component = graph.loops.range(Loop { parent: Some(point), from, to: factor });

@@ -107,7 +107,8 @@ impl<'p> Terms<'p> {
             if let (None, Some(first @ (0 | 1))) = (range.parent, graph.loops.literal(range.from))
                 && (range.to == self.length || self.is_one_less(graph, range.to))
             {
-                return self.collect_of_body(graph, by, first, body, factor);
+                let is_short = range.to != self.length;
+                return self.collect_of_body(graph, by, (first, is_short), body, factor);
             }
         } else if let Some(parts) = addends(graph, id, factor) {
             return parts.into_iter().for_each(|(term, factor)| self.collect(graph, term, factor));
@@ -119,31 +120,31 @@ impl<'p> Terms<'p> {
     /// The maximum number of conditions around a sum over partners. The number of branches doubles with each.
     const CONDITIONS: usize = 4;
 
-    /// Collects the terms of the body with the index of `by`.
-    fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) {
+    /// Collects the terms of the body with the index of `by`, which begins at a number and may leave out the last body.
+    fn collect_of_body(&mut self, graph: &mut Graph, by: LoopId, range: (u64, bool), id: NodeId, factor: NodeId) {
         if self.has_partners(graph, by, id) {
             if let Some(parts) = addends(graph, id, factor) {
                 return parts
                     .into_iter()
-                    .for_each(|(term, factor)| self.collect_of_body(graph, by, first, term, factor));
+                    .for_each(|(term, factor)| self.collect_of_body(graph, by, range, term, factor));
             }
             if let Node::Select(condition, a, b) = graph.node(id)
                 && self.conditions.len() < Self::CONDITIONS
             {
                 for (side, holds) in [(a, true), (b, false)] {
                     self.conditions.push((condition, holds));
-                    self.collect_of_body(graph, by, first, side, factor);
+                    self.collect_of_body(graph, by, range, side, factor);
                     self.conditions.pop();
                 }
                 return;
             }
         }
-        if let Some(energy) = self.of_pair(graph, by, first, id, factor) {
+        if let Some(energy) = self.of_pair(graph, by, range, id, factor) {
             return self.pairs.push(energy);
         }
         let product = graph.mul(factor, id);
         let term = self.where_conditions_hold(graph, product);
-        if first == 0 && by == self.bodies && reads_only(graph, term, &[by], self.parameters) {
+        if by == self.bodies && reads_only(graph, term, &[by], self.parameters) {
             self.alone.push(term);
         } else {
             let sum = graph.sum(by, term);
@@ -174,11 +175,21 @@ impl<'p> Terms<'p> {
     }
 
     /// Returns the energy of a pair if `factor` times the node is a sum over the partners of a body.
-    fn of_pair(&mut self, graph: &mut Graph, by: LoopId, first: u64, id: NodeId, factor: NodeId) -> Option<NodeId> {
+    fn of_pair(
+        &mut self,
+        graph: &mut Graph,
+        by: LoopId,
+        (first, is_short): (u64, bool),
+        id: NodeId,
+        factor: NodeId,
+    ) -> Option<NodeId> {
         let Node::Sum(other, body) = graph.node(id) else { return None };
         let twice = is_partner(graph, self.length, by, other)?;
         let (pair, before) = ([by, other], is_before(graph, by, other));
-        if first != 0 && (twice || !before) || self.pair.is_some_and(|known| known != pair) {
+        if first != 0 && (twice || !before)
+            || is_short && (twice || before)
+            || self.pair.is_some_and(|known| known != pair)
+        {
             return None;
         }
         let body = if twice { addend_of_distinct_pair(graph, by, other, body)? } else { body };

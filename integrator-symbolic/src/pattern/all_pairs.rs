@@ -15,8 +15,6 @@ use crate::{
     pairs::{Cutoff, Pairs, acting, cutoff, moving, over_all, pairs, per_body, points, pull},
     program::{Sink, Store, is_direct},
 };
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 use std::collections::BTreeSet;
 
 /// The fewest bodies whose neighbours within a cutoff are listed: with fewer, all pairs of a liquid are as fast.
@@ -88,7 +86,7 @@ pub(crate) struct First {
 }
 
 impl First {
-    /// Those that loops to this end run over, in place of all; an error if no loop can.
+    /// The bodies that loops to this end run over; `None` for all. `Err` if the end is not a supported number of bodies.
     fn of(model: &Model, end: IndexId, all: IndexId) -> Result<Option<Self>, ()> {
         let loops = &model.graph.loops;
         let found = match loops.index(end) {
@@ -118,7 +116,7 @@ struct Energies {
 }
 
 impl Energies {
-    /// Those of points, or of numbers, in the user's own coordinates.
+    /// The energies in the user's coordinates, if these are points or numbers.
     fn of(model: &Model) -> Option<Self> {
         let dimension = match &model.shape.inner[..] {
             [] => 1,
@@ -129,13 +127,16 @@ impl Energies {
         Some(Self { kinetic, potential, dimension, all, is_flat: false })
     }
 
-    /// Those of points whose coordinates are flat.
+    /// The energies of points whose coordinates are flat.
     fn of_flat(model: &mut Model) -> Option<Self> {
         let is_short = model.shape.numbers().is_some_and(|numbers| numbers <= SHORT);
         if is_short || !model.shape.inner.is_empty() || model.jacobi().is_some() {
             return None;
         }
         let dimension = points::components(&model.graph, model.potential)?;
+        if model.shape.numbers().is_some_and(|numbers| numbers % dimension != 0) {
+            return None;
+        }
         let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
         let length = *lengths.first()?;
         let mut texts = Texts::new(parameters, running, root);
@@ -253,23 +254,6 @@ impl AllPairs {
     /// Whether all bodies act on each other, and their number is the length of the coordinates.
     pub(crate) fn are_of_length(&self) -> bool {
         self.of.flat.is_none() && self.of.acting.is_none()
-    }
-
-    /// The number of bodies that act on each other as Rust, by the length of the coordinates, if it is not this length.
-    pub(crate) fn count(&self, model: &Model) -> Option<TokenStream> {
-        let Bodies { flat, acting, .. } = self.of;
-        let all = flat.map(|components| {
-            let components = Literal::u64_unsuffixed(components);
-            quote!(length / #components)
-        });
-        match acting {
-            None => all,
-            Some(First { number, or_all: false }) => Some(model.text(number)),
-            Some(First { number, or_all: true }) => {
-                let (number, all) = (model.text(number), all.unwrap_or_else(|| quote!(length)));
-                Some(quote!(::core::cmp::Ord::min(#number, #all)))
-            }
-        }
     }
 }
 

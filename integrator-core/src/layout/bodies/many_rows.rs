@@ -54,13 +54,13 @@ pub struct ManyRows<R: Real, K: Precision, P, const D: usize, const S: usize> {
     pub parameters: P,
 }
 
-/// The last row of bodies that move, where others in it stay.
+/// Returns the last row of bodies that move, if other bodies in it do not.
 #[inline(always)]
 fn shared_row<T: Copy>(rows: &[T], moving: usize, bodies: usize) -> Option<T> {
     (moving < bodies && !moving.is_multiple_of(WIDTH)).then(|| rows[moving / WIDTH])
 }
 
-/// Puts back the bodies of that row that stay.
+/// Restores the bodies of that row that do not move.
 #[inline(always)]
 fn put_back<R: Real, L: Slot<R::Row<WIDTH>>, const D: usize>(
     rows: &mut [[L; D]],

@@ -10,8 +10,9 @@ use crate::{
         lists::has_list_sums,
     },
     graph::{NodeId, Part, index::LoopId},
+    model::Model,
     pattern::{
-        all_pairs::{AllPairs, Bodies, LISTED_FROM, Listed, Others},
+        all_pairs::{AllPairs, Bodies, First, LISTED_FROM, Listed, Others},
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
@@ -157,6 +158,23 @@ impl ManyBody {
             #many_body
 
             impl #runtime::BodyConstants<#s> for #parameters { #per_body }
+        }
+    }
+}
+
+/// The number of bodies that act on each other as Rust, by the length of the coordinates, if it is not this length.
+pub(crate) fn count(pairs: &AllPairs, model: &Model) -> Option<TokenStream> {
+    let Bodies { flat, acting, .. } = pairs.of;
+    let all = flat.map(|components| {
+        let components = Literal::u64_unsuffixed(components);
+        quote!(length / #components)
+    });
+    match acting {
+        None => all,
+        Some(First { number, or_all: false }) => Some(model.text(number)),
+        Some(First { number, or_all: true }) => {
+            let (number, all) = (model.text(number), all.unwrap_or_else(|| quote!(length)));
+            Some(quote!(::core::cmp::Ord::min(#number, #all)))
         }
     }
 }

@@ -81,6 +81,7 @@ impl Loops {
     pub(crate) fn ends_after(&self, by: LoopId, id: IndexId) -> bool {
         let Loop { from, to, .. } = self.get(by);
         match self.index(id) {
+            _ if [id, from, to].into_iter().any(|bound| self.is_signed(bound)) => false,
             _ if id == to => true,
             Index::Sub(end, less) | Index::Monus(end, less) if end == to => {
                 self.literal(less).is_some_and(|less| less <= self.least(from))
@@ -115,7 +116,8 @@ impl Loops {
             _ => false,
         };
         let from_left = match self.index(a) {
-            Index::Monus(x, _) | Index::Div(x, _) => is(x, b),
+            Index::Monus(x, _) => is(x, b),
+            Index::Div(x, _) if !self.is_signed(x) => is(x, b),
             Index::Min(x, y) => is(x, b) || is(y, b),
             // It is read inside of its loop alone, and below its end there.
             Index::Running(by) => is(self.get(by).to, b),

@@ -23,7 +23,7 @@ pub(super) const THIS_BODY: &str = "__this_body";
 
 impl Texts<'_> {
     /// A number of a pair as the entry of a table, or as a product of entries and numbers of one body each. A condition of the
-    /// user around it, which the flow asks as well, is left out: the number is looked up where its lists have it.
+    /// user around it, which the flow also tests, is left out if the number can be looked up where its lists have it.
     pub(super) fn number_of_pair(
         &mut self,
         graph: &mut Graph,
@@ -60,6 +60,9 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
+        if is_conditional && !is_safe(own) {
+            return None;
+        }
         let text = is_conditional.then(|| looked_up(own, self.root)).flatten();
         let may_be_missing = text.is_some();
         let text = text.unwrap_or_else(|| own.clone());
@@ -134,6 +137,21 @@ impl Texts<'_> {
         graph.declare_missing_like(table, id);
         Some(graph.entry(table, row, column))
     }
+}
+
+/// Whether a text has a value wherever its lists have their elements: it calls nothing, and no index of it is cast.
+fn is_safe(text: &TokenStream) -> bool {
+    let tokens: Vec<TokenTree> = text.clone().into_iter().collect();
+    tokens.iter().enumerate().all(|(at, token)| match token {
+        TokenTree::Ident(name) => name != "as",
+        TokenTree::Group(group) => {
+            let is_argument = group.delimiter() != Delimiter::Bracket && at > 0;
+            let follows_name = is_argument && matches!(tokens[at - 1], TokenTree::Ident(_));
+            group.delimiter() != Delimiter::Brace && !follows_name && is_safe(&group.stream())
+        }
+        TokenTree::Punct(mark) => matches!(mark.as_char(), '.' | '*' | '+' | '-' | '/' | '&' | ':'),
+        TokenTree::Literal(_) => true,
+    })
 }
 
 /// The value of a body that a text reads, such as `self.kind[i]` or `self.atoms[i].kind as usize`; `None` if it reads the index

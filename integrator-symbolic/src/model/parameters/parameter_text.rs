@@ -205,18 +205,58 @@ impl<'m> Texts<'m> {
 
     /// A number of each body that is zero from the body with the number `acting` on, where the lists of the user may end.
     pub(crate) fn of_first(&mut self, graph: &mut Graph, id: NodeId, bodies: LoopId, acting: ParameterId) -> NodeId {
-        let index = running_index(bodies);
-        let parameter = match graph.node(id) {
-            Node::FromIndex(_) => return id,
-            Node::Parameter(parameter) => parameter,
-            _ => {
-                let [index, acting] =
-                    [Index::Running(bodies), Index::Parameter(acting)].map(|id| graph.loops.intern(id));
-                let (acts, zero) = (graph.compare_index(Comparison::Less, index, acting), graph.constant(0.0));
-                return graph.select(acts, id, zero);
+        let value = self.read_for_first(graph, id, bodies, acting);
+        if matches!(graph.node(id), Node::Parameter(_) | Node::FromIndex(_)) || !graph.loops_of(id).contains(bodies) {
+            return value;
+        }
+        let [index, acting] = [Index::Running(bodies), Index::Parameter(acting)].map(|id| graph.loops.intern(id));
+        let (acts, zero) = (graph.compare_index(Comparison::Less, index, acting), graph.constant(0.0));
+        graph.select(acts, value, zero)
+    }
+
+    /// The same value for the first bodies, which reads no list for others.
+    fn read_for_first(&mut self, graph: &mut Graph, id: NodeId, bodies: LoopId, acting: ParameterId) -> NodeId {
+        let node = graph.node(id);
+        match node {
+            _ if !graph.loops_of(id).contains(bodies) => id,
+            Node::Parameter(parameter) => {
+                let first = self.parameter_of_first(graph, parameter, None, bodies, acting);
+                graph.parameter(first)
             }
-        };
-        let own = self.own_text(parameter);
+            Node::FromIndex(index) => match graph.loops.index(index) {
+                Index::Parameter(parameter) => {
+                    let number = self.text(parameter);
+                    let number = Some(quote!((#number) as f64));
+                    let first = self.parameter_of_first(graph, parameter, number, bodies, acting);
+                    graph.parameter(first)
+                }
+                _ => id,
+            },
+            Node::Flag(parameter) => {
+                let (text, acting, index) = (self.text(parameter), self.text(acting), running_index(bodies));
+                let first = self.id(graph, quote!((#index < #acting && #text)), LoopSet::of(bodies));
+                graph.rebuilt(Node::Flag(first))
+            }
+            node => {
+                let mut first = HashMap::new();
+                for child in node.children() {
+                    first.insert(child, self.read_for_first(graph, child, bodies, acting));
+                }
+                graph.rebuilt(node.map(|child| first[&child]))
+            }
+        }
+    }
+
+    /// The parameter for the first bodies, and zero for the others; `number` is its text as a number, if it is an integer.
+    fn parameter_of_first(
+        &mut self,
+        graph: &mut Graph,
+        parameter: ParameterId,
+        number: Option<TokenStream>,
+        bodies: LoopId,
+        acting: ParameterId,
+    ) -> ParameterId {
+        let (own, index) = (self.own_text(parameter), running_index(bodies));
         let first = match self.parameters[parameter.0 as usize].whole.clone() {
             Some(Whole { code, .. }) => {
                 let root = self.root;
@@ -224,13 +264,13 @@ impl<'m> Texts<'m> {
                 self.list(graph, quote!((#code)[#index]), LoopSet::of(bodies), code)
             }
             None => {
-                let (text, acting) = (self.text(parameter), self.text(acting));
+                let (text, acting) = (number.unwrap_or_else(|| self.text(parameter)), self.text(acting));
                 self.id(graph, quote!((if #index < #acting { #text } else { 0.0 })), LoopSet::of(bodies))
             }
         };
         self.show(first, &own);
         graph.declare_missing_like(first, parameter);
-        graph.parameter(first)
+        first
     }
 
     /// Names the index of a loop that takes the place of others, one of which it is `like`: apart from those of all loops that
