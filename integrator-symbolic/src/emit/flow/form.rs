@@ -3,9 +3,10 @@
 use super::Flows;
 use crate::{
     differentiate::Contribution,
-    emit::printer::{block::Emitter, fields::Fields},
+    emit::printer::{block::Emitter, fields::Fields, lanes::has_lanes, lists::has_list_sums},
     model::Model,
     pattern::{Pattern, all_pairs::LISTED_FROM},
+    program::Program,
     stencil::Lattice,
     syntax::{Input, names::Names},
 };
@@ -18,6 +19,8 @@ pub enum Form {
     Plain,
     /// Terms of lists that name the coordinates, such as bonds; several terms in SIMD lanes.
     Lists,
+    /// Innermost loops over coordinates or data, such as sums over a row of a matrix; several iterations in SIMD lanes.
+    Loops,
     /// A line of sites with neighbour interactions: a sum over neighbours, in vectors.
     Line,
     /// Rows of a plane of sites with neighbour interactions.
@@ -40,6 +43,7 @@ impl Form {
         match self {
             Self::Plain => "plain",
             Self::Lists => "lists",
+            Self::Loops => "loops",
             Self::Line => "line",
             Self::Plane => "plane",
             Self::Volume => "volume",
@@ -56,6 +60,7 @@ impl fmt::Display for Form {
         let text = match self {
             Self::Plain => "plain code",
             Self::Lists => "terms of lists in SIMD lanes, the rest plain code",
+            Self::Loops => "innermost loops in SIMD lanes, the rest plain code",
             Self::Line => "neighbour sums along a line of sites, in SIMD lanes",
             Self::Plane => "neighbour sums along the rows of a plane, in SIMD lanes",
             Self::Volume => "neighbour sums along the rows of stacked planes, in SIMD lanes",
@@ -71,6 +76,15 @@ impl fmt::Display for Form {
             }
         };
         formatter.write_str(text)
+    }
+}
+
+/// The form of a program's loops, if some of them are in lanes, and whether one gains from the widest vectors.
+pub(super) fn form_of_loops(model: &Model, program: &Program) -> (Option<Form>, bool) {
+    let [has_lanes, is_wide] = has_lanes(model, program);
+    match has_list_sums(model, program) {
+        true => (Some(Form::Lists), true),
+        false => (has_lanes.then_some(Form::Loops), is_wide),
     }
 }
 
@@ -94,8 +108,7 @@ pub(crate) fn forms(
         return (forms, bodies.form_of_others());
     }
     let forms = [drift, kick].map(|flow| match flow.sweep {
-        None if flow.over_lists => Form::Lists,
-        None => Form::Plain,
+        None => flow.form_of_loops.unwrap_or(Form::Plain),
         Some(sweep) => match sweep.lattice() {
             Lattice::Line => Form::Line,
             Lattice::Plane => Form::Plane,

@@ -25,8 +25,6 @@ use crate::{
         block::Emitter,
         frame::Frame,
         function::{Body, Lines},
-        lanes::has_lanes,
-        lists::has_list_sums,
     },
     graph::{Graph, NodeId, Part, exact::Exact},
     model::{ExactPart, Length, Shape},
@@ -38,6 +36,7 @@ use crate::{
     stencil::Stencil,
     syntax::names::Names,
 };
+use form::{Form, form_of_loops};
 use lattice::Sweep;
 use pairs::ManyBody;
 use proc_macro2::{Ident, TokenStream};
@@ -268,8 +267,8 @@ pub(crate) struct Flow {
     body: Body,
     /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
     sweep: Option<Sweep>,
-    /// Whether it computes terms of lists in lanes.
-    over_lists: bool,
+    /// The form of its loops, if some of them are in lanes.
+    form_of_loops: Option<Form>,
     /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists or functions in lanes.
     is_wide: bool,
     /// Whether it takes so long that a choice among flows costs nothing beside it.
@@ -343,12 +342,11 @@ impl Flow {
             Part::Momentum => quote!(duration),
             Part::Position => quote!(-duration),
         };
-        let over_lists = has_list_sums(emitter.model, &lines.program);
-        let [has_lanes, has_wide_lanes] = has_lanes(emitter.model, &lines.program);
-        let is_wide = lines.program.divides_by_root_cubed || over_lists || has_wide_lanes;
+        let (form_of_loops, has_wide_lanes) = form_of_loops(emitter.model, &lines.program);
+        let is_wide = lines.program.divides_by_root_cubed || has_wide_lanes;
         let scalar = &emitter.names.scalar;
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, over_lists, is_wide, is_large: over_lists || has_lanes, ..Self::default() }
+        Self { body, form_of_loops, is_wide, is_large: form_of_loops.is_some(), ..Self::default() }
     }
 
     /// The lines that move each coordinate by `step` times its component.

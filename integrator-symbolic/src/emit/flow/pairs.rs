@@ -1,13 +1,15 @@
 //! Rust code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
 //! over bodies and pairs belong to the runtime.
 
-use super::{form::Form, through_buffer};
+use super::{
+    form::{Form, form_of_loops},
+    through_buffer,
+};
 use crate::{
     emit::printer::{
         block::Emitter,
         frame::Frame,
         function::{Body, Lines},
-        lists::has_list_sums,
     },
     graph::{NodeId, Part, index::LoopId},
     model::Model,
@@ -237,7 +239,7 @@ impl Writer<'_, '_> {
     fn others(&mut self, others: &Others) -> (TokenStream, Form) {
         let put = |place, value| quote!(#place = #value;);
         let lines = through_buffer(self.emitter, &Frame::Motion, Part::Momentum, &others.gradient, put);
-        let form = if has_list_sums(self.emitter.model, &lines.program) { Form::Lists } else { Form::Plain };
+        let form = form_of_loops(self.emitter.model, &lines.program).0.unwrap_or(Form::Plain);
         let Names { runtime, scalar, .. } = self.emitter.names;
         let body = lines.body(scalar);
         let (motion, time, body) = (body.argument("motion"), body.argument("time"), &body.0);
