@@ -309,6 +309,17 @@ pub mod __private {
         table
     }
 
+    /// Returns the entries of a number of lists, one list after the other.
+    pub fn entries<T>(lists: usize, length: &dyn Fn(usize) -> usize, entry: &dyn Fn(usize, usize) -> T) -> Vec<T> {
+        let mut entries = Vec::new();
+        for list in 0..lists {
+            for place in 0..length(list) {
+                entries.push(entry(list, place));
+            }
+        }
+        entries
+    }
+
     /// Returns a list of `length` copies of an element.
     pub fn repeated<T: Clone>(length: usize, element: T) -> Vec<T> {
         alloc::vec![element; length]

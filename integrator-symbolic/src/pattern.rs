@@ -7,6 +7,7 @@
 
 pub(crate) mod all_pairs;
 pub(crate) mod bodies;
+mod ragged;
 mod sites;
 pub(crate) mod stores;
 
@@ -15,6 +16,7 @@ use crate::{
     graph::NodeId,
     model::{Model, Texts},
     pairs::with_numbers_of_each,
+    program::lanes::are_many,
     stencil::Stencil,
 };
 use all_pairs::AllPairs;
@@ -42,14 +44,26 @@ pub(crate) fn recognise(model: &mut Model, [kinetic, potential]: [&[Contribution
 }
 
 impl Pattern {
-    /// Replaces the potential of pairs, and the same as stated, by equal ones that prepare less; `false` if nothing changes.
+    /// Replaces the potential, and the same as stated, by equal ones: of pairs by one that prepares less, of lists of lists by one of
+    /// one list. `false` if nothing changes.
     pub(crate) fn restate(&self, model: &mut Model, stated: &mut NodeId) -> bool {
-        let Self::AllPairs(pairs) = self else { return false };
+        let may_be_flat = model.is_separable() && model.sensitive.is_empty() && are_many(&model.graph, &model.lengths);
         let Model { graph, parameters, running, potential, root, .. } = model;
-        let mut texts = Texts::of_bodies(parameters, running, root, pairs.are_of_length());
         let known = *potential;
-        for energy in [potential, stated] {
-            *energy = with_numbers_of_each(graph, *energy, pairs.pair, pairs.ends, &mut texts);
+        match self {
+            Self::AllPairs(pairs) => {
+                let mut texts = Texts::of_bodies(parameters, running, root, pairs.are_of_length());
+                for energy in [potential, stated] {
+                    *energy = with_numbers_of_each(graph, *energy, pairs.pair, pairs.ends, &mut texts);
+                }
+            }
+            Self::Sites([_, None]) if may_be_flat => {
+                let mut texts = Texts::new(parameters, running, root);
+                for energy in [potential, stated] {
+                    *energy = ragged::flattened(graph, *energy, &mut texts).unwrap_or(*energy);
+                }
+            }
+            Self::Sites(_) => {}
         }
         model.potential != known
     }

@@ -133,6 +133,11 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     });
     let places = [&kinetic, &potential].map(|gradient| places(&mut model, gradient));
     let pattern = recognise(&mut model, [&kinetic, &potential]);
+    let mut stated = model.potential;
+    let [kinetic, potential] = match pattern.restate(&mut model, &mut stated) {
+        true => emit::gradients(&mut model),
+        false => [kinetic, potential],
+    };
     let (forms, others) = emit::forms(input, &mut model, &kinetic, &potential, &pattern);
     let others = [None, others];
     let [drift, kick] =

@@ -22,6 +22,7 @@ mod instruction_sets;
 mod invariants;
 mod kepler;
 mod limits;
+mod lists_of_lists;
 mod measured_order;
 mod orders;
 mod pace;

@@ -122,7 +122,12 @@ fn flows_have_the_form_that_is_written() {
             Form::Lists,
         ),
         (KINETIC, "for &(a, b) in &self.bonds { v += (q[a + 1] - q[b]).powi(4); }", Form::Plain),
-        (KINETIC, "for i in 0..q.len() { for &j in &self.near[i] { v += q[i] * q[j].powi(2); } }", Form::Plain),
+        (KINETIC, "for i in 0..q.len() { for &j in &self.near[i] { v += q[i] * q[j].powi(2); } }", Form::Lists),
+        (
+            KINETIC,
+            "for i in 0..q.len() { for &j in &self.near[i] { if j > i { v += q[i] * q[j].powi(2); } } }",
+            Form::Plain,
+        ),
         (KINETIC, "for k in 0..4 { v += q[self.held[k]].powi(4); }", Form::Plain),
         (KINETIC, "for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }", Form::Loops),
         (KINETIC, "v = q[0] * q[1];", Form::Plain),

@@ -57,7 +57,10 @@ impl Constants {
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
-            let whole = content.node().and_then(|id| whole(emitter.model, id));
+            let whole = match content {
+                Content::Integer(id) => emitter.model.parameters[id.0 as usize].named_whole(&emitter.model.running),
+                _ => content.node().and_then(|id| whole(emitter.model, id)),
+            };
             let is_of_pairs = whole.as_ref().is_some_and(|whole| whole.table.is_some());
             let (kind, value) = match content {
                 Content::Number(id) => match (&whole, table.levels.first()) {
@@ -68,10 +71,10 @@ impl Constants {
                     (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
                     _ => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
                 },
-                Content::Integer(id) => {
-                    let text = emitter.model.text(id);
-                    (quote!(usize), quote!(#text))
-                }
+                Content::Integer(id) => match (&whole, table.levels.first()) {
+                    (Some(_), Some(Level { index, .. })) => (quote!(usize), quote!(__values[#index])),
+                    _ => (quote!(usize), emitter.model.text(id)),
+                },
                 Content::Flag(id) => {
                     let text = emitter.model.text(id);
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
