@@ -199,7 +199,7 @@ fn stencil_of(
         let reads_tables = gathering.reads_tables(contribution.value);
         let begins = own.iter().enumerate().map(|(direction, own)| {
             // What a few sites add is handed on to none.
-            if gathering.stencil.directions[direction].apart || own.are_few() && !reads_tables {
+            if gathering.stencil.directions[direction].apart || own.are_few() && own.may_be_apart() && !reads_tables {
                 return own.to_place;
             }
             let all = iterations.iter().map(|iterations| &iterations[direction]);
@@ -273,10 +273,11 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.
     fn contribution(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<()> {
+        let reads_tables = self.reads_tables(value);
         let value = self.seen(value, iterations, begins)?;
         let directions = self.stencil.directions.iter_mut().zip(iterations).zip(begins);
-        let along =
-            directions.map(|((direction, iterations), begins)| direction.along(self.graph, iterations, *begins));
+        let along = directions
+            .map(|((direction, iterations), begins)| direction.along(self.graph, iterations, *begins, reads_tables));
         let along = along.collect::<Option<Vec<_>>>()?;
         match self.stencil.contributions.iter_mut().find(|contribution| contribution.along == along) {
             Some(contribution) => contribution.value = self.graph.add(contribution.value, value),

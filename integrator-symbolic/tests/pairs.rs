@@ -363,7 +363,7 @@ macro_rules! points {
     };
 }
 
-const COUNTED: [Counted; 34] = [
+const COUNTED: [Counted; 35] = [
     ("flat", "&[f64]", FREE, flat!("q.len() / 3"), Some((3, false, false))),
     ("flat, partners behind", "&[f64]", FREE, flat!("q.len() / 3", "for j in i + 1..n"), Some((3, false, false))),
     (
@@ -405,6 +405,13 @@ const COUNTED: [Counted; 34] = [
         "&[f64]",
         FREE,
         concat!("q.iter().map(|q| self.k * q * q).sum::<f64>() + { ", flat!("q.len() / 3"), " }"),
+        Some((3, false, false)),
+    ),
+    (
+        "masses by the index of a coordinate",
+        "&[f64]",
+        "let mut t = 0.0; for k in 0..p.len() { t += p[k].powi(2) / (2.0 * self.m[k / 3]); } t",
+        flat!("q.len() / 3"),
         Some((3, false, false)),
     ),
     (

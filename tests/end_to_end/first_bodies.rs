@@ -213,6 +213,28 @@ system!(
     }
 );
 
+system!(
+    FlatHeavy,
+    &[f64],
+    |self, p| {
+        let mut t = 0.0;
+        for k in 0..p.len() {
+            t += p[k] * p[k] / (2.0 * self.0.charges[k / 3]);
+        }
+        t
+    },
+    |q| {
+        let mut v = 0.0;
+        for i in 0..q.len() / 3 {
+            for j in 0..i {
+                let r2: f64 = (0..3).map(|d| (q[3 * i + d] - q[3 * j + d]).powi(2)).sum();
+                v -= self.0.charges[i] * self.0.charges[j] / (r2 + self.0.softening).sqrt();
+            }
+        }
+        v
+    }
+);
+
 /// What sums of as many terms as there are pairs differ by in another order.
 const ROUNDING: f64 = (ALL * ALL) as f64 * f64::EPSILON;
 
@@ -318,6 +340,21 @@ fn masses_of_the_first_bodies_are_enough() -> Result<(), Error> {
         }
         assert_eq!(state.q[acting..], start.q[acting..]);
         assert_eq!(state.p[acting..], start.p[acting..]);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_number_may_be_that_of_the_coordinate_over_three() -> Result<(), Error> {
+    assert!(type_name::<<FlatHeavy as System>::Motion<f64, f64>>().contains("ManyRows"));
+    let start = points(45);
+    let mut expected = Heavy(liquid(45)).run_with(Verlet, start.clone(), STEP)?;
+    let mut found = FlatHeavy(liquid(45)).run_with(Verlet, flat(&start), STEP)?;
+    is_near(found.energy(), expected.energy());
+    expected.advance(STEPS)?;
+    found.advance(STEPS)?;
+    for (q, expected) in found.state().q.iter().zip(expected.state().q.as_flattened()) {
+        assert!((q - expected).abs() <= ROUNDING * expected.abs().max(1.0), "{q} for {expected}");
     }
     Ok(())
 }

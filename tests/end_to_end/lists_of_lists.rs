@@ -15,9 +15,8 @@ struct Graph {
 /// A graph in which site `i` has `i % 7` neighbours, and one weight less for some.
 fn graph(sites: usize) -> Graph {
     let neighbours = |i: usize| (0..i % 7).map(|k| ((i * 5 + k * k + 3) % sites) as u32).collect::<Vec<_>>();
-    let weights = |i: usize| {
-        (0..(i % 7).max(i % 3) - i % 2 * usize::from(i % 7 > 0)).map(|k| (1.3 * (i + k) as f64).sin()).collect()
-    };
+    let weights =
+        |i: usize| (0..(i % 7).max(i % 3).saturating_sub(i % 2)).map(|k| (1.3 * (i + k) as f64).sin()).collect();
     Graph {
         neighbours: (0..sites).map(neighbours).collect(),
         weights: (0..sites).map(weights).collect(),

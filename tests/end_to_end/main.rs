@@ -10,6 +10,7 @@ mod by_hand;
 mod catalogue;
 mod changed_states;
 mod divergence;
+mod ends_of_loops;
 mod ensemble;
 mod ensemble_checkpoints;
 mod ensemble_times;

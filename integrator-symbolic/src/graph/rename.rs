@@ -57,6 +57,18 @@ pub(crate) trait Parameters {
     ) -> Option<ParameterId> {
         None
     }
+    /// The parameter with the index of a point in place of that of a coordinate divided by the number of components; `None` where
+    /// its text reads the index otherwise.
+    fn of_point(
+        &mut self,
+        _graph: &mut Graph,
+        _id: ParameterId,
+        _by: LoopId,
+        _components: u64,
+        _point: LoopId,
+    ) -> Option<ParameterId> {
+        None
+    }
     /// The least and the greatest value of a parameter of one body over all bodies, but for the body at an end; `None` as for
     /// others.
     fn extremes(

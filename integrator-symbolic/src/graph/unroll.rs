@@ -79,6 +79,7 @@ impl Unrolled {
             | Node::CompareIndex(..)
             | Node::Flag(_)
             | Node::External(..) => None,
+            Node::Sum(inner, _) | Node::Fold(_, inner, _) if graph.loops.of_range(inner).contains(by) => None,
             node => mapped(node, |child| self.items[&(child, by, number)]).map(|node| graph.rebuilt(node)),
         }
     }

@@ -47,7 +47,14 @@ pub(crate) fn of_points(
 ) -> Option<NodeId> {
     let mut points = Points { components, length, loops: HashMap::new() };
     let mut new: HashMap<NodeId, NodeId> = HashMap::new();
-    for id in graph.reachable([energy]) {
+    let nodes = graph.reachable([energy]);
+    for id in nodes.iter().copied() {
+        if let Node::Coordinate(element) = graph.node(id) {
+            let element = points.element(graph, element, parameters)?;
+            new.insert(id, graph.coordinate(element));
+        }
+    }
+    for id in nodes {
         let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
         // The constructor of a sum guards it where it has to be: fewer reads of points have to be than of numbers.
         if let Some(sum) = graph.guarded_sum(id) {
@@ -56,10 +63,14 @@ pub(crate) fn of_points(
             continue;
         }
         let node = match graph.node(id) {
-            Node::Coordinate(element) => {
-                let element = points.element(graph, element, parameters)?;
-                graph.coordinate(element)
-            }
+            Node::Coordinate(_) => of(id),
+            Node::Parameter(parameter) => match points.split_around(graph, id) {
+                Some((by, point)) => {
+                    let of_point = parameters.of_point(graph, parameter, by, components, point)?;
+                    graph.parameter(of_point)
+                }
+                None => id,
+            },
             Node::Sum(by, body) => match points.loops.get(&by).copied() {
                 Some([point, component]) => {
                     // Numbers of the system by the index of a coordinate are not those of a body.
@@ -156,6 +167,12 @@ impl Points {
             Index::Running(by) => graph.loops.literal(graph.loops.get(by).to).is_some_and(|to| to <= self.components),
             _ => false,
         }
+    }
+
+    /// The loop over all coordinates that a number depends on, and the loop over points in its place.
+    fn split_around(&self, graph: &Graph, id: NodeId) -> Option<(LoopId, LoopId)> {
+        let by = graph.loops_of(id).iter().find(|by| self.loops.contains_key(by))?;
+        Some((by, self.loops[&by][0]))
     }
 
     /// The loops over points and components in place of one over all coordinates.

@@ -114,6 +114,7 @@ fn by_component(graph: &mut Graph, unrolled: &mut Unrolled, contribution: &Contr
                 for around in &contribution.context {
                     match around {
                         Scope::Loop(own) if *own == by => {}
+                        Scope::Loop(other) if graph.loops.of_range(*other).contains(by) => return None,
                         Scope::Loop(_) => item.context.push(*around),
                         Scope::Branch(condition, holds) => {
                             let condition = unrolled.item(graph, *condition, by, number)?;
@@ -126,20 +127,26 @@ fn by_component(graph: &mut Graph, unrolled: &mut Unrolled, contribution: &Contr
         }
         all = next;
     }
-    all.iter_mut().for_each(|contribution| sum_up(graph, contribution));
+    all.iter_mut().try_for_each(|contribution| sum_up(graph, contribution))?;
     Some(all)
 }
 
-/// Turns the loops after all those of the coordinate into sums.
-fn sum_up(graph: &mut Graph, contribution: &mut Contribution) {
+/// Turns the loops after all those of the coordinate into sums; `None` where one of these, or a condition among them, decides
+/// whether the coordinate exists.
+fn sum_up(graph: &mut Graph, contribution: &mut Contribution) -> Option<()> {
     let own = graph.loops.of_element(contribution.element);
     let is_own = |around: &Scope| matches!(around, Scope::Loop(by) if own.contains(*by));
     let deepest = contribution.context.iter().rposition(is_own).map_or(0, |deepest| deepest + 1);
     if contribution.context[deepest..].iter().any(|around| matches!(around, Scope::Loop(_))) {
+        let coordinate = graph.coordinate(contribution.element);
+        if contribution.context[deepest..].iter().any(|around| graph.protects(*around, coordinate)) {
+            return None;
+        }
         for around in contribution.context.split_off(deepest).into_iter().rev() {
             contribution.value = select_in_branch(graph, around, contribution.value);
         }
     }
+    Some(())
 }
 
 /// Where the components of a gradient go; what updates a coordinate is multiplied by the step.

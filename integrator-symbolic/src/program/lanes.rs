@@ -107,7 +107,8 @@ impl<'s> LaneContext<'s> {
         let range = graph.loops.get(by);
         let count = graph.loops.literal(range.to).map(|to| to - graph.loops.literal(range.from).unwrap_or(0).min(to));
         let are_few = count.is_some_and(|count| count < FEWEST);
-        if are_few || !are_many(graph, lengths) || is_over_list(graph, by, body) {
+        let is_volume = graph.loops.sites_of_row().is_some();
+        if are_few || is_volume || !are_many(graph, lengths) || is_over_list(graph, by, body) {
             return None;
         }
         let context = NestContext { graph, named, operands: &BTreeMap::new() };

@@ -137,6 +137,25 @@ impl Iterations {
         is_cut.then_some([Self { to: second, whole: false, ..*self }, Self { from: second, whole: false, ..*self }])
     }
 
+    /// Whether each of them may be seen from the place that it adds to: none that is counted from the end lies before the first
+    /// one of a short lattice.
+    pub(super) fn may_be_apart(&self) -> bool {
+        match self.from {
+            Place::FromBegin(_) => true,
+            Place::FromEnd(from) => self.to_place <= 0 || from <= SMALLEST,
+        }
+    }
+
+    /// Whether a few iterations and no others have a place where they are seen from there, on lattices of any length.
+    fn are_seen(&self, begins: i64) -> bool {
+        match (self.from, self.to) {
+            (Place::FromBegin(_), Place::FromBegin(to)) => begins >= 0 || to <= SMALLEST,
+            (Place::FromEnd(from), _) if begins < 0 => from - begins <= SMALLEST,
+            (Place::FromEnd(from), _) => begins == 0 || from <= SMALLEST,
+            _ => true,
+        }
+    }
+
     /// Whether one of them has the number of a place on every lattice.
     fn always_has(&self, place: Place) -> bool {
         match (self.from, self.to, place) {
@@ -265,11 +284,20 @@ impl Direction {
 
     /// Notes where what the iterations add goes, as seen from the first place that iterations of their loop add to,
     /// which is `begins` plus their index.
-    pub(super) fn along(&mut self, graph: &mut Graph, iterations: &Iterations, begins: i64) -> Option<Along> {
+    ///
+    /// Tables over the loop are read at that distance.
+    pub(super) fn along(
+        &mut self,
+        graph: &mut Graph,
+        iterations: &Iterations,
+        begins: i64,
+        reads_tables: bool,
+    ) -> Option<Along> {
         let onward = iterations.to_place - begins;
         let (from, to) = (iterations.from.further(begins), iterations.to.further(begins));
         let places = match (from, to) {
             _ if !(0..=self.farthest).contains(&onward) => return None,
+            _ if self.number.is_none() && iterations.are_few() && !iterations.are_seen(begins) => return None,
             // The first iteration would belong to a place before the first one, which open ends do not have.
             _ if iterations.whole && begins != 0 && !self.periodic => return None,
             _ if iterations.whole => Extent::All,
@@ -290,9 +318,9 @@ impl Direction {
         };
         if let Some(by) = iterations.by {
             let begins_at = if self.apart { 0 } else { begins };
-            match iterations.are_few() {
-                true => *self.begins.entry(by).or_insert(begins_at),
-                false => self.begins.insert(by, begins_at).unwrap_or(begins_at),
+            match reads_tables {
+                true => self.begins.insert(by, begins_at).unwrap_or(begins_at),
+                false => *self.begins.entry(by).or_insert(begins_at),
             };
             if iterations.whole && !self.apart {
                 self.first = self.first.max(begins.unsigned_abs());
@@ -311,6 +339,7 @@ impl Direction {
         index: IndexId,
     ) -> Option<IndexId> {
         let linear = self.linear(graph, index)?;
+        self.periodic |= linear.wraps;
         let ahead = match iterations.by {
             Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || iterations.whole) => {
                 linear.constant - begins
@@ -406,6 +435,9 @@ impl Direction {
 
     /// The number of a place.
     fn index(&self, graph: &mut Graph, place: Place) -> Option<IndexId> {
+        if matches!(place, Place::FromEnd(..0)) {
+            return None;
+        }
         let (back, constant) = match (place, self.number) {
             (Place::FromBegin(constant), _) => (None, constant),
             (Place::FromEnd(constant), Some(number)) => (None, number - constant),

@@ -73,8 +73,12 @@ impl Block<'_> {
         let components = lanes.components.unwrap_or(1);
         let mut reads = vec![vec![format_ident!("_"); components]; lanes.reads.len()];
         for (id, point, component) in &lanes.coordinates {
-            let name = given.entry(*id).or_insert_with(|| format_ident!("read_{point}_{component}"));
-            reads[*point][*component] = name.clone();
+            let read = &mut reads[*point][*component];
+            // Two spellings of an index are two nodes of one coordinate.
+            if *read == "_" {
+                *read = given.get(id).cloned().unwrap_or_else(|| format_ident!("read_{point}_{component}"));
+            }
+            given.insert(*id, read.clone());
         }
 
         let mut block = Block::new(Printer { names: given, scalar: wide, ..*printer }, names);

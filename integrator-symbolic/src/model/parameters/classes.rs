@@ -146,8 +146,12 @@ fn is_safe(text: &TokenStream) -> bool {
         TokenTree::Ident(name) => name != "as",
         TokenTree::Group(group) => {
             let is_argument = group.delimiter() != Delimiter::Bracket && at > 0;
-            let follows_name = is_argument && matches!(tokens[at - 1], TokenTree::Ident(_));
-            group.delimiter() != Delimiter::Brace && !follows_name && is_safe(&group.stream())
+            let is_call = is_argument && matches!(tokens[at - 1], TokenTree::Ident(_) | TokenTree::Group(_));
+            group.delimiter() != Delimiter::Brace && !is_call && is_safe(&group.stream())
+        }
+        TokenTree::Punct(mark) if mark.as_char() == '.' => {
+            // No range of an index.
+            !matches!(tokens.get(at + 1), Some(TokenTree::Punct(next)) if next.as_char() == '.')
         }
         TokenTree::Punct(mark) => matches!(mark.as_char(), '.' | '*' | '+' | '-' | '/' | '&' | ':'),
         TokenTree::Literal(_) => true,

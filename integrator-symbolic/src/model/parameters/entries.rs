@@ -63,7 +63,7 @@ impl Texts<'_> {
     }
 
     /// An integer as text, if it is made of lengths, parameters and indices by simple operations.
-    fn text_of(&self, graph: &Graph, id: IndexId) -> Option<TokenStream> {
+    pub(super) fn text_of(&self, graph: &Graph, id: IndexId) -> Option<TokenStream> {
         let of = |id| self.text_of(graph, id);
         Some(match graph.loops.index(id) {
             Index::Literal(value) => {
@@ -78,6 +78,14 @@ impl Texts<'_> {
             Index::Parameter(parameter) => {
                 let text = self.text(parameter);
                 quote!((#text))
+            }
+            Index::Add(a, b) => {
+                let (a, b) = (of(a)?, of(b)?);
+                quote!((#a + #b))
+            }
+            Index::Mul(a, b) => {
+                let (a, b) = (of(a)?, of(b)?);
+                quote!((#a * #b))
             }
             Index::Min(a, b) => {
                 let (a, b) = (of(a)?, of(b)?);

@@ -156,6 +156,28 @@ impl Parameters for Texts<'_> {
         Some(guarded)
     }
 
+    fn of_point(
+        &mut self,
+        graph: &mut Graph,
+        id: ParameterId,
+        by: LoopId,
+        components: u64,
+        point: LoopId,
+    ) -> Option<ParameterId> {
+        if graph.loops.of_parameter(id) != LoopSet::of(by) || !self.is_plain_number(id) {
+            return None;
+        }
+        let [text, own] =
+            [self.text(id), self.own_text(id)].map(|text| divided(&text, by, components, &running_index(point)));
+        if mentions(&text, by) || mentions(&own, by) {
+            return None;
+        }
+        let of_point = self.id(graph, text, LoopSet::of(point));
+        self.show(of_point, &own);
+        graph.declare_missing_like(of_point, id);
+        Some(of_point)
+    }
+
     fn extremes(
         &mut self,
         graph: &mut Graph,
@@ -205,7 +227,7 @@ impl<'m> Texts<'m> {
 
     /// A number of each body that is zero from the body with the number `acting` on, where the lists of the user may end.
     pub(crate) fn of_first(&mut self, graph: &mut Graph, id: NodeId, bodies: LoopId, acting: ParameterId) -> NodeId {
-        let value = self.read_for_first(graph, id, bodies, acting);
+        let value = self.read_for_first(graph, id, bodies, acting, &mut HashMap::new());
         if matches!(graph.node(id), Node::Parameter(_) | Node::FromIndex(_)) || !graph.loops_of(id).contains(bodies) {
             return value;
         }
@@ -215,44 +237,57 @@ impl<'m> Texts<'m> {
     }
 
     /// The same value for the first bodies, which reads no list for others.
-    fn read_for_first(&mut self, graph: &mut Graph, id: NodeId, bodies: LoopId, acting: ParameterId) -> NodeId {
-        let node = graph.node(id);
-        match node {
+    fn read_for_first(
+        &mut self,
+        graph: &mut Graph,
+        id: NodeId,
+        bodies: LoopId,
+        acting: ParameterId,
+        known: &mut HashMap<NodeId, NodeId>,
+    ) -> NodeId {
+        if let Some(first) = known.get(&id) {
+            return *first;
+        }
+        let (node, index) = (graph.node(id), running_index(bodies));
+        let first = match node {
             _ if !graph.loops_of(id).contains(bodies) => id,
             Node::Parameter(parameter) => {
-                let first = self.parameter_of_first(graph, parameter, None, bodies, acting);
+                let first = self.parameter_of_first(graph, parameter, bodies, acting);
                 graph.parameter(first)
             }
-            Node::FromIndex(index) => match graph.loops.index(index) {
-                Index::Parameter(parameter) => {
-                    let number = self.text(parameter);
-                    let number = Some(quote!((#number) as f64));
-                    let first = self.parameter_of_first(graph, parameter, number, bodies, acting);
-                    graph.parameter(first)
+            Node::FromIndex(integer) if !graph.loops.is_without_lists(integer) => {
+                match (self.text_of(graph, integer), self.text(acting)) {
+                    (Some(number), acting) => {
+                        let text = quote!((if #index < #acting { (#number) as f64 } else { 0.0 }));
+                        let first = self.id(graph, text, LoopSet::of(bodies));
+                        graph.parameter(first)
+                    }
+                    (None, _) => id,
                 }
-                _ => id,
-            },
+            }
+            Node::FromIndex(_) => id,
             Node::Flag(parameter) => {
-                let (text, acting, index) = (self.text(parameter), self.text(acting), running_index(bodies));
+                let (text, acting) = (self.text(parameter), self.text(acting));
                 let first = self.id(graph, quote!((#index < #acting && #text)), LoopSet::of(bodies));
                 graph.rebuilt(Node::Flag(first))
             }
             node => {
                 let mut first = HashMap::new();
                 for child in node.children() {
-                    first.insert(child, self.read_for_first(graph, child, bodies, acting));
+                    first.insert(child, self.read_for_first(graph, child, bodies, acting, known));
                 }
                 graph.rebuilt(node.map(|child| first[&child]))
             }
-        }
+        };
+        known.insert(id, first);
+        first
     }
 
-    /// The parameter for the first bodies, and zero for the others; `number` is its text as a number, if it is an integer.
+    /// The parameter for the first bodies, and zero for the others.
     fn parameter_of_first(
         &mut self,
         graph: &mut Graph,
         parameter: ParameterId,
-        number: Option<TokenStream>,
         bodies: LoopId,
         acting: ParameterId,
     ) -> ParameterId {
@@ -264,7 +299,7 @@ impl<'m> Texts<'m> {
                 self.list(graph, quote!((#code)[#index]), LoopSet::of(bodies), code)
             }
             None => {
-                let (text, acting) = (number.unwrap_or_else(|| self.text(parameter)), self.text(acting));
+                let (text, acting) = (self.text(parameter), self.text(acting));
                 self.id(graph, quote!((if #index < #acting { #text } else { 0.0 })), LoopSet::of(bodies))
             }
         };
@@ -372,6 +407,33 @@ impl<'m> Texts<'m> {
             made
         })
     }
+}
+
+/// A text with something else for the index of a loop divided by a number, in parentheses or brackets.
+fn divided(text: &TokenStream, by: LoopId, number: u64, other: &Ident) -> TokenStream {
+    let is_quotient = |tokens: &[TokenTree]| match tokens {
+        [TokenTree::Ident(index), TokenTree::Punct(mark), TokenTree::Literal(divisor)] => {
+            let divisor = divisor.to_string();
+            loop_of(index) == Some(by)
+                && mark.as_char() == '/'
+                && (divisor == number.to_string() || divisor == format!("{number}usize"))
+        }
+        _ => false,
+    };
+    let tokens = text.clone().into_iter().map(|token| match token {
+        TokenTree::Group(group) if group.delimiter() != Delimiter::Brace => {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            let stream = match is_quotient(&inner) {
+                true => quote!(#other),
+                false => divided(&group.stream(), by, number, other),
+            };
+            let mut new = Group::new(group.delimiter(), stream);
+            new.set_span(group.span());
+            new.into()
+        }
+        other => other,
+    });
+    tokens.collect()
 }
 
 /// Whether a text mentions a variable.
