@@ -113,6 +113,12 @@ chain!(the_next_on_a_ring_is_asked, 1, |self, q, n, v| for i in 0..n {
         v += 0.5 * q[i].powi(2);
     }
 });
+chain!(the_next_of_the_first_ones, 1, |self, q, n, v| for i in 0..n {
+    v += 0.5 * q[i].powi(2);
+    if i < 2 {
+        v += 0.3 * q[(i + 1) % n];
+    }
+});
 chain!(the_bond_before_the_last, 1, |self, q, n, v| for i in 0..n {
     v += 0.1 * q[i].powi(4);
     if i + 2 == n {

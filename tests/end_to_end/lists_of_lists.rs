@@ -65,6 +65,27 @@ impl Points {
     }
 }
 
+/// Springs in five dimensions, each with a stiffness along each of them, which no list of entries has.
+struct Springs(Graph);
+
+#[hamiltonian]
+impl Springs {
+    fn kinetic(&self, p: &[[f64; 5]]) -> f64 {
+        p.iter().flatten().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[[f64; 5]]) -> f64 {
+        let mut v = 0.0;
+        for i in 0..q.len() {
+            for (k, &j) in self.0.neighbours[i].iter().enumerate() {
+                for d in 0..5 {
+                    v += 0.5 * self.0.masses[i + k + d] * (q[i][d] - q[j as usize][d]).powi(2);
+                }
+            }
+        }
+        v
+    }
+}
+
 /// Entries, each with its two sites and its place in a list.
 fn entries(graph: &Graph) -> impl Iterator<Item = (usize, usize, usize)> {
     let of = move |i: usize| (0..graph.neighbours[i].len()).map(move |k| (i, graph.neighbours[i][k] as usize, k));
@@ -131,5 +152,24 @@ fn terms_of_points_are_summed() -> Result<(), Error> {
     let mut run = Points(graph).run_with(Euler, Phase::new(q, vec![[0.0; 3]; sites]), STEP)?;
     run.advance(1)?;
     are_near(run.state().p.as_flattened(), force.as_flattened().iter().map(|force| STEP * force), 10.0);
+    Ok(())
+}
+
+#[test]
+fn numbers_along_components_are_read() -> Result<(), Error> {
+    let (mut graph, sites) = (graph(20), 20);
+    graph.masses = (0..40).map(|i| 1.0 + 0.1 * i as f64).collect();
+    let q: Vec<_> = (0..sites).map(|i| [0, 1, 2, 3, 4].map(|d| wave(5 * i + d))).collect();
+    let mut force = vec![[0.0; 5]; sites];
+    for (i, j, k) in entries(&graph) {
+        for d in 0..5 {
+            let term = graph.masses[i + k + d] * (q[i][d] - q[j][d]);
+            force[i][d] -= term;
+            force[j][d] += term;
+        }
+    }
+    let mut run = Springs(graph).run_with(Euler, Phase::new(q, vec![[0.0; 5]; sites]), STEP)?;
+    run.advance(1)?;
+    are_near(run.state().p.as_flattened(), force.as_flattened().iter().map(|force| STEP * force), 100.0);
     Ok(())
 }

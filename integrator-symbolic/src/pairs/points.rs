@@ -6,7 +6,7 @@
 
 use crate::graph::{
     Element, Graph, Node, NodeId, Part,
-    index::{Index, IndexId, Loop, LoopId},
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
     rename::Parameters,
 };
 use std::collections::HashMap;
@@ -181,7 +181,8 @@ impl Points {
             return Some(*known);
         }
         let Loop { parent, from, to } = graph.loops.get(by);
-        if parent.is_some() || graph.loops.literal(from) != Some(0) {
+        let is_full = graph.loops.count() + 2 > LoopSet::CAPACITY;
+        if is_full || parent.is_some() || graph.loops.literal(from) != Some(0) {
             return None;
         }
         let factor = graph.loops.intern(Index::Literal(self.components));

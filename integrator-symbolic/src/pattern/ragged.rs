@@ -7,7 +7,7 @@
 use crate::{
     graph::{
         Element, Graph, Node, NodeId,
-        index::{Index, IndexId, Loop, LoopId},
+        index::{Index, IndexId, Loop, LoopId, LoopSet},
         rename::Parameters,
     },
     model::Texts,
@@ -89,7 +89,8 @@ impl Terms<'_, '_> {
     fn flat(&mut self, graph: &mut Graph, [by, inner]: [LoopId; 2], term: NodeId) -> Option<NodeId> {
         let Loop { parent, to, .. } = graph.loops.get(inner);
         let is_list = parent == Some(by) && is_from_zero(graph, inner) && graph.loops.of_index(to).contains(by);
-        if !is_list {
+        // Bounds that are indices themselves, as in triangular loops, need no lists.
+        if !is_list || graph.loops.is_without_lists(to) || graph.loops.count() >= LoopSet::CAPACITY {
             return None;
         }
         let rows = [graph.loops.get(by).to, to];

@@ -118,6 +118,8 @@ pub(super) struct Iterations {
     pub(super) by: Option<LoopId>,
     /// Whether there is one for every place; only then may the last place be followed by the first.
     whole: bool,
+    /// Whether the place after the last one is the first one.
+    wraps: bool,
     from: Place,
     to: Place,
     /// The place of an iteration minus its index; none if there is no loop.
@@ -232,7 +234,14 @@ impl Direction {
         let linear = self.linear(graph, index)?;
         let Some(by) = linear.running else {
             let place = self.place(linear)?;
-            return Some(Iterations { by: None, from: place, to: place.further(1), to_place: 0, whole: false });
+            return Some(Iterations {
+                by: None,
+                from: place,
+                to: place.further(1),
+                to_place: 0,
+                whole: false,
+                wraps: false,
+            });
         };
         let Loop { from, to, .. } = graph.loops.get(by);
         let bound = |bound| self.place(self.linear(graph, bound)?);
@@ -242,7 +251,7 @@ impl Direction {
             return None;
         }
         self.periodic |= linear.wraps;
-        Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole })
+        Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole, wraps: linear.wraps })
     }
 
     /// Leaves of some iterations those in which a comparison of their number holds, or does not, and returns whether
@@ -298,6 +307,7 @@ impl Direction {
         let places = match (from, to) {
             _ if !(0..=self.farthest).contains(&onward) => return None,
             _ if self.number.is_none() && iterations.are_few() && !iterations.are_seen(begins) => return None,
+            _ if iterations.wraps && iterations.are_few() && begins != 0 => return None,
             // The first iteration would belong to a place before the first one, which open ends do not have.
             _ if iterations.whole && begins != 0 && !self.periodic => return None,
             _ if iterations.whole => Extent::All,

@@ -22,7 +22,7 @@ use crate::{
     prose::{self, Formulas},
     syntax::names::Names,
 };
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
 /// The prepared constants: what is written for each, field by field.
@@ -61,6 +61,7 @@ impl Constants {
                 Content::Integer(id) => emitter.model.parameters[id.0 as usize].named_whole(&emitter.model.running),
                 _ => content.node().and_then(|id| whole(emitter.model, id)),
             };
+            let values = Values::of(emitter.model, content.node().filter(|_| whole.is_none()));
             let is_of_pairs = whole.as_ref().is_some_and(|whole| whole.table.is_some());
             let (kind, value) = match content {
                 Content::Number(id) => match (&whole, table.levels.first()) {
@@ -69,7 +70,10 @@ impl Constants {
                         (quote!(#runtime::#kind<#scalar>), code.clone())
                     }
                     (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
-                    _ => (scalar.to_token_stream(), prepared_number(&mut emitter, id)),
+                    _ => {
+                        let number = prepared_number(&mut emitter, id);
+                        (scalar.to_token_stream(), values.named_in(number))
+                    }
                 },
                 Content::Integer(id) => match (&whole, table.levels.first()) {
                     (Some(_), Some(Level { index, .. })) => (quote!(usize), quote!(__values[#index])),
@@ -123,7 +127,7 @@ impl Constants {
                     let __values = #code;
                     #value
                 }),
-                None => value,
+                None => values.declared(value),
             };
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
@@ -268,6 +272,49 @@ pub(crate) fn with_count(lines: TokenStream, count: Option<&TokenStream>) -> Bod
 fn whole(model: &Model, id: NodeId) -> Option<Whole> {
     let Node::Parameter(parameter) = model.graph.node(id) else { return None };
     model.parameters[parameter.0 as usize].named_whole(&model.running)
+}
+
+/// The lists that a number is computed from, whose values are made at once.
+struct Values {
+    /// The code of each, and its name.
+    lists: Vec<(TokenStream, Ident)>,
+}
+
+impl Values {
+    fn of(model: &Model, number: Option<NodeId>) -> Self {
+        let nodes = number.map_or_else(Vec::new, |number| model.graph.reachable([number]));
+        let lists = nodes.into_iter().filter_map(|id| whole(model, id)).filter(|whole| whole.table.is_none());
+        let named = |(number, whole): (usize, Whole)| (whole.code, format_ident!("__values_{number}"));
+        Self { lists: lists.enumerate().map(named).collect() }
+    }
+
+    /// A text that reads the lists by name in place of making them.
+    fn named_in(&self, text: TokenStream) -> TokenStream {
+        if self.lists.is_empty() {
+            return text;
+        }
+        let named = text.into_iter().map(|token| match token {
+            TokenTree::Group(group) => {
+                let code = group.stream().to_string();
+                let list = self.lists.iter().find(|(list, _)| list.to_string() == code);
+                list.map_or_else(
+                    || TokenTree::Group(Group::new(group.delimiter(), self.named_in(group.stream()))),
+                    |(_, name)| name.clone().into(),
+                )
+            }
+            other => other,
+        });
+        named.collect()
+    }
+
+    /// A text after the declaration of the lists.
+    fn declared(&self, text: TokenStream) -> TokenStream {
+        if self.lists.is_empty() {
+            return text;
+        }
+        let declarations = self.lists.iter().map(|(code, name)| quote!(let #name = #code;));
+        quote!({ #(#declarations)* #text })
+    }
 }
 
 /// The expression of a number that is made of parameters alone.

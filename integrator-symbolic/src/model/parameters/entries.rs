@@ -25,6 +25,9 @@ impl Texts<'_> {
         loops: [LoopId; 2],
         entries: LoopId,
     ) -> Option<ParameterId> {
+        if !is_of(graph.loops.of_parameter(number), loops) {
+            return None;
+        }
         let (text, own) = (self.is_plain_number(number).then(|| self.text(number))?, self.own_text(number));
         let entry = self.of_entries(graph, &text, rows, loops, entries)?;
         self.show(entry, &own);
@@ -41,6 +44,9 @@ impl Texts<'_> {
         loops: [LoopId; 2],
         entries: LoopId,
     ) -> Option<ParameterId> {
+        if !is_of(graph.loops.of_index(index), loops) {
+            return None;
+        }
         let text = self.text_of(graph, index)?;
         let list = self.of_entries(graph, &text, rows, loops, entries)?;
         self.show(list, &text);
@@ -94,4 +100,9 @@ impl Texts<'_> {
             _ => return None,
         })
     }
+}
+
+/// Whether a text depends on the indices of these loops alone.
+fn is_of(own: LoopSet, loops: [LoopId; 2]) -> bool {
+    own.is_subset(LoopSet::of(loops[0]).union(LoopSet::of(loops[1])))
 }
