@@ -209,15 +209,17 @@ fn stencil_of(
         });
         let mut begins: Vec<_> = begins.collect();
         let last = own.len() - 1;
-        if let Some([few, others]) =
-            own[last].cut(begins[last]).filter(|_| !reads_tables && !gathering.stencil.directions[last].periodic)
-        {
-            let at = [&own[..last], &[few]].concat();
-            gathering.contribution(contribution.value, &[&own[..last], &[others]].concat(), &begins)?;
-            begins[last] = few.to_place;
-            gathering.contribution(contribution.value, &at, &begins)?;
-        } else {
-            gathering.contribution(contribution.value, own, &begins)?;
+        let is_open = !gathering.stencil.directions[last].periodic;
+        let (first, others) = match own[last].cut(begins[last]).filter(|_| !reads_tables && is_open) {
+            Some([first, others]) => (Some(first), others),
+            None => (None, own[last]),
+        };
+        let mut own = own.clone();
+        own[last] = others;
+        gathering.contribution(contribution.value, &own, &begins, reads_tables)?;
+        if let Some(first) = first {
+            (own[last], begins[last]) = (first, first.to_place);
+            gathering.contribution(contribution.value, &own, &begins, reads_tables)?;
         }
     }
     let stencil = gathering.finished()?;
@@ -272,8 +274,13 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     }
 
     /// Notes what some iterations add to a site, as seen from the first site that iterations of their loops add to.
-    fn contribution(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<()> {
-        let reads_tables = self.reads_tables(value);
+    fn contribution(
+        &mut self,
+        value: NodeId,
+        iterations: &[Iterations],
+        begins: &[i64],
+        reads_tables: bool,
+    ) -> Option<()> {
         let value = self.seen(value, iterations, begins)?;
         let directions = self.stencil.directions.iter_mut().zip(iterations).zip(begins);
         let along = directions

@@ -82,6 +82,9 @@ impl Part {
     }
 }
 
+/// The most components of a point whose loops are written out or whose coordinates are read together.
+pub(crate) const MOST_COMPONENTS: u64 = 8;
+
 /// One coordinate: which point (or number), and which of its components where coordinates are points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Element {

@@ -4,13 +4,10 @@
 //! loop. So the loops around them are innermost ones. A value is left as it is where it reads lists by component.
 
 use super::{
-    Element, Graph, Node, NodeId,
+    Element, Graph, MOST_COMPONENTS, Node, NodeId,
     index::{Index, LoopId},
 };
 use std::{collections::HashMap, ops::Range};
-
-/// The most components of a point whose loops are written out.
-const MOST_COMPONENTS: u64 = 8;
 
 /// Values with sums over components written out, so far.
 #[derive(Default)]

@@ -28,6 +28,7 @@ use code::shape::{Signature, WholeSignature, mismatch, signature, whole_signatur
 use code::sign::is_never_negative;
 use control::arm::Arm;
 pub(crate) use expressions::elementary::known_functions;
+pub(crate) use parameters::entries::Entries;
 pub(crate) use parameters::parameter_text::{COUNT, Texts};
 pub(crate) use parameters::prepared::{is_constant, is_field, is_leaf};
 use parameters::running_index::with_indices;

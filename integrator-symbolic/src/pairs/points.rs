@@ -4,15 +4,13 @@
 //! the point and the component name the number that the index names, if the number of coordinates is a multiple of the number
 //! of components.
 
+use super::order::rewritten;
 use crate::graph::{
-    Element, Graph, Node, NodeId, Part,
+    Element, Graph, MOST_COMPONENTS, Node, NodeId, Part,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
     rename::Parameters,
 };
 use std::collections::HashMap;
-
-/// The most components of a point.
-const MOST_COMPONENTS: u64 = 8;
 
 /// The number of components of the points that flat positions are: the factor that all indices of positions have in common.
 pub(crate) fn components(graph: &Graph, potential: NodeId) -> Option<u64> {
@@ -100,23 +98,15 @@ pub(crate) fn number_of_points(graph: &mut Graph, length: IndexId, components: u
 
 /// The energy of points as one of flat coordinates.
 pub(crate) fn of_numbers(graph: &mut Graph, energy: NodeId, components: u64) -> NodeId {
-    let mut new: HashMap<NodeId, NodeId> = HashMap::new();
-    for id in graph.reachable([energy]) {
-        let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
-        let node = match graph.node(id) {
-            Node::Coordinate(element @ Element { index, component: Some(component), .. }) => {
-                let factor = graph.loops.intern(Index::Literal(components));
-                let first = graph.loops.intern(Index::Mul(factor, index));
-                let index = graph.loops.intern(Index::Add(first, component));
-                graph.coordinate(Element { index, component: None, ..element })
-            }
-            node if node.children().all(|child| of(child) == child) => id,
-            Node::Select(condition, a, b) => graph.select(of(condition), of(a), of(b)),
-            node => graph.rebuilt(node.map(of)),
+    rewritten(graph, energy, |graph, id| {
+        let Node::Coordinate(element @ Element { index, component: Some(component), .. }) = graph.node(id) else {
+            return None;
         };
-        new.insert(id, node);
-    }
-    new[&energy]
+        let factor = graph.loops.intern(Index::Literal(components));
+        let first = graph.loops.intern(Index::Mul(factor, index));
+        let index = graph.loops.intern(Index::Add(first, component));
+        Some(graph.coordinate(Element { index, component: None, ..element }))
+    })
 }
 
 struct Points {

@@ -13,7 +13,7 @@ use crate::{
     },
     model::{Length, Model, Texts},
     pairs::{Cutoff, Pairs, acting, cutoff, moving, over_all, pairs, per_body, points, pull},
-    program::{Sink, Store, is_direct},
+    program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
 };
 use std::collections::BTreeSet;
 
@@ -23,9 +23,6 @@ pub(crate) const LISTED_FROM: u64 = 384;
 /// The fewest bodies, where their number is known, whose pairs are summed apart from other terms, and in order where they may
 /// not be exchanged: fewer are as fast as written, and devices keep them in registers.
 const APART_FROM: u64 = 33;
-
-/// The most flat coordinates that stay as they are: so few are as fast in one expression each.
-const SHORT: u64 = 64;
 
 /// A potential of pairs with a kinetic energy of bodies.
 pub(crate) struct AllPairs {
@@ -129,7 +126,7 @@ impl Energies {
 
     /// The energies of points whose coordinates are flat.
     fn of_flat(model: &mut Model) -> Option<Self> {
-        let is_short = model.shape.numbers().is_some_and(|numbers| numbers <= SHORT);
+        let is_short = model.shape.numbers().is_some_and(|numbers| numbers < FEWEST_COORDINATES);
         if is_short || !model.shape.inner.is_empty() || model.jacobi().is_some() {
             return None;
         }

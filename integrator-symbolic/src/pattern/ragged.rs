@@ -10,14 +10,14 @@ use crate::{
         index::{Index, IndexId, Loop, LoopId, LoopSet},
         rename::Parameters,
     },
-    model::Texts,
+    model::{Entries, Texts},
 };
 use std::collections::HashMap;
 
 /// The potential with such sums over one list each; `None` if there are none.
 pub(super) fn flattened(graph: &mut Graph, potential: NodeId, texts: &mut Texts<'_>) -> Option<NodeId> {
     let mut terms = Terms { texts, count: 0 };
-    let flattened = terms.of_sum(graph, potential, None);
+    let flattened = terms.of_sum(graph, potential);
     (terms.count > 0).then_some(flattened)
 }
 
@@ -28,22 +28,22 @@ struct Terms<'t, 'm> {
 }
 
 impl Terms<'_, '_> {
-    /// A sum of terms, in the loop `outer` or in none.
-    fn of_sum(&mut self, graph: &mut Graph, id: NodeId, outer: Option<LoopId>) -> NodeId {
-        match (graph.node(id), outer) {
-            (Node::Add(a, b), _) => {
-                let (a, b) = (self.of_sum(graph, a, outer), self.of_sum(graph, b, outer));
+    /// A sum of terms outside of all loops.
+    fn of_sum(&mut self, graph: &mut Graph, id: NodeId) -> NodeId {
+        match graph.node(id) {
+            Node::Add(a, b) => {
+                let (a, b) = (self.of_sum(graph, a), self.of_sum(graph, b));
                 graph.add(a, b)
             }
-            (Node::Neg(a), _) => {
-                let a = self.of_sum(graph, a, outer);
+            Node::Neg(a) => {
+                let a = self.of_sum(graph, a);
                 graph.neg(a)
             }
-            (Node::Mul(factor, a), None) if graph.is_prepared(factor) => {
-                let a = self.of_sum(graph, a, outer);
+            Node::Mul(factor, a) if graph.is_prepared(factor) => {
+                let a = self.of_sum(graph, a);
                 graph.mul(factor, a)
             }
-            (Node::Sum(by, body), None) if is_from_zero(graph, by) && graph.loops.of_range(by).is_empty() => {
+            Node::Sum(by, body) if is_from_zero(graph, by) && graph.loops.of_range(by).is_empty() => {
                 self.of_loop(graph, by, body, None)
             }
             _ => id,
@@ -96,8 +96,9 @@ impl Terms<'_, '_> {
         let rows = [graph.loops.get(by).to, to];
         let total = self.texts.total_of(graph, rows, by)?;
         let [from, to] = [Index::Literal(0), Index::Parameter(total)].map(|bound| graph.loops.intern(bound));
-        let entries = graph.loops.range(Loop { parent: None, from, to });
-        self.texts.name_if_new(entries, inner);
+        let all = graph.loops.range(Loop { parent: None, from, to });
+        self.texts.name_if_new(all, inner);
+        let entries = Entries { rows, loops: [by, inner], all };
         let mut new: HashMap<NodeId, NodeId> = HashMap::new();
         for id in graph.reachable([term]) {
             let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
@@ -105,11 +106,11 @@ impl Terms<'_, '_> {
             let node = match graph.node(id) {
                 _ if !loops.contains(by) && !loops.contains(inner) => id,
                 Node::Parameter(parameter) => {
-                    let entry = self.texts.entry_of(graph, parameter, rows, [by, inner], entries)?;
+                    let entry = self.texts.entry_of(graph, parameter, entries)?;
                     graph.parameter(entry)
                 }
                 Node::Coordinate(element) => {
-                    let index = self.index(graph, element.index, rows, [by, inner], entries)?;
+                    let index = self.index(graph, element.index, entries)?;
                     let is_apart = element.component.is_none_or(|component| {
                         let loops = graph.loops.of_index(component);
                         !loops.contains(by) && !loops.contains(inner)
@@ -130,23 +131,16 @@ impl Terms<'_, '_> {
             new.insert(id, node);
         }
         self.count += 1;
-        Some(graph.sum(entries, new[&term]))
+        Some(graph.sum(all, new[&term]))
     }
 
     /// The index of a coordinate as an element of a list of all entries.
-    fn index(
-        &mut self,
-        graph: &mut Graph,
-        index: IndexId,
-        rows: [IndexId; 2],
-        loops: [LoopId; 2],
-        entries: LoopId,
-    ) -> Option<IndexId> {
+    fn index(&mut self, graph: &mut Graph, index: IndexId, entries: Entries) -> Option<IndexId> {
         let own = graph.loops.of_index(index);
-        if !loops.into_iter().any(|by| own.contains(by)) {
+        if !entries.loops.into_iter().any(|by| own.contains(by)) {
             return Some(index);
         }
-        let list = self.texts.list_of(graph, index, rows, loops, entries)?;
+        let list = self.texts.list_of(graph, index, entries)?;
         Some(graph.loops.intern(Index::Parameter(list)))
     }
 }

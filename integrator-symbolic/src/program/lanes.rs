@@ -6,7 +6,7 @@
 
 use super::{
     Item, Program,
-    lists::{computes, is_called, is_over_list, position},
+    lists::{computes, is_called, is_over_list, literal_count, position, read_together},
     nest::{Nest, NestContext},
 };
 use crate::graph::{
@@ -19,10 +19,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 const FEWEST: u64 = 16;
 
 /// The fewest coordinates, where their number is known: fewer are registers of unrolled loops, and those of devices.
-const FEWEST_COORDINATES: u64 = 65;
-
-/// The most components of a point.
-const MOST_COMPONENTS: u64 = 8;
+pub(crate) const FEWEST_COORDINATES: u64 = 65;
 
 /// The most points that an iteration reads, and the most sums that it adds to.
 const MOST: usize = 16;
@@ -104,9 +101,7 @@ impl<'s> LaneContext<'s> {
         let Self { graph, lengths, named, .. } = self;
         let Item::Loop { by, body } = item else { return None };
         let by = *by;
-        let range = graph.loops.get(by);
-        let count = graph.loops.literal(range.to).map(|to| to - graph.loops.literal(range.from).unwrap_or(0).min(to));
-        let are_few = count.is_some_and(|count| count < FEWEST);
+        let are_few = literal_count(graph, by).is_some_and(|count| count < FEWEST);
         let is_volume = graph.loops.sites_of_row().is_some();
         if are_few || is_volume || !are_many(graph, lengths) || is_over_list(graph, by, body) {
             return None;
@@ -125,10 +120,7 @@ impl<'s> LaneContext<'s> {
         if has_wrong_lines || !is_short || !sums.iter().all(is_sum) || sums.is_empty() && targets.is_empty() {
             return None;
         }
-        let components = match lengths.get(1).map(|components| graph.loops.literal(*components)) {
-            None => None,
-            Some(known) => Some(known.filter(|known| *known <= MOST_COMPONENTS)? as usize),
-        };
+        let components = read_together(graph, lengths.get(1).copied())?;
         let mut lanes = LoopInLanes {
             components,
             body,

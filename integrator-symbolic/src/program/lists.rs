@@ -9,16 +9,13 @@ use super::{
     nest::{Nest, NestContext},
 };
 use crate::graph::{
-    Element, Graph, Node, NodeId, Part, Scope,
+    Element, Graph, MOST_COMPONENTS, Node, NodeId, Part, Scope,
     index::{Index, IndexId, LoopId},
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The fewest terms of which vectors are made where their number is known.
 const FEWEST: u64 = 8;
-
-/// The most components of a point.
-const MOST_COMPONENTS: u64 = 8;
 
 /// The most values that a term adds or reads; a longer one would fill registers many times over.
 const MOST: usize = 48;
@@ -87,9 +84,7 @@ impl<'p> ListSum<'p> {
         body: &'p [Item],
         is_table: impl Fn(NodeId) -> bool,
     ) -> Option<Self> {
-        let range = graph.loops.get(by);
-        let count = graph.loops.literal(range.to).map(|to| to - graph.loops.literal(range.from).unwrap_or(0).min(to));
-        if !is_over_list(graph, by, body) || count.is_some_and(|count| count < FEWEST) {
+        if !is_over_list(graph, by, body) || literal_count(graph, by).is_some_and(|count| count < FEWEST) {
             return None;
         }
         let context = NestContext { graph, named, operands: &BTreeMap::new() };
@@ -99,10 +94,7 @@ impl<'p> ListSum<'p> {
         if !is_alone || body.iter().any(|line| computes(graph, named, line, is_called)) {
             return None;
         }
-        let components = match components.map(|components| graph.loops.literal(components)) {
-            None => None,
-            Some(known) => Some(known.filter(|known| *known <= MOST_COMPONENTS)? as usize),
-        };
+        let components = read_together(graph, components)?;
         let mut sum = Self {
             components,
             body,
@@ -150,6 +142,20 @@ impl<'p> ListSum<'p> {
         let is_listed = is_listed(graph, by, element.index);
         (is_listed && is_point).then(|| (position(&mut self.lists, element.index), component as usize))
     }
+}
+
+/// The number of iterations of a loop, if it is a number.
+pub(super) fn literal_count(graph: &Graph, by: LoopId) -> Option<u64> {
+    let range = graph.loops.get(by);
+    graph.loops.literal(range.to).map(|to| to - graph.loops.literal(range.from).unwrap_or(0).min(to))
+}
+
+/// The number of components of a point, where coordinates are points; `None` where these are too many, or their number is not
+/// known.
+pub(super) fn read_together(graph: &Graph, components: Option<IndexId>) -> Option<Option<usize>> {
+    let Some(components) = components else { return Some(None) };
+    let known = graph.loops.literal(components).filter(|known| *known <= MOST_COMPONENTS)?;
+    Some(Some(known as usize))
 }
 
 /// The position of an element, which is appended where it is new.

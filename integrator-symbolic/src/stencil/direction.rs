@@ -328,10 +328,11 @@ impl Direction {
         };
         if let Some(by) = iterations.by {
             let begins_at = if self.apart { 0 } else { begins };
-            match reads_tables {
-                true => self.begins.insert(by, begins_at).unwrap_or(begins_at),
-                false => *self.begins.entry(by).or_insert(begins_at),
-            };
+            if reads_tables {
+                self.begins.insert(by, begins_at);
+            } else {
+                self.begins.entry(by).or_insert(begins_at);
+            }
             if iterations.whole && !self.apart {
                 self.first = self.first.max(begins.unsigned_abs());
                 self.last = self.last.max(begins.unsigned_abs());

@@ -13,7 +13,7 @@ use crate::{
         read_by_methods::ReadByMethods,
     },
     graph::{
-        Node, NodeId,
+        Graph, Node, NodeId, ParameterId,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     lower::lower,
@@ -57,28 +57,19 @@ impl Constants {
         let scalar = &names.scalar;
         for (content, name) in fields.into_contents() {
             let table = Table::of(emitter.model, names, content);
-            let whole = match content {
-                Content::Integer(id) => emitter.model.parameters[id.0 as usize].named_whole(&emitter.model.running),
-                _ => content.node().and_then(|id| whole(emitter.model, id)),
-            };
-            let values = Values::of(emitter.model, content.node().filter(|_| whole.is_none()));
-            let is_of_pairs = whole.as_ref().is_some_and(|whole| whole.table.is_some());
+            let (of_pairs, values) = (table_of_pairs(emitter.model, content), Values::of(emitter.model, content));
             let (kind, value) = match content {
-                Content::Number(id) => match (&whole, table.levels.first()) {
-                    (Some(Whole { code, table: Some(kind) }), _) => {
+                Content::Number(id) => match &of_pairs {
+                    Some((kind, code)) => {
                         let (runtime, kind) = (&names.runtime, format_ident!("{kind}"));
                         (quote!(#runtime::#kind<#scalar>), code.clone())
                     }
-                    (Some(_), Some(Level { index, .. })) => (scalar.to_token_stream(), quote!(__values[#index])),
-                    _ => {
+                    None => {
                         let number = prepared_number(&mut emitter, id);
                         (scalar.to_token_stream(), values.named_in(number))
                     }
                 },
-                Content::Integer(id) => match (&whole, table.levels.first()) {
-                    (Some(_), Some(Level { index, .. })) => (quote!(usize), quote!(__values[#index])),
-                    _ => (quote!(usize), emitter.model.text(id)),
-                },
+                Content::Integer(id) => (quote!(usize), values.named_in(emitter.model.text(id))),
                 Content::Flag(id) => {
                     let text = emitter.model.text(id);
                     (scalar.to_token_stream(), quote!(if #text { 1.0 } else { 0.0 }))
@@ -115,24 +106,17 @@ impl Constants {
             let documentation = prose::documentation(emitter.model, content.node());
             let kind = table.kind(kind, names);
             for (number, slopes) in prepared.slopes.iter_mut().enumerate() {
-                let slope = match is_of_pairs {
+                let slope = match of_pairs.is_some() {
                     true => quote!(#value.zeros()),
                     false => table.prepared(slope(&mut emitter, content, number, &value), content, names),
                 };
                 slopes.extend(quote!(#name: #slope,));
             }
-            let value = table.prepared(value, content, names);
-            let value = match whole.filter(|_| !is_of_pairs) {
-                Some(Whole { code, .. }) => quote!({
-                    let __values = #code;
-                    #value
-                }),
-                None => values.declared(value),
-            };
+            let value = values.declared(table.prepared(value, content, names));
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
-                _ if is_of_pairs => Some(quote!(a.#name.is_like(&b.#name))),
+                _ if of_pairs.is_some() => Some(quote!(a.#name.is_like(&b.#name))),
                 _ => None,
             });
             if !matches!(content, Content::External(_) | Content::OwnFlow(_)) {
@@ -268,23 +252,45 @@ pub(crate) fn with_count(lines: TokenStream, count: Option<&TokenStream>) -> Bod
     }
 }
 
-/// The code of all values of a prepared constant at once, with the indices of loops as they are called.
-fn whole(model: &Model, id: NodeId) -> Option<Whole> {
-    let Node::Parameter(parameter) = model.graph.node(id) else { return None };
+/// The type of the runtime that a prepared constant of pairs of bodies has, and its code.
+fn table_of_pairs(model: &Model, content: Content) -> Option<(&'static str, TokenStream)> {
+    let Whole { code, table } = whole(model, parameter(&model.graph, content.node()?)?)?;
+    Some((table?, code))
+}
+
+/// The code of all values of a parameter at once, with the indices of loops as they are called.
+fn whole(model: &Model, parameter: ParameterId) -> Option<Whole> {
     model.parameters[parameter.0 as usize].named_whole(&model.running)
 }
 
-/// The lists that a number is computed from, whose values are made at once.
+fn parameter(graph: &Graph, id: NodeId) -> Option<ParameterId> {
+    match graph.node(id) {
+        Node::Parameter(parameter) => Some(parameter),
+        _ => None,
+    }
+}
+
+/// The lists that a prepared constant is computed from, whose values are made at once.
 struct Values {
     /// The code of each, and its name.
     lists: Vec<(TokenStream, Ident)>,
 }
 
 impl Values {
-    fn of(model: &Model, number: Option<NodeId>) -> Self {
-        let nodes = number.map_or_else(Vec::new, |number| model.graph.reachable([number]));
-        let lists = nodes.into_iter().filter_map(|id| whole(model, id)).filter(|whole| whole.table.is_none());
-        let named = |(number, whole): (usize, Whole)| (whole.code, format_ident!("__values_{number}"));
+    fn of(model: &Model, content: Content) -> Self {
+        let parameters: Vec<ParameterId> = match content {
+            Content::Number(number) => {
+                let nodes = model.graph.reachable([number]);
+                nodes.into_iter().filter_map(|id| parameter(&model.graph, id)).collect()
+            }
+            Content::Integer(parameter) => vec![parameter],
+            Content::Flag(_) | Content::Middle | Content::External(_) | Content::OwnFlow(_) => Vec::new(),
+        };
+        let lists = parameters.into_iter().filter_map(|id| whole(model, id)).filter(|whole| whole.table.is_none());
+        let named = |(number, whole): (usize, Whole)| match number {
+            0 => (whole.code, format_ident!("__values")),
+            _ => (whole.code, format_ident!("__values_{number}")),
+        };
         Self { lists: lists.enumerate().map(named).collect() }
     }
 

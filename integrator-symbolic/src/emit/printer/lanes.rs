@@ -6,7 +6,7 @@ use super::{
     expression::Printer,
     fields::Fields,
     function::Body,
-    index::part_name,
+    lists::gradient_of_points,
 };
 use crate::{
     graph::{NodeId, index::LoopId},
@@ -126,29 +126,13 @@ impl Block<'_> {
     /// The call of the runtime.
     fn call_of_loop(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>, reads_time: bool) -> TokenStream {
         let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
-        let range = printer.graph.loops.get(by);
-        let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
-        let parts = lanes.parts.iter().map(|part| {
-            let part = part_name(*part);
-            match lanes.components {
-                Some(_) => quote!(&motion.#part[..]),
-                None => quote!(motion.#part.as_chunks::<1>().0),
-            }
-        });
-        let constants: Vec<_> = lanes.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
-        let mut common: Vec<_> = lanes.common.iter().map(|id| printer.expression(fields, *id).tokens).collect();
-        common.extend(reads_time.then(|| quote!(time)));
-        let gradient = match (lanes.target, lanes.components) {
-            (None, _) => quote!(&mut []),
-            (Some(_), Some(_)) => quote!(&mut gradient[..]),
-            (Some(_), None) => quote!(gradient.as_chunks_mut::<1>().0),
-        };
+        let (range, operands) =
+            printer.operands(fields, by, &lanes.parts, lanes.components, [&lanes.constants, &lanes.common], reads_time);
+        let gradient = lanes.target.map_or_else(|| quote!(&mut []), |_| gradient_of_points(lanes.components));
         quote! {
             #runtime::Loop {
-                range: #from..#to,
-                parts: [#(#parts),*],
-                constants: [#(#constants),*],
-                common: [#(#common),*],
+                range: #range,
+                #operands
             }
             .run::<#iteration, _, _, _>(#gradient)
         }

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     graph::{
-        Graph, NodeId,
+        Graph, NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
     model::{Model, Parameter, is_field},
@@ -127,37 +127,61 @@ impl Block<'_> {
     /// The call of the runtime.
     fn call(&self, fields: &mut Fields, by: LoopId, sum: &ListSum<'_>, reads_time: bool) -> TokenStream {
         let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
-        let range = printer.graph.loops.get(by);
-        let (from, to) = (printer.index(fields, range.from), printer.index(fields, range.to));
+        let (range, operands) =
+            printer.operands(fields, by, &sum.parts, sum.components, [&sum.constants, &sum.common], reads_time);
         let lists: Vec<_> = sum.lists.iter().map(|list| printer.list(fields, by, *list)).collect();
-        let parts = sum.parts.iter().map(|part| {
-            let part = part_name(*part);
-            match sum.components {
-                Some(_) => quote!(&motion.#part[..]),
-                None => quote!(motion.#part.as_chunks::<1>().0),
-            }
-        });
-        let constants: Vec<_> = sum.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
-        let mut common: Vec<_> = sum.common.iter().map(|id| printer.expression(fields, *id).tokens).collect();
-        common.extend(reads_time.then(|| quote!(time)));
-        let sums = match sum.components {
-            Some(_) => quote!(&mut gradient[..]),
-            None => quote!(gradient.as_chunks_mut::<1>().0),
-        };
+        let sums = gradient_of_points(sum.components);
         quote! {
             #runtime::Terms {
-                range: #from..#to,
+                range: #range,
                 lists: [#(#lists),*],
-                parts: [#(#parts),*],
-                constants: [#(#constants),*],
-                common: [#(#common),*],
+                #operands
             }
             .add_to::<#iteration, _, _>(#sums);
         }
     }
 }
 
+/// The gradient as points, with this number of components where coordinates are points.
+pub(super) fn gradient_of_points(components: Option<usize>) -> TokenStream {
+    match components {
+        Some(_) => quote!(&mut gradient[..]),
+        None => quote!(gradient.as_chunks_mut::<1>().0),
+    }
+}
+
 impl Printer<'_> {
+    /// The range of a loop whose iterations share vectors, and the fields of the runtime's struct for the parts of coordinates
+    /// that they read, for their constants, and for the numbers that they have in common.
+    pub(super) fn operands(
+        &self,
+        fields: &mut Fields,
+        by: LoopId,
+        parts: &[Part],
+        components: Option<usize>,
+        [constants, common]: [&[NodeId]; 2],
+        reads_time: bool,
+    ) -> (TokenStream, TokenStream) {
+        let range = self.graph.loops.get(by);
+        let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
+        let parts = parts.iter().map(|part| {
+            let part = part_name(*part);
+            match components {
+                Some(_) => quote!(&motion.#part[..]),
+                None => quote!(motion.#part.as_chunks::<1>().0),
+            }
+        });
+        let constants: Vec<_> = constants.iter().map(|id| self.table(fields, by, *id)).collect();
+        let mut common: Vec<_> = common.iter().map(|id| self.expression(fields, *id).tokens).collect();
+        common.extend(reads_time.then(|| quote!(time)));
+        let operands = quote! {
+            parts: [#(#parts),*],
+            constants: [#(#constants),*],
+            common: [#(#common),*],
+        };
+        (quote!(#from..#to), operands)
+    }
+
     /// A list of indices, along the loop that is the last of its own.
     fn list(&self, fields: &mut Fields, by: LoopId, list: IndexId) -> TokenStream {
         let Index::Parameter(parameter) = self.graph.loops.index(list) else { return TokenStream::new() };
@@ -167,7 +191,7 @@ impl Printer<'_> {
     }
 
     /// A table of prepared constants, likewise.
-    pub(super) fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
+    fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
         let name = fields.number(self.graph, self.parameters, id);
         let table = self.prepared(name, self.graph.loops_of(id).without(by));
         quote!(&#table[..])

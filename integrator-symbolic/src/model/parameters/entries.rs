@@ -8,6 +8,24 @@ use crate::graph::{
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+/// The entries of the lists of a loop.
+#[derive(Clone, Copy)]
+pub(crate) struct Entries {
+    /// The number of lists and the length of each.
+    pub(crate) rows: [IndexId; 2],
+    /// The loops over the lists and over the entries of each.
+    pub(crate) loops: [LoopId; 2],
+    /// The loop over all entries.
+    pub(crate) all: LoopId,
+}
+
+impl Entries {
+    /// Whether a text depends on the indices of a list and of an entry alone.
+    fn are_of(self, own: LoopSet) -> bool {
+        own.is_subset(LoopSet::of(self.loops[0]).union(LoopSet::of(self.loops[1])))
+    }
+}
+
 impl Texts<'_> {
     /// The number of all entries of the lists of a loop; `rows` are the number of lists and the length of each.
     pub(crate) fn total_of(&mut self, graph: &mut Graph, rows: [IndexId; 2], by: LoopId) -> Option<ParameterId> {
@@ -17,55 +35,35 @@ impl Texts<'_> {
     }
 
     /// A number of each entry.
-    pub(crate) fn entry_of(
-        &mut self,
-        graph: &mut Graph,
-        number: ParameterId,
-        rows: [IndexId; 2],
-        loops: [LoopId; 2],
-        entries: LoopId,
-    ) -> Option<ParameterId> {
-        if !is_of(graph.loops.of_parameter(number), loops) {
+    pub(crate) fn entry_of(&mut self, graph: &mut Graph, number: ParameterId, entries: Entries) -> Option<ParameterId> {
+        if !entries.are_of(graph.loops.of_parameter(number)) {
             return None;
         }
         let (text, own) = (self.is_plain_number(number).then(|| self.text(number))?, self.own_text(number));
-        let entry = self.of_entries(graph, &text, rows, loops, entries)?;
+        let entry = self.of_entries(graph, &text, entries)?;
         self.show(entry, &own);
         graph.declare_missing_like(entry, number);
         Some(entry)
     }
 
     /// An index for each entry.
-    pub(crate) fn list_of(
-        &mut self,
-        graph: &mut Graph,
-        index: IndexId,
-        rows: [IndexId; 2],
-        loops: [LoopId; 2],
-        entries: LoopId,
-    ) -> Option<ParameterId> {
-        if !is_of(graph.loops.of_index(index), loops) {
+    pub(crate) fn list_of(&mut self, graph: &mut Graph, index: IndexId, entries: Entries) -> Option<ParameterId> {
+        if !entries.are_of(graph.loops.of_index(index)) {
             return None;
         }
         let text = self.text_of(graph, index)?;
-        let list = self.of_entries(graph, &text, rows, loops, entries)?;
+        let list = self.of_entries(graph, &text, entries)?;
         self.show(list, &text);
         Some(list)
     }
 
-    fn of_entries(
-        &mut self,
-        graph: &mut Graph,
-        text: &TokenStream,
-        rows: [IndexId; 2],
-        loops: [LoopId; 2],
-        entries: LoopId,
-    ) -> Option<ParameterId> {
+    fn of_entries(&mut self, graph: &mut Graph, text: &TokenStream, entries: Entries) -> Option<ParameterId> {
+        let Entries { rows, loops, all } = entries;
         let [count, length] = [self.text_of(graph, rows[0])?, self.text_of(graph, rows[1])?];
         let (root, [by, inner]) = (self.root, loops.map(running_index));
         let code = quote!(#root::__private::entries(#count, &|#by: usize| #length, &|#by: usize, #inner: usize| #text));
-        let index = running_index(entries);
-        Some(self.list(graph, quote!((#code)[#index]), LoopSet::of(entries), code))
+        let index = running_index(all);
+        Some(self.list(graph, quote!((#code)[#index]), LoopSet::of(all), code))
     }
 
     /// An integer as text, if it is made of lengths, parameters and indices by simple operations.
@@ -100,9 +98,4 @@ impl Texts<'_> {
             _ => return None,
         })
     }
-}
-
-/// Whether a text depends on the indices of these loops alone.
-fn is_of(own: LoopSet, loops: [LoopId; 2]) -> bool {
-    own.is_subset(LoopSet::of(loops[0]).union(LoopSet::of(loops[1])))
 }

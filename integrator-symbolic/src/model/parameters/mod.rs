@@ -1,7 +1,7 @@
 //! Expressions of parameters: their tokens, and the loops and conditions around them.
 
 mod classes;
-mod entries;
+pub(crate) mod entries;
 mod extremes;
 pub(crate) mod factors;
 mod flags;

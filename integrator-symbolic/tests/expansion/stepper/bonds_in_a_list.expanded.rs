@@ -5,12 +5,12 @@ const _: () = {
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
         prepared_0: usize,
-        prepared_1: runtime::Vec<usize>,
-        prepared_2: runtime::Vec<usize>,
         /// `stiffness[k]`
-        prepared_3: runtime::Vec<Scalar>,
+        prepared_1: runtime::Vec<Scalar>,
         /// `reach`
         reach: Scalar,
+        prepared_3: runtime::Vec<usize>,
+        prepared_4: runtime::Vec<usize>,
         prepared_5: usize,
         prepared_6: runtime::Vec<usize>,
         /// `stiffness[k] / 2`
@@ -22,10 +22,10 @@ const _: () = {
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
                 prepared_0: ::core::clone::Clone::clone(&members[0].prepared_0),
-                prepared_1: ::core::clone::Clone::clone(&members[0].prepared_1),
-                prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
                 reach: runtime::in_lanes(members, |member| &member.reach),
+                prepared_3: ::core::clone::Clone::clone(&members[0].prepared_3),
+                prepared_4: ::core::clone::Clone::clone(&members[0].prepared_4),
                 prepared_5: ::core::clone::Clone::clone(&members[0].prepared_5),
                 prepared_6: ::core::clone::Clone::clone(&members[0].prepared_6),
                 prepared_7: runtime::in_lanes(members, |member| &member.prepared_7),
@@ -33,16 +33,15 @@ const _: () = {
         }
         #[inline]
         fn alike(a: &Self::Single, b: &Self::Single) -> bool {
-            a.prepared_0 == b.prepared_0 && a.prepared_1 == b.prepared_1
-                && a.prepared_2 == b.prepared_2
-                && a.prepared_3.len() == b.prepared_3.len()
+            a.prepared_0 == b.prepared_0 && a.prepared_1.len() == b.prepared_1.len()
+                && a.prepared_3 == b.prepared_3 && a.prepared_4 == b.prepared_4
                 && a.prepared_5 == b.prepared_5 && a.prepared_6 == b.prepared_6
                 && a.prepared_7.len() == b.prepared_7.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found(
                 &mut [
-                    runtime::not_finite("stiffness[k]", &["k"], &single.prepared_3),
+                    runtime::not_finite("stiffness[k]", &["k"], &single.prepared_1),
                     runtime::not_finite("reach", &[], &single.reach),
                     runtime::not_finite("stiffness[k] / 2", &["k"], &single.prepared_7),
                 ],
@@ -51,9 +50,9 @@ const _: () = {
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
             digest.add(&single.prepared_0);
             digest.add(&single.prepared_1);
-            digest.add(&single.prepared_2);
-            digest.add(&single.prepared_3);
             digest.add(&single.reach);
+            digest.add(&single.prepared_3);
+            digest.add(&single.prepared_4);
             digest.add(&single.prepared_5);
             digest.add(&single.prepared_6);
             digest.add(&single.prepared_7);
@@ -92,7 +91,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13510542547831866065;
+        const FINGERPRINT: u64 = 11384569783572275097;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -100,17 +99,17 @@ const _: () = {
                 prepared_0: self.bonds.len(),
                 prepared_1: runtime::table(
                     (self.bonds.len()),
-                    &|k: usize| (self.bonds[k].0),
-                ),
-                prepared_2: runtime::table(
-                    (self.bonds.len()),
-                    &|k: usize| (self.bonds[k].1),
-                ),
-                prepared_3: runtime::table(
-                    (self.bonds.len()),
                     &|k: usize| 2.0 * (0.5 * self.stiffness[k]),
                 ),
                 reach: self.reach,
+                prepared_3: runtime::table(
+                    (self.bonds.len()),
+                    &|k: usize| (self.bonds[k].0),
+                ),
+                prepared_4: runtime::table(
+                    (self.bonds.len()),
+                    &|k: usize| (self.bonds[k].1),
+                ),
                 prepared_5: self.held.len(),
                 prepared_6: runtime::table(
                     (self.held.len()),
@@ -226,11 +225,11 @@ const _: () = {
                 runtime::Terms {
                     range: 0..motion.parameters.prepared_0,
                     lists: [
-                        &motion.parameters.prepared_1[..],
-                        &motion.parameters.prepared_2[..],
+                        &motion.parameters.prepared_3[..],
+                        &motion.parameters.prepared_4[..],
                     ],
                     parts: [&motion.q[..]],
-                    constants: [&motion.parameters.prepared_3[..]],
+                    constants: [&motion.parameters.prepared_1[..]],
                     common: [motion.parameters.reach],
                 }
                     .add_to::<Iteration, _, _>(&mut gradient[..]);
@@ -298,11 +297,11 @@ const _: () = {
         ) -> Scalar {
             let mut sum_1 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_0 {
-                let shared_0 = (motion.q[motion.parameters.prepared_1[k]][0].value()
-                    - motion.q[motion.parameters.prepared_2[k]][0].value())
+                let shared_0 = (motion.q[motion.parameters.prepared_3[k]][0].value()
+                    - motion.q[motion.parameters.prepared_4[k]][0].value())
                     .hypot(
-                        motion.q[motion.parameters.prepared_1[k]][1].value()
-                            - motion.q[motion.parameters.prepared_2[k]][1].value(),
+                        motion.q[motion.parameters.prepared_3[k]][1].value()
+                            - motion.q[motion.parameters.prepared_4[k]][1].value(),
                     );
                 let condition_0 = shared_0.less(motion.parameters.reach);
                 if condition_0.any() {
@@ -449,11 +448,11 @@ const _: () = {
                 runtime::Terms {
                     range: 0..motion.parameters.prepared_0,
                     lists: [
-                        &motion.parameters.prepared_1[..],
-                        &motion.parameters.prepared_2[..],
+                        &motion.parameters.prepared_3[..],
+                        &motion.parameters.prepared_4[..],
                     ],
                     parts: [&motion.q[..], &motion.p[..]],
-                    constants: [&motion.parameters.prepared_3[..]],
+                    constants: [&motion.parameters.prepared_1[..]],
                     common: [motion.parameters.reach],
                 }
                     .add_to::<Iteration, _, _>(&mut gradient[..]);
@@ -575,37 +574,37 @@ const _: () = {
             let energy = {
                 let mut sum_1 = Scalar::of(0.0);
                 for k in 0..motion.parameters.prepared_0 {
-                    let shared_0 = motion.q[motion.parameters.prepared_1[k]][0].value()
-                        - motion.q[motion.parameters.prepared_2[k]][0].value();
-                    let shared_1 = motion.q[motion.parameters.prepared_1[k]][1].value()
-                        - motion.q[motion.parameters.prepared_2[k]][1].value();
+                    let shared_0 = motion.q[motion.parameters.prepared_3[k]][0].value()
+                        - motion.q[motion.parameters.prepared_4[k]][0].value();
+                    let shared_1 = motion.q[motion.parameters.prepared_3[k]][1].value()
+                        - motion.q[motion.parameters.prepared_4[k]][1].value();
                     let shared_2 = shared_0.hypot(shared_1);
                     let condition_0 = shared_2.less(motion.parameters.reach);
                     if condition_0.any() {
                         let shared_3 = shared_2 + Scalar::of(-1.0);
-                        let shared_7 = motion.parameters.prepared_3[k].scale(shared_3);
+                        let shared_7 = motion.parameters.prepared_1[k].scale(shared_3);
                         let shared_8 = Scalar::of(1.0) / shared_2;
                         let shared_9 = shared_7 * (shared_0 * shared_8);
                         let shared_10 = shared_7 * (shared_1 * shared_8);
-                        gradient[motion.parameters.prepared_1[k]][0] = Scalar::select(
+                        gradient[motion.parameters.prepared_3[k]][0] = Scalar::select(
                             condition_0,
-                            gradient[motion.parameters.prepared_1[k]][0] + shared_9,
-                            gradient[motion.parameters.prepared_1[k]][0],
+                            gradient[motion.parameters.prepared_3[k]][0] + shared_9,
+                            gradient[motion.parameters.prepared_3[k]][0],
                         );
-                        gradient[motion.parameters.prepared_2[k]][0] = Scalar::select(
+                        gradient[motion.parameters.prepared_4[k]][0] = Scalar::select(
                             condition_0,
-                            gradient[motion.parameters.prepared_2[k]][0] - shared_9,
-                            gradient[motion.parameters.prepared_2[k]][0],
+                            gradient[motion.parameters.prepared_4[k]][0] - shared_9,
+                            gradient[motion.parameters.prepared_4[k]][0],
                         );
-                        gradient[motion.parameters.prepared_1[k]][1] = Scalar::select(
+                        gradient[motion.parameters.prepared_3[k]][1] = Scalar::select(
                             condition_0,
-                            gradient[motion.parameters.prepared_1[k]][1] + shared_10,
-                            gradient[motion.parameters.prepared_1[k]][1],
+                            gradient[motion.parameters.prepared_3[k]][1] + shared_10,
+                            gradient[motion.parameters.prepared_3[k]][1],
                         );
-                        gradient[motion.parameters.prepared_2[k]][1] = Scalar::select(
+                        gradient[motion.parameters.prepared_4[k]][1] = Scalar::select(
                             condition_0,
-                            gradient[motion.parameters.prepared_2[k]][1] - shared_10,
-                            gradient[motion.parameters.prepared_2[k]][1],
+                            gradient[motion.parameters.prepared_4[k]][1] - shared_10,
+                            gradient[motion.parameters.prepared_4[k]][1],
                         );
                         sum_1 = Scalar::select(
                             condition_0,
