@@ -306,12 +306,13 @@ fn the_macros_depend_on_three_crates() {
 }
 
 #[test]
-fn only_clones_vectors_a_view_and_workers_are_unsafe() {
+fn only_clones_vectors_views_and_workers_are_unsafe() {
     let crates = ["integrator-cli", "integrator-core", "integrator-macros", "integrator-symbolic"];
     let unsafe_code = |line: &str| ["unsafe {", "unsafe fn", "unsafe impl"].iter().any(|form| line.contains(form));
     for (path, text) in crates.iter().flat_map(|name| sources(&root().join(name).join("src"))) {
         let may_be = path.ends_with("instruction_set.rs")
             || path.ends_with("scalar/dual/in_memory.rs")
+            || path.ends_with("system/shared_table.rs")
             || path.ends_with("threads/workers.rs")
             || path.starts_with(root().join("integrator-core/src/scalar/simd/x86"));
         let lines: Vec<_> = text.lines().collect();

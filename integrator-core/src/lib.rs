@@ -271,6 +271,7 @@ pub mod __private {
             pair_set::{Items, PairSet, Unlisted},
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
+            shared_table::{SharedTable, table},
             sites::{Boundary, Flow, MovedSites, Sites, StencilRadii},
         },
         trajectory::{
@@ -297,17 +298,6 @@ pub mod __private {
             elsewhere::{began, go_on_from, positions_in, unfinished},
         },
     };
-
-    /// Returns a table of prepared constants whose length is known at run time.
-    ///
-    /// The closure is behind a reference, so that this compiles once for each `T` and not once for each table.
-    pub fn table<T>(length: usize, element: &dyn Fn(usize) -> T) -> Vec<T> {
-        let mut table = Vec::with_capacity(length);
-        for place in 0..length {
-            table.push(element(place));
-        }
-        table
-    }
 
     /// Returns the entries of a number of lists, one list after the other.
     pub fn entries<T>(lists: usize, length: &dyn Fn(usize) -> usize, entry: &dyn Fn(usize, usize) -> T) -> Vec<T> {

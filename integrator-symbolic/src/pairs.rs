@@ -108,19 +108,19 @@ fn total(graph: &mut Graph, terms: Vec<NodeId>) -> NodeId {
     terms.into_iter().fold(zero, |sum, term| graph.add(sum, term))
 }
 
-/// The gradient of a function of positions or of momenta as one-body contributions: without the loop over all bodies,
-/// which is around all of them.
+/// The energy of a body alone, what the energy is beside it, which depends on parameters alone, and the gradient of the first by
+/// positions or by momenta: without the loop over all bodies, which is around all of them.
 pub(crate) fn per_body(
     graph: &mut Graph,
     energy: NodeId,
     length: IndexId,
     part: Part,
     parameters: &mut dyn Parameters,
-) -> Option<Vec<Contribution>> {
+) -> Option<(NodeId, NodeId, Vec<Contribution>)> {
     let Terms { pair, alone, others, .. } = Terms::of(graph, energy, length, false, parameters);
     let [alone, others] = [alone, others].map(|terms| total(graph, terms));
     let apart = pair.is_none() && graph.is_prepared(others);
-    apart.then(|| gradient(graph, alone, part))
+    apart.then(|| (alone, others, gradient(graph, alone, part)))
 }
 
 /// The loop over this number of bodies.

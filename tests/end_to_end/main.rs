@@ -11,6 +11,7 @@ mod catalogue;
 mod changed_states;
 mod divergence;
 mod ends_of_loops;
+mod energies_in_lanes;
 mod ensemble;
 mod ensemble_checkpoints;
 mod ensemble_times;

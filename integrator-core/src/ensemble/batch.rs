@@ -431,7 +431,7 @@ impl Batch {
                 }
             }
         }
-        self.engine.restart(with_states(self.first, &self.lanes, states));
+        self.engine.restart(self.engine.reloaded(with_states(self.first, &self.lanes, states)));
         self.opened = clock.steps;
     }
 }

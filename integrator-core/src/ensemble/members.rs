@@ -257,6 +257,18 @@ impl Members {
         Some(self.energies.parts(member, &*self.state(member)?, self.time_of(member)?).total)
     }
 
+    /// The energies of all members, in their order.
+    pub(crate) fn energies(&self) -> Vec<f64> {
+        let (mut energies, times) = (Vec::with_capacity(self.count), self.times());
+        for batch in 0..self.batches.len() {
+            self.states(batch, &mut |member, state| {
+                let time = self.shown(member).map_or(times[member], |(time, _)| time);
+                energies.push(self.energies.parts(member, state, time).total);
+            });
+        }
+        energies
+    }
+
     pub(crate) fn invariant(&self, member: usize, name: &str) -> Result<Option<f64>, Error> {
         let known = self.energies.invariants();
         let Some(number) = known.iter().position(|known| *known == name) else {

@@ -258,7 +258,7 @@ impl Members {
     }
 
     /// The times of all members.
-    fn times(&self) -> Vec<f64> {
+    pub(super) fn times(&self) -> Vec<f64> {
         let mut times = Vec::with_capacity(self.count());
         for batch in &self.batches {
             batch.times(self.clock, &mut |time| times.push(time));

@@ -4,7 +4,7 @@ use crate::scalar::{
     elementary::Elementary,
     functions::{self, elementary_functions, fast_kernels, kernel},
     instruction_set::enter_fused,
-    real::{Kernel, Real, compared},
+    real::{IsF64, Kernel, Real, compared},
     simd::{block::Block, lanes::Lanes, pair::Pair, row::Row},
 };
 use core::{
@@ -136,7 +136,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -161,6 +161,7 @@ macro_rules! fused_real {
 
         impl<S: Instructions> Real for Fused<$scalar, S> {
             const LANES: usize = 1;
+            const IS_F64: Option<IsF64> = IsF64::of($is_f64);
             const BEYOND_BASELINE: bool = true;
             type Mask = bool;
             type Block = S::$block;
@@ -222,7 +223,9 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(fused_real! { f64, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_pow_3_2; });
 elementary_functions!(
-    fused_real! { f32, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>, |n, x: Self| n / (x * x.sqrt()); }
+    fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_pow_3_2; }
+);
+elementary_functions!(
+    fused_real! { f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>, |n, x: Self| n / (x * x.sqrt()); }
 );

@@ -23,6 +23,17 @@ pub trait Kernel {
     fn call(self) -> Self::Out;
 }
 
+/// The proof that a scalar is `f64` or transparent over it. Only this crate has one.
+#[derive(Clone, Copy, Debug)]
+pub struct IsF64(());
+
+impl IsF64 {
+    /// The proof, for `f64` and for `Fused` of it.
+    pub(crate) const fn of(holds: bool) -> Option<Self> {
+        if holds { Some(Self(())) } else { None }
+    }
+}
+
 /// A mask: the lanes in which a condition holds.
 pub trait Mask: Copy + Send + Sync + 'static {
     /// The mask with all lanes alike.
@@ -93,6 +104,8 @@ macro_rules! declare_real {
             const MEMBERS: usize = Self::LANES;
             /// Whether a linear map with constant coefficients maps each lane by itself: lanes are not parts of one number.
             const LANEWISE: bool = true;
+            /// The proof that it is `f64` or `Fused` of it, if it is.
+            const IS_F64: Option<IsF64> = None;
             /// Whether the numbers are those of an instruction set beyond the least of the architecture.
             const BEYOND_BASELINE: bool = false;
             /// The mask of its lanes.
@@ -299,9 +312,10 @@ pub(crate) use real_of_two_parts;
 
 /// The scalar as it is: `fma` is a multiplication and an addition, so that no machine calls a library for it.
 macro_rules! plain_real {
-    ($scalar:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $is_f64:literal; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         impl Real for $scalar {
             const LANES: usize = 1;
+            const IS_F64: Option<IsF64> = IsF64::of($is_f64);
             type Mask = bool;
             type Block = Self;
             type Row<const N: usize> = Lanes<Self, N>;
@@ -354,5 +368,5 @@ macro_rules! plain_real {
         }
     };
 }
-elementary_functions!(plain_real! { f64; });
-elementary_functions!(plain_real! { f32; });
+elementary_functions!(plain_real! { f64, true; });
+elementary_functions!(plain_real! { f32, false; });

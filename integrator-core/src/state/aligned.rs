@@ -14,15 +14,6 @@ pub struct Aligned<T> {
 }
 
 impl<T: Copy> Aligned<T> {
-    /// The array with these elements.
-    pub(crate) fn new(length: usize, at: &dyn Fn(usize) -> T) -> Self {
-        let (mut elements, first) = Self::room(length);
-        for index in 0..first + length {
-            elements.push(at(index.saturating_sub(first)));
-        }
-        Self { elements, first }
-    }
-
     /// The array with the same element this number of times.
     pub(crate) fn filled(length: usize, element: T) -> Self {
         let (mut elements, first) = Self::room(length);
@@ -84,8 +75,9 @@ mod tests {
     /// An array, its clone, and a clone into another array have its elements, and begin at a line.
     fn begins_at_a_line<T: Copy + PartialEq + core::fmt::Debug>(of: fn(usize) -> T, aligned: bool) {
         for length in [0, 1, 7, 8, 100, 5_000] {
-            let array = Aligned::new(length, &of);
-            let mut other = Aligned::new(3, &of);
+            let mut array = Aligned::filled(length, of(0));
+            array.iter_mut().enumerate().for_each(|(index, element)| *element = of(index));
+            let mut other = Aligned::filled(3, of(1));
             other.clone_from(&array);
             let filled = Aligned::filled(length, of(1));
             assert!(filled.len() == length && filled.iter().all(|element| *element == of(1)), "{length} elements");

@@ -4,7 +4,7 @@ use crate::{
     scalar::{
         double_double::DoubleDouble,
         exact::fast_two_sum,
-        fma::{Avx512, Fused},
+        fma::{Avx512, Fused, Instructions},
         real::Real,
         simd::block::Block,
     },
@@ -122,6 +122,7 @@ impl Precision for Compensated<f64> {
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = [R; 2];
     type Energy = DoubleDouble;
+    type EnergyIn<S: Instructions> = DoubleDouble;
 
     const NAME: &'static str = "compensated f64";
     const PARTS: usize = 2;

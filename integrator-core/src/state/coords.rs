@@ -120,6 +120,16 @@ pub trait Coords: Clone + Debug + PartialEq + Send + Sync + 'static {
     }
 }
 
+/// Slots of many positions or momenta: those of a single state are read from one list.
+#[inline(always)]
+pub(crate) fn packed<C: Coords, R: Real>(states: &[&Phase<C>], half: fn(&Phase<C>) -> &C) -> C::Slots<R> {
+    let first = half(states[0]).flat();
+    if const { R::LANES == 1 } {
+        return C::slots_from(first.len(), |k| C::Leaf::pack(&|_| first[k]));
+    }
+    C::slots_from(first.len(), |k| C::Leaf::pack(&|lane| half(states[lane]).flat()[k]))
+}
+
 /// Whether all slots are finite in every lane.
 #[inline(always)]
 pub(crate) fn all_finite<R: Real, S: Slot<R>>(slots: &[S]) -> bool {
@@ -256,7 +266,16 @@ impl<K: Precision> Coords for Vec<K> {
     }
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
-        Aligned::new(count, &slot)
+        let (mut slots, mut number) = (Aligned::filled(count, Slot::zero()), 0);
+        for to in slots.iter_mut() {
+            *to = slot(number);
+            number += 1;
+        }
+        slots
+    }
+    #[inline(always)]
+    fn pack<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        packed::<Self, R>(states, half)
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots
@@ -297,14 +316,16 @@ impl<K: Precision, const D: usize> Coords for Vec<[K; D]> {
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
         let points = count.checked_div(D).unwrap_or(0);
-        Aligned::new(points, &|i| {
-            let (mut point, mut d) = ([Slot::zero(); D], 0);
-            while d < D {
-                point[d] = slot(i * D + d);
-                d += 1;
-            }
-            point
-        })
+        let (mut slots, mut number) = (Aligned::filled(points, [Slot::zero(); D]), 0);
+        for to in slots.as_flattened_mut() {
+            *to = slot(number);
+            number += 1;
+        }
+        slots
+    }
+    #[inline(always)]
+    fn pack<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        packed::<Self, R>(states, half)
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened()

@@ -5,7 +5,7 @@
 
 use crate::{
     scalar::{
-        fma::{Avx512, Fused},
+        fma::{Avx512, Fused, Instructions},
         real::{Mask, Real},
     },
     state::precision::{Precision, Slot},
@@ -132,6 +132,7 @@ impl Precision for Fixed<f64> {
     type Avx512 = Fused<f64, Avx512>;
     type Slot<R: Real> = Fixed<R>;
     type Energy = f64;
+    type EnergyIn<S: Instructions> = Fused<f64, S>;
 
     const NAME: &'static str = "reversible f64";
     const PARTS: usize = 2;

@@ -1,6 +1,7 @@
 //! Points of phase space.
 
 use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed, precision::Precision};
+use core::ops::Neg;
 
 /// A point of phase space: positions and momenta, in the shape of the arguments of the Hamiltonian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,39 @@ impl<C: Coords> Phase<C> {
     pub fn to_f64(&self) -> Phase<C::With<f64>> {
         let number = |leaf: C::Leaf| leaf.parts().iter().sum::<f64>();
         Phase { q: self.q.map(number), p: self.p.map(number) }
+    }
+
+    /// Returns the point with the opposite momenta, from which an autonomous system runs back if `T(-p) = T(p)`.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Well;
+    ///
+    /// #[hamiltonian]
+    /// impl Well {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0].powi(4) }
+    /// }
+    ///
+    /// let start = Phase::reversible([1.0], [0.25], 1.0 / (1_u64 << 40) as f64);
+    /// let mut run = Well.run(start, 0.1)?;
+    /// run.advance(100)?;
+    /// let mut back = Well.run(run.state().reversed(), 0.1)?;
+    /// back.advance(100)?;
+    /// assert_eq!(back.state().reversed(), start);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[must_use]
+    pub fn reversed(&self) -> Self
+    where
+        C::Leaf: Neg<Output = C::Leaf>,
+    {
+        let mut reversed = self.clone();
+        for leaf in reversed.p.flat_mut() {
+            *leaf = -*leaf;
+        }
+        reversed
     }
 }
 

@@ -4,16 +4,12 @@ use crate::{
     scalar::real::Real,
     state::{
         aligned::Aligned,
-        coords::Coords,
+        coords::{Coords, packed},
+        phase::Phase,
         precision::{Precision, Slot},
     },
 };
 use alloc::{vec, vec::Vec};
-
-/// The row and the place in it of the site with a number in its plane.
-const fn place(number: usize, sites: usize) -> [usize; 2] {
-    [number / sites, number % sites]
-}
 
 impl<K: Precision, const L: usize, const M: usize, const N: usize> Coords for [[[K; L]; M]; N] {
     type Leaf = K;
@@ -95,15 +91,16 @@ impl<K: Precision, const L: usize, const M: usize> Coords for Vec<[[K; L]; M]> {
     #[inline(always)]
     fn slots_from<R: Real>(count: usize, slot: impl Fn(usize) -> K::Slot<R>) -> Self::Slots<R> {
         let planes = count.checked_div(M * L).unwrap_or(0);
-        Aligned::new(planes, &|plane| {
-            let (mut slots, mut number) = ([[Slot::zero(); L]; M], 0);
-            while number < M * L {
-                let [row, site] = place(number, L);
-                slots[row][site] = slot(plane * M * L + number);
-                number += 1;
-            }
-            slots
-        })
+        let (mut slots, mut number) = (Aligned::filled(planes, [[Slot::zero(); L]; M]), 0);
+        for to in slots.as_flattened_mut().as_flattened_mut() {
+            *to = slot(number);
+            number += 1;
+        }
+        slots
+    }
+    #[inline(always)]
+    fn pack<R: Real>(states: &[&Phase<Self>], half: fn(&Phase<Self>) -> &Self) -> Self::Slots<R> {
+        packed::<Self, R>(states, half)
     }
     fn slots<R: Real>(slots: &Self::Slots<R>) -> &[K::Slot<R>] {
         slots.as_flattened().as_flattened()

@@ -2,7 +2,7 @@
 //! updates.
 
 use crate::scalar::{
-    fma::{Avx512, Fused},
+    fma::{Avx512, Fused, Instructions},
     real::Real,
     simd::block::{Block, WIDEST},
 };
@@ -115,8 +115,10 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     type Avx512: Real;
     /// The storage of a coordinate.
     type Slot<R: Real>: Slot<R>;
-    /// The scalar of energies: the same on every machine, and compiled once.
+    /// The scalar of invariants, and of energies without sums in lanes: the same on every machine, and compiled once.
     type Energy: Real;
+    /// The scalar of energies whose sums are in lanes.
+    type EnergyIn<S: Instructions>: Real;
 
     /// The name of the scalar type in checkpoints.
     const NAME: &'static str;
@@ -126,6 +128,8 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
     const REVERSIBLE: bool = false;
+    /// Whether a slot is the number alone, without a carried error or a grid.
+    const PLAIN: bool = false;
     /// Whether the scalar type carries the rounding errors of its updates.
     const COMPENSATED: bool = false;
 
@@ -159,8 +163,10 @@ macro_rules! plain_precision {
             type Avx512 = Fused<$scalar, Avx512>;
             type Slot<R: Real> = R;
             type Energy = $scalar;
+            type EnergyIn<S: Instructions> = Fused<$scalar, S>;
 
             const NAME: &'static str = stringify!($scalar);
+            const PLAIN: bool = true;
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]

@@ -3,7 +3,11 @@
 use crate::{
     scalar::{real::Real, simd::row::Row},
     state::digest::{Digest, Digested},
-    system::{not_finite::Constants, prepared::OfMembers},
+    system::{
+        not_finite::Constants,
+        prepared::OfMembers,
+        shared_table::{SharedTable, table},
+    },
 };
 use alloc::{vec, vec::Vec};
 use core::ops::Range;
@@ -68,7 +72,7 @@ pub struct ByClass<R> {
     /// The number of classes of the second body.
     columns: usize,
     /// The rows, one for each class of the first body.
-    pub(super) entries: Vec<R>,
+    pub(super) entries: SharedTable<R>,
 }
 
 impl ByClass<f64> {
@@ -88,7 +92,7 @@ impl ByClass<f64> {
             pairs.into_iter().find_map(|[i, j]| value(i, j)).unwrap_or(0.0)
         };
         let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| entry(row, column)));
-        Self { columns: columns.len(), entries: entries.collect() }
+        Self { columns: columns.len(), entries: entries.collect::<Vec<_>>().into() }
     }
 }
 
@@ -126,7 +130,7 @@ impl<R: Real> ByClass<R> {
     }
     /// Returns a table of as many zeros.
     pub fn zeros(mut self) -> Self {
-        self.entries.fill(R::of(0.0));
+        self.entries = table(self.entries.len(), &|_| R::of(0.0));
         self
     }
     /// Whether another table has as many rows and columns.
@@ -220,8 +224,9 @@ mod tests {
     #[test]
     fn short_numbers_find_every_entry() {
         const CLASSES: usize = 4097;
-        let mut table = ByClass { columns: CLASSES, entries: vec![0.0_f32; CLASSES * CLASSES] };
-        table.entries[CLASSES * CLASSES - 2] = 1.0;
+        let mut entries = vec![0.0_f32; CLASSES * CLASSES];
+        entries[CLASSES * CLASSES - 2] = 1.0;
+        let table = ByClass { columns: CLASSES, entries: entries.into() };
         let last = (CLASSES - 1) as f32;
         assert_eq!([last - 2.0, last - 1.0, last].map(|column| table.entry(last, column)), [0.0, 1.0, 0.0]);
     }

@@ -1,6 +1,6 @@
 //! Flows as text for devices: C++, which CUDA compiles.
 
-use crate::system::System;
+use crate::system::{System, shared_table::SharedTable};
 use alloc::vec::Vec;
 
 /// A Hamiltonian whose flows are also text for devices. Written by `#[hamiltonian(gpu)]`.
@@ -45,7 +45,7 @@ impl<T: Pushed, const N: usize> Pushed for [T; N] {
     }
 }
 
-impl<T: Pushed> Pushed for Vec<T> {
+impl<T: Pushed> Pushed for SharedTable<T> {
     fn push_to(&self, lengths: &[usize], numbers: &mut Vec<f64>) {
         push_elements(self, lengths, numbers);
     }

@@ -2,7 +2,11 @@
 
 use crate::{
     error::Error,
-    scalar::real::{Kernel, Real},
+    scalar::{
+        fma::{Avx512, Fma},
+        instruction_set::InstructionSet,
+        real::{Kernel, Real},
+    },
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::{
         Shaped, System,
@@ -137,11 +141,40 @@ pub(crate) fn energy<H: System, K: Precision>(
     time: f64,
     found: Option<&Found>,
 ) -> Parts {
-    let mut motion = in_energy_scalar::<H, K>(parameters, state);
+    if const { H::ENERGIES_IN_LANES } {
+        match InstructionSet::chosen() {
+            InstructionSet::Avx512 => return energy_in::<H, K, K::EnergyIn<Avx512>>(parameters, state, time, found),
+            InstructionSet::Fused => return energy_in::<H, K, K::EnergyIn<Fma>>(parameters, state, time, found),
+            InstructionSet::Baseline => {}
+        }
+    }
+    energy_in::<H, K, K::Energy>(parameters, state, time, found)
+}
+
+/// The energy of a state, computed in this scalar.
+fn energy_in<H: System, K: Precision, R: Real>(
+    parameters: &H::Parameters<f64>,
+    state: &Phase<Shaped<H, K>>,
+    time: f64,
+    found: Option<&Found>,
+) -> Parts {
+    let mut motion = in_scalar::<H, K, R>(parameters, state);
     if let Some(found) = found {
         motion.use_found(found);
     }
-    K::Energy::enter(Energy::<H, K::Energy> { motion: &motion, time })
+    R::enter(Energy::<H, R, f64> { motion: &motion, time })
+}
+
+/// Computes the energy of a motion at a time.
+pub(crate) type EnergyOfMotion<M> = fn(&M, f64) -> Parts;
+
+/// Returns the function that computes the energy of a run from its motion, if energies in lanes have the scalar of the motion.
+pub(crate) const fn of_motion<H: System, R: Real, K: Precision>() -> Option<EnergyOfMotion<H::Motion<R, K>>> {
+    if H::ENERGIES_IN_LANES && R::LANES == 1 && K::PLAIN {
+        Some(|motion, time| R::enter(Energy::<H, R, K> { motion, time }))
+    } else {
+        None
+    }
 }
 
 /// An invariant of a state, computed in the scalar of its leaf.
@@ -153,34 +186,39 @@ fn invariant<H: System, K: Precision>(
     if const { H::INVARIANTS.is_empty() } {
         return f64::NAN;
     }
-    H::invariant::<K::Energy, f64>(&in_energy_scalar::<H, K>(parameters, state), number).lane(0)
+    H::invariant::<K::Energy, f64>(&in_scalar::<H, K, K::Energy>(parameters, state), number).lane(0)
 }
 
-/// A motion at a state, in the scalar that energies of its leaf are computed in.
-fn in_energy_scalar<H: System, K: Precision>(
+/// The first or the second part of all coordinates.
+fn numbers<C: Coords>(state: &Phase<C>, part: usize) -> Phase<C::With<f64>> {
+    let number = |leaf: C::Leaf| leaf.parts()[part];
+    Phase { q: state.q.map(number), p: state.p.map(number) }
+}
+
+/// A motion at a state, in a scalar that energies of its leaf are computed in.
+fn in_scalar<H: System, K: Precision, R: Real>(
     parameters: &H::Parameters<f64>,
     state: &Phase<Shaped<H, K>>,
-) -> H::Motion<K::Energy, f64> {
-    let part =
-        |part: usize| Phase { q: state.q.map(|leaf| leaf.parts()[part]), p: state.p.map(|leaf| leaf.parts()[part]) };
-    let value = part(0);
-    let carried = if K::Energy::LANES > 1 { Some(part(1)) } else { None };
+) -> H::Motion<R, f64> {
+    let value = numbers(state, 0);
+    let carried = if R::LANES > 1 { Some(numbers(state, 1)) } else { None };
     let states = [&value, carried.as_ref().unwrap_or(&value)];
-    H::Motion::<K::Energy, f64>::load(&[parameters; 2], &states)
+    H::Motion::<R, f64>::load(&[parameters; 2], &states)
 }
 
-struct Energy<'m, H: System, R: Real> {
-    motion: &'m H::Motion<R, f64>,
+struct Energy<'m, H: System, R: Real, K: Precision> {
+    motion: &'m H::Motion<R, K>,
     time: f64,
 }
 
-impl<H: System, R: Real> Kernel for Energy<'_, H, R> {
+impl<H: System, R: Real, K: Precision> Kernel for Energy<'_, H, R, K> {
     type Out = Parts;
+    const APART: bool = H::ENERGIES_IN_LANES;
 
     #[inline(always)]
     fn call(self) -> Parts {
-        let kinetic = H::kinetic::<R, f64>(self.motion, self.time);
-        let potential = H::potential::<R, f64>(self.motion, self.time);
+        let kinetic = H::kinetic::<R, K>(self.motion, self.time);
+        let potential = H::potential::<R, K>(self.motion, self.time);
         let total = (kinetic + potential).lane(0);
         Parts { kinetic: kinetic.lane(0), potential: potential.lane(0), total, names: H::PARTS }
     }

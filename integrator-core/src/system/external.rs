@@ -4,11 +4,12 @@
 use crate::{
     scalar::real::Real,
     state::{coords::Coords, precision::Slot},
+    system::shared_table::SharedTable,
 };
 use alloc::{sync::Arc, vec::Vec};
 
 /// A function of a few numbers, one per lane.
-pub type External<const N: usize> = Vec<Arc<dyn Fn([f64; N]) -> f64 + Send + Sync>>;
+pub type External<const N: usize> = SharedTable<Arc<dyn Fn([f64; N]) -> f64 + Send + Sync>>;
 
 /// The value of a function in every lane; `None` where its value or a derivative is not stated.
 #[inline]
@@ -27,7 +28,7 @@ pub fn external<R: Real, const N: usize>(
 
 /// A flow that the user wrote, one per lane: it moves positions and momenta, points one after the other, for a
 /// duration.
-pub type OwnFlow = Vec<Arc<Moves>>;
+pub type OwnFlow = SharedTable<Arc<Moves>>;
 
 type Moves = dyn Fn(&mut [f64], &mut [f64], f64) + Send + Sync;
 

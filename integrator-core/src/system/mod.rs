@@ -20,6 +20,7 @@ pub(crate) mod pair_set;
 pub(crate) mod prepared;
 pub(crate) mod read_by_methods;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod shared_table;
 pub(crate) mod sites;
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod user_energies;
@@ -91,6 +92,10 @@ pub trait System: Sized {
     ///
     /// Scalar code can be slower in AVX-512 and is compiled for AVX2 at most.
     const WIDE: bool = false;
+    /// Whether energies process terms in SIMD lanes, and are computed in the instruction set of the steps.
+    ///
+    /// Other energies are scalar code, the same on every machine.
+    const ENERGIES_IN_LANES: bool = false;
     /// Whether flows are so expensive that a dispatch per stage costs nothing in comparison.
     ///
     /// One loop that reads the table of the composition is then compiled for all compositions.

@@ -67,6 +67,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     }
     /// One member per lane, each with its constants and its state.
     fn load(constants: &[&P], states: &[&Phase<C>]) -> Self;
+    /// The same motion at other states, with its constants as they are; `None` if it has to be loaded.
+    fn reloaded(&self, _states: &[&Phase<C>]) -> Option<Self> {
+        None
+    }
     /// Loads states in the coordinates of the motion itself, where these are not the user's own.
     fn load_own(constants: &[&P], states: &[&Phase<C>]) -> Self {
         Self::load(constants, states)
@@ -181,6 +185,10 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
             p: C::pack(states, |state| &state.p),
             parameters: P::gather(constants),
         }
+    }
+    fn reloaded(&self, states: &[&Phase<C>]) -> Option<Self> {
+        let (q, p) = (C::pack(states, |state| &state.q), C::pack(states, |state| &state.p));
+        Some(Self { q, p, parameters: self.parameters.clone() })
     }
     #[inline(always)]
     fn store(&self, lane: usize, to: &mut Phase<C>) {

@@ -31,12 +31,6 @@ impl<T: Constants, const N: usize> Constants for [T; N] {
     }
 }
 
-impl<T: Constants> Constants for Vec<T> {
-    fn not_finite(&self) -> Option<(Vec<usize>, f64)> {
-        self.as_slice().not_finite()
-    }
-}
-
 /// The first of some constants that is not finite, with the user's names of the indices.
 pub fn not_finite(formula: &'static str, indices: &[&'static str], constants: &impl Constants) -> Option<NotFinite> {
     let (values, value) = constants.not_finite()?;
@@ -55,13 +49,15 @@ pub fn all_found(found: &mut [Option<NotFinite>]) -> Vec<NotFinite> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::system::shared_table::SharedTable;
 
     #[test]
     fn the_first_one_is_named_with_its_indices() {
-        let table = [vec![1.0, 2.0], vec![3.0, f64::INFINITY, f64::NEG_INFINITY]];
+        let list = SharedTable::<f64>::from;
+        let table = [list(vec![1.0, 2.0]), list(vec![3.0, f64::INFINITY, f64::NEG_INFINITY])];
         let found = not_finite("k[i][j]", &["i", "j"], &table).expect("one is infinite");
         assert_eq!(found.to_string(), "`k[i][j]` is inf for i = 1, j = 1");
-        assert_eq!(not_finite("k[i][j]", &["i", "j"], &[vec![1.0], vec![]]), None);
+        assert_eq!(not_finite("k[i][j]", &["i", "j"], &[list(vec![1.0]), list(vec![])]), None);
         assert_eq!(not_finite("mass", &[], &-f64::MAX), None);
     }
 }

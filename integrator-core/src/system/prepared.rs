@@ -1,7 +1,6 @@
 //! Prepared constants in lanes: a number of each member in the lanes of a vector, and tables of such vectors.
 
 use crate::scalar::real::Real;
-use alloc::vec::Vec;
 
 /// A number, or a table of numbers over the indices of loops, for all members; each of them has a `T`.
 pub trait OfMembers<T> {
@@ -17,21 +16,6 @@ impl<R: Real> OfMembers<f64> for R {
         f64: 'c,
     {
         R::prepared(&|lane| *of_lane(lane))
-    }
-}
-
-/// The length of a table is that of the first lane's.
-impl<L: OfMembers<T>, T> OfMembers<Vec<T>> for Vec<L> {
-    fn in_lanes<'c>(of_lane: &dyn Fn(usize) -> &'c Vec<T>) -> Self
-    where
-        T: 'c,
-    {
-        let length = of_lane(0).len();
-        let mut table = Vec::with_capacity(length);
-        for index in 0..length {
-            table.push(L::in_lanes(&|lane| &of_lane(lane)[index]));
-        }
-        table
     }
 }
 

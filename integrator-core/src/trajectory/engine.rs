@@ -9,8 +9,9 @@ use crate::{
         clock::{Clock, durations, time_after},
         point::Point,
     },
+    system::energy::Parts,
     trajectory::{
-        motions::{Form, Motions, elapsed, load, show, shown},
+        motions::{Form, Motions, elapsed, load, reload, show, shown},
         panics::attempt,
     },
 };
@@ -144,15 +145,19 @@ impl Engine {
         self.motions.copy_states(motions, self.threads);
     }
 
-    /// Continues with as many motions from other states of the same size, at the beginning of a clock.
-    pub(crate) fn restart(&mut self, members: Vec<(usize, &dyn Point)>) {
-        // The copies take over what they need of these before they are read.
-        let found = self.motions.found();
-        self.motions = load(&*self.motions, members);
-        if let Some(found) = &found {
-            self.motions.use_found(found);
+    /// The motions of the same members at other states of the same size, which take over what these have found.
+    pub(crate) fn reloaded(&self, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+        let mut motions = reload(&*self.motions, members);
+        if let Some(found) = &self.motions.found() {
+            motions.use_found(found);
         }
-        self.motions.share_among(self.threads);
+        motions.share_among(self.threads);
+        motions
+    }
+
+    /// Continues with other motions, at the beginning of a clock.
+    pub(crate) fn restart(&mut self, motions: Box<dyn Motions>) {
+        self.motions = motions;
         self.completed_at = None;
     }
 
@@ -190,6 +195,12 @@ impl Engine {
     /// Writes what a trajectory carries in a lane, with the current step completed.
     pub(crate) fn lane(&self, clock: Clock, lane: usize, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, lane, to));
+    }
+
+    /// The energy of a trajectory at the end of the current step, if it is computed from the motion.
+    pub(crate) fn energy(&self, clock: Clock, time: f64) -> Option<Parts> {
+        let is_known = self.motions.has_energy() && !self.motions.shows();
+        if is_known { self.read(clock, |completed, _| completed.energy(time)) } else { None }
     }
 
     /// The time of a trajectory, where it is part of the state: with `t0` and what had passed when its motion was loaded.

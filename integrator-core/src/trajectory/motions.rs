@@ -15,6 +15,7 @@ use crate::{
     },
     system::{
         counts::Counts,
+        energy::Parts,
         motion::{Found, Motion},
     },
     trajectory::step_functions::StepFunctions,
@@ -34,6 +35,8 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn none(&self, room: usize) -> Box<dyn Motions>;
     /// Adds a motion of members, one in each lane, from their states in this form.
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
+    /// Adds a motion of another list at other states of its members, with its constants; `false` if the motion cannot.
+    fn push_reloaded(&mut self, from: &dyn Motions, motion: usize, lanes: &[(usize, &dyn Point)]) -> bool;
     /// Adds a motion with members from lanes of others, if their states do not determine it; else adds nothing.
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool;
     /// Copies data that states do not contain to the last motion, from lanes of others.
@@ -54,6 +57,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn finite(&self, threads: Option<usize>) -> bool;
     /// Writes the state of a lane.
     fn store(&self, lane: usize, to: &mut dyn Point);
+    /// Whether energies are computed from motions.
+    fn has_energy(&self) -> bool;
+    /// The energy of the first motion at the end of a step, if it is computed from the motion.
+    fn energy(&self, time: f64) -> Option<Parts>;
     /// Writes the sums of the squares of the vectors after all states, one for each state, by way of a point of their
     /// shape; `false`, where they are to be had from the lanes alone.
     #[cfg(feature = "check")]
@@ -117,6 +124,17 @@ pub(crate) fn load_from(like: &dyn Motions, form: Form, members: Vec<(usize, &dy
     let mut motions = like.none(members.len().div_ceil(like.lanes()));
     for lanes in filled(members, like.lanes()).chunks(like.lanes()) {
         motions.push(lanes, form);
+    }
+    motions
+}
+
+/// The motions of the same members at other states.
+pub(crate) fn reload(from: &dyn Motions, members: Vec<(usize, &dyn Point)>) -> Box<dyn Motions> {
+    let mut motions = from.none(from.count());
+    for (motion, lanes) in filled(members, from.lanes()).chunks(from.lanes()).enumerate() {
+        if !motions.push_reloaded(from, motion, lanes) {
+            motions.push(lanes, Form::Given);
+        }
     }
     motions
 }
@@ -266,6 +284,13 @@ where
         });
     }
 
+    fn push_reloaded(&mut self, from: &dyn Motions, motion: usize, lanes: &[(usize, &dyn Point)]) -> bool {
+        let (_, states) = filling(&self.constants, lanes);
+        let Some(motion) = Self::of(from).motions[motion].reloaded(&states) else { return false };
+        self.motions.push(motion);
+        true
+    }
+
     fn push_gathered(&mut self, lanes: &[Lane]) -> bool {
         let motion = L::gathered(&|lane| {
             let from = &lanes[lane];
@@ -329,6 +354,15 @@ where
     fn store(&self, lane: usize, to: &mut dyn Point) {
         let (motion, lane) = self.motion_of(lane);
         motion.store(lane, shaped_mut(to));
+    }
+
+    fn has_energy(&self) -> bool {
+        self.functions.energy.is_some()
+    }
+
+    fn energy(&self, time: f64) -> Option<Parts> {
+        let energy = self.functions.energy?;
+        Some(energy(&self.motions[0], time))
     }
 
     #[cfg(feature = "check")]

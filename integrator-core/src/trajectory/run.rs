@@ -506,7 +506,13 @@ impl<C: Coords> Run<C> {
     }
 
     pub(crate) fn parts(&self) -> Parts {
-        self.energies.parts(&self.state(), self.time(), self.engine.motions.found().as_ref())
+        let time = self.time();
+        if self.between.is_none()
+            && let Some(parts) = self.engine.energy(self.since_opened(), time)
+        {
+            return parts;
+        }
+        self.energies.parts(&self.state(), time, self.engine.motions.found().as_ref())
     }
 
     /// Changes the state between two steps.
@@ -550,7 +556,11 @@ impl<C: Coords> Run<C> {
         let mut state = self.state_at_step();
         change(&mut state, self.clock.h, map)?;
         let time = self.time_at_step();
-        let parts = self.energies.parts(&state, time, self.engine.motions.found().as_ref());
+        let motions = self.engine.reloaded(vec![(self.engine.constants_of(0), &state)]);
+        let parts = match motions.energy(time) {
+            Some(parts) => parts,
+            None => self.energies.parts(&state, time, motions.found().as_ref()),
+        };
         // Where the start is unchecked, its time is not settled.
         if !self.start_unchecked {
             parts.admissible(time)?;
@@ -561,7 +571,7 @@ impl<C: Coords> Run<C> {
         if let Some(elapsed) = self.engine.elapsed(self.since_opened(), 0) {
             self.opened_at = durations(self.opened_at, elapsed);
         }
-        self.engine.restart(vec![(self.engine.constants_of(0), &state)]);
+        self.engine.restart(motions);
         self.opened = self.clock.steps;
         Ok(())
     }

@@ -5,7 +5,12 @@ use crate::{
     layout::lattice::{carried::CarriedApart, time_tiling::TimeTiling},
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
-    system::{System, flows::Single, motion::Motion},
+    system::{
+        System,
+        energy::{EnergyOfMotion, of_motion},
+        flows::Single,
+        motion::Motion,
+    },
     trajectory::{
         by_table,
         interleaved::AdvanceAll,
@@ -43,6 +48,8 @@ pub struct StepFunctions<M> {
     /// Takes a motion a while into the step that begins at the other one and at the clock, where a method has dense
     /// output. It may stand anywhere in this step.
     pub(crate) dense: Option<fn(&mut M, &M, Clock, f64)>,
+    /// The energy of a motion at the end of a step, if it is computed from the motion.
+    pub(crate) energy: Option<EnergyOfMotion<M>>,
     /// Writes the sums of the squares of the vectors after the states of all lanes, where each state has one; the point
     /// is of the shape of a state, and is written to.
     #[cfg(feature = "check")]
@@ -80,6 +87,7 @@ impl<M> StepFunctions<M> {
             show: None,
             finite: all_finite,
             dense,
+            energy: None,
             #[cfg(feature = "check")]
             squares: None,
         }
@@ -172,6 +180,7 @@ where
         },
         finite: if const { E::REGISTERS == 0 } { all_finite } else { all_finite_in_lanes::<H, R, K> },
         dense: None,
+        energy: const { of_motion::<H, R, K>() },
         #[cfg(feature = "check")]
         squares: if const { E::REGISTERS > 0 && R::LANES == 2 * R::MEMBERS } {
             Some(squares_in_lanes::<H, R, K>)

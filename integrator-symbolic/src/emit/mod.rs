@@ -77,7 +77,8 @@ struct Stepper<'i> {
     flows: Flows,
     /// The vector field of H, where flows of `T` and of `V` do not determine it.
     field: Option<TokenStream>,
-    energies: TokenStream,
+    /// The functions of energies, and the item for the runtime about their form.
+    energies: (TokenStream, Option<TokenStream>),
     /// The user's own energies.
     stated: TokenStream,
     /// What is said to be conserved.
@@ -137,7 +138,13 @@ impl<'i> Stepper<'i> {
         let has_field = !emitter.model.is_separable() || emitter.model.jacobi().is_some();
         let field = has_field.then(|| field::function(&mut emitter));
         let energies = ["kinetic", "potential"].into_iter().zip(stated_energies);
-        let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy)).collect();
+        let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy));
+        let (energies, in_lanes): (TokenStream, Vec<bool>) = energies.unzip();
+        let in_lanes = in_lanes.contains(&true).then(|| {
+            quote!(
+                const ENERGIES_IN_LANES: bool = true;
+            )
+        });
         let invariants = invariants::items(&flows, &mut emitter);
         let taylor = input.taylor.map(|_| series(&mut emitter, stated_energies, [&kinetic, &potential], &pattern));
         let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi().is_none();
@@ -163,7 +170,7 @@ impl<'i> Stepper<'i> {
             constants,
             flows,
             field,
-            energies,
+            energies: (energies, in_lanes),
             stated,
             invariants,
             parts,
@@ -275,7 +282,7 @@ impl<'i> Stepper<'i> {
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
-        let (energies, Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
+        let ((energies, in_lanes), Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
         let prepare = with_count(constants.prepare(names), self.count.as_ref());
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
@@ -288,6 +295,7 @@ impl<'i> Stepper<'i> {
             const AUTONOMOUS: bool = #autonomous;
             const FINGERPRINT: u64 = #fingerprint;
             #layout
+            #in_lanes
             #piecewise
 
             #admissible

@@ -67,6 +67,28 @@ impl Graph {
         }
     }
 
+    /// Whether a node is a quadratic form of the momenta: a homogeneous polynomial of degree two.
+    pub(crate) fn is_form_of_momenta(&self, root: NodeId) -> bool {
+        let mut degrees: Vec<Option<u32>> = Vec::with_capacity(root.position() + 1);
+        for position in 0..=root.position() {
+            let of = |id: NodeId| degrees[id.position()];
+            let node = self.nodes[position];
+            let degree = match node {
+                Node::Coordinate(element) => Some(u32::from(element.part == Part::Momentum)),
+                Node::Neg(a) | Node::Sum(_, a) => of(a),
+                Node::Add(a, b) => of(a).filter(|degree| of(b) == Some(*degree)),
+                Node::Mul(a, b) => of(a).zip(of(b)).and_then(|(a, b)| a.checked_add(b)),
+                Node::Div(a, b) => of(a).filter(|_| of(b) == Some(0)),
+                Node::Power(a, halves) if halves > 0 && halves % 2 == 0 => {
+                    of(a).and_then(|degree| degree.checked_mul(halves as u32 / 2))
+                }
+                _ => node.children().all(|child| of(child) == Some(0)).then_some(0),
+            };
+            degrees.push(degree);
+        }
+        degrees[root.position()] == Some(2)
+    }
+
     /// Whether a node reads the explicit time.
     pub(crate) fn reads_time(&self, root: NodeId) -> bool {
         !self.reading_time([root]).is_empty()

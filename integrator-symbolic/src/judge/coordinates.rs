@@ -109,8 +109,8 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
                 .to_owned(),
         )
     })?;
-    let velocity = per_body(graph, *kinetic, length, Part::Momentum, &mut texts);
-    let inverse = velocity.and_then(|velocity| inverse_mass(graph, &velocity, dimension));
+    let of_motion = per_body(graph, *kinetic, length, Part::Momentum, &mut texts);
+    let inverse = of_motion.and_then(|(.., velocity)| inverse_mass(graph, &velocity, dimension));
     let inverse = inverse.ok_or_else(|| {
         Obstacle::Kinetic(
             "Jacobi coordinates require T = Σ |p[i]|² / 2m[i]\nhelp: write a loop over all bodies `i` that sums all \

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},
     graph::{
-        NodeId, ParameterId, Part, Scope,
+        Graph, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId},
         rename::End,
     },
@@ -23,6 +23,9 @@ pub(crate) const LISTED_FROM: u64 = 384;
 /// The fewest bodies, where their number is known, whose pairs are summed apart from other terms, and in order where they may
 /// not be exchanged: fewer are as fast as written, and devices keep them in registers.
 const APART_FROM: u64 = 33;
+
+/// The most bodies whose state is one row.
+pub(crate) const ROW: u64 = 8;
 
 /// A potential of pairs with a kinetic energy of bodies.
 pub(crate) struct AllPairs {
@@ -48,6 +51,9 @@ pub(crate) struct AllPairs {
     pub(crate) alone: Option<OfBodies>,
     /// The terms of the potential that are neither of pairs nor of bodies alone.
     pub(crate) others: Option<Others>,
+    /// The energies of pairs and bodies; `None` if bodies are one row or in Jacobi coordinates, or energies read more of a body
+    /// than forces do.
+    pub(crate) energies: Option<EnergiesOfBodies>,
     /// The condition under which neighbours within a cutoff are listed.
     pub(crate) listed: Option<Listed>,
     /// How many bodies there are.
@@ -177,7 +183,7 @@ impl AllPairs {
             energy_of_others = points::of_numbers(graph, energy_of_others, dimension);
             others = gradient(graph, energy_of_others, Part::Position);
         }
-        let velocity = per_body(graph, kinetic, moving, Part::Momentum, &mut texts)?;
+        let (kinetic, kinetic_beside, velocity) = per_body(graph, kinetic, moving, Part::Momentum, &mut texts)?;
         let velocity = fold_branches(graph, &velocity);
         if velocity.is_empty() || force.is_empty() || !is_direct(&graph.loops, &velocity) {
             return None;
@@ -218,17 +224,33 @@ impl AllPairs {
         };
         let listed = match cutoff {
             None => None,
-            Some(cutoff) => {
-                let energies = [energy, energy_alone];
-                Some(Listed::of(model, &mut constants, bodies, pair, &cutoff, energies)?)
+            Some(cutoff) => Some(Listed::of(model, &mut constants, bodies, &cutoff)?),
+        };
+        // Steps read conditions on the time in their middle, energies at their own time.
+        let reads_middle = |graph: &Graph, roots: &[NodeId]| {
+            graph.reachable(roots.iter().copied()).into_iter().any(|id| graph.node(id) == Node::Middle)
+        };
+        let energies = match in_jacobi || fewer_than(ROW + 1) {
+            false if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others]) => {
+                let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
+                let (known, of_pair, of_body) = (constants.count(), (pair, energy), (bodies, energy_alone));
+                let found =
+                    EnergiesOfBodies::of(model, &mut constants, of_pair, of_body, has_form.then_some(kinetic_beside));
+                // What energies alone read would make the data of every force longer.
+                let found = found.filter(|_| listed.is_some() || constants.count() == known);
+                if found.is_none() {
+                    constants.nodes.truncate(known);
+                }
+                found
             }
+            _ => None,
         };
         let of = Bodies { flat: is_flat.then_some(dimension), acting: first_acting, moving: first_moving };
         let of_pairs =
-            [Some(&force), acts.as_ref().map(|(acts, _)| acts), listed.as_ref().map(|listed| &listed.energy)];
+            [Some(&force), acts.as_ref().map(|(acts, _)| acts), energies.as_ref().map(|energies| &energies.pair)];
         let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
-        let energy_alone = listed.as_ref().and_then(|listed| listed.energy_alone.as_ref());
-        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(energy_alone).collect();
+        let of_one = energies.iter().flat_map(|energies| &energies.alone);
+        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(of_one).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Some(Self {
             pair,
@@ -242,6 +264,7 @@ impl AllPairs {
             reciprocal,
             alone,
             others,
+            energies,
             listed,
             of,
             number,
@@ -260,10 +283,36 @@ pub(crate) struct Listed {
     pub(crate) square: OfBodies,
     /// The sides of the box.
     pub(crate) sides: Option<OfBodies>,
+}
+
+/// The energies of pairs and of bodies, whose sums are the runtime's.
+pub(crate) struct EnergiesOfBodies {
     /// The energy of a pair.
-    pub(crate) energy: OfBodies,
-    /// That of a body alone.
-    pub(crate) energy_alone: Option<OfBodies>,
+    pub(crate) pair: OfBodies,
+    /// The potential energy of a body alone.
+    pub(crate) alone: Option<OfBodies>,
+    /// What the kinetic energy is beside those of bodies, a number of the system, if these follow from velocities.
+    pub(crate) kinetic_beside: Option<NodeId>,
+}
+
+impl EnergiesOfBodies {
+    fn of(
+        model: &mut Model,
+        constants: &mut Constants,
+        (pair, energy): ([LoopId; 2], NodeId),
+        (bodies, alone): (LoopId, NodeId),
+        kinetic_beside: Option<NodeId>,
+    ) -> Option<Self> {
+        let is_alone = model.graph.as_constant(alone) != Some(0.0);
+        Some(Self {
+            pair: OfBodies::value(model, constants, &pair, energy)?,
+            alone: match is_alone {
+                true => Some(OfBodies::value(model, constants, &[bodies], alone)?),
+                false => None,
+            },
+            kinetic_beside,
+        })
+    }
 }
 
 impl Listed {
@@ -271,21 +320,13 @@ impl Listed {
         model: &mut Model,
         constants: &mut Constants,
         bodies: LoopId,
-        pair: [LoopId; 2],
         Cutoff { square, sides }: &Cutoff,
-        [energy, energy_alone]: [NodeId; 2],
     ) -> Option<Self> {
-        let is_alone = model.graph.as_constant(energy_alone) != Some(0.0);
         Some(Self {
             square: OfBodies::value(model, constants, &[], *square)?,
             sides: match &sides[..] {
                 [] => None,
                 sides => Some(OfBodies::new(model, constants, &[bodies], sides, Sink::Assign)?),
-            },
-            energy: OfBodies::value(model, constants, &pair, energy)?,
-            energy_alone: match is_alone {
-                true => Some(OfBodies::value(model, constants, &[bodies], energy_alone)?),
-                false => None,
             },
         })
     }

@@ -130,7 +130,7 @@ impl Machine<'_> {
         }
         match name {
             "plain" => Some(self.expression(&call.receiver)),
-            "listed_energy" => Some(self.listed_energy(call)),
+            "kinetic" | "potential" => Some(self.energy_of_bodies(call, name)),
             "drift" | "kick" | "drift_layers" | "kick_layers" => {
                 Some(self.driven_flow(call, name.starts_with("drift")))
             }
@@ -189,17 +189,37 @@ impl Machine<'_> {
         Ok(Some(after.field("p")?.items()?.iter().map(components).collect::<Outcome<_>>()?))
     }
 
-    /// The energy by pairs, as of bodies that are listed; of an odd number nothing, as of bodies that are too few to be listed.
-    fn listed_energy(&mut self, call: &syn::ExprMethodCall) -> Outcome<Value> {
-        let (time, motion) = (self.all(call.args.iter())?, self.expression(&call.receiver)?);
-        let read = motion.field("q")?.items()?.iter().map(components).collect::<Outcome<Vec<_>>>()?;
+    /// An energy of bodies, which the runtime sums.
+    fn energy_of_bodies(&mut self, call: &syn::ExprMethodCall, name: &str) -> Outcome<Value> {
+        let (arguments, motion) = (self.all(call.args.iter())?, self.expression(&call.receiver)?);
+        let time = argument(&arguments, 0)?;
+        let half = if name == "kinetic" { "p" } else { "q" };
+        let read = motion.field(half)?.items()?.iter().map(components).collect::<Outcome<Vec<_>>>()?;
         let driven = std::mem::take(&mut self.driven);
         let energy = match &driven.bodies {
-            Some(bodies) if read.len().is_multiple_of(2) => self.energy_of_pairs(bodies, &read, &motion, &time[0]),
-            _ => Ok(None),
+            Some(bodies) if name == "kinetic" => self.kinetic_energy(bodies, &read, &motion, time.number()?),
+            Some(bodies) => self.energy_of_pairs(bodies, &read, &motion, time),
+            None => foreign("an energy of bodies, of which there are none"),
         };
         self.driven = driven;
-        Ok(Value::Option(energy?.map(|energy| Rc::new(energy.of_kind(Kind::Scalar).into()))))
+        Ok(energy?.of_kind(Kind::Scalar).into())
+    }
+
+    /// Half the sum of the products of momenta and velocities.
+    fn kinetic_energy(
+        &mut self,
+        bodies: &Bodies<'_>,
+        momenta: &[Vec<Number>],
+        motion: &Value,
+        time: &Number,
+    ) -> Outcome<Number> {
+        let zero = Number::plain(0.0);
+        let rest: Vec<_> = momenta.iter().map(|p| vec![zero.clone(); p.len()]).collect();
+        let velocities = self.drifted(bodies, momenta, &rest, motion, [&Number::plain(1.0), time])?;
+        let products = momenta.iter().zip(&velocities).flat_map(|(p, v)| p.iter().zip(v));
+        let twice =
+            products.fold(zero.of_kind(Kind::Wide), |sum, (p, v)| sum.add(&p.clone().of_kind(Kind::Wide).mul(v)));
+        Ok(twice.mul(&Number::plain(0.5).of_kind(Kind::Wide)))
     }
 
     fn energy_of_pairs(
@@ -208,8 +228,8 @@ impl Machine<'_> {
         read: &[Vec<Number>],
         motion: &Value,
         time: &Value,
-    ) -> Outcome<Option<Number>> {
-        let Some(energy) = bodies.functions.get("energy").copied() else { return Ok(None) };
+    ) -> Outcome<Number> {
+        let Some(energy) = bodies.functions.get("energy").copied() else { return foreign("no `energy`") };
         let (parameters, prepared) = (motion.field("parameters")?.clone(), self.prepared(bodies, read.len(), motion)?);
         let mut sum = Number::plain(0.0).of_kind(Kind::Wide);
         for i in 0..read.len() {
@@ -225,7 +245,7 @@ impl Machine<'_> {
                 sum = sum.add(self.call(energy, arguments)?.number()?);
             }
         }
-        Ok(Some(sum))
+        Ok(sum)
     }
 
     /// What every site of a lattice gets from all shares.

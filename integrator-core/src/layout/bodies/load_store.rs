@@ -2,7 +2,10 @@
 
 use crate::{
     layout::bodies::pair_sums::BodyConstants,
-    scalar::real::Real,
+    scalar::{
+        real::Real,
+        simd::{block::WIDEST, row::Row},
+    },
     state::{
         coords::Coords,
         phase::Phase,
@@ -47,6 +50,19 @@ pub(crate) fn unpack<R: Real, K: Precision, const N: usize, const D: usize>(
     lane: usize,
     to: &mut [K],
 ) {
+    // Rows are written as a whole, since a lane takes as long.
+    if const { K::PLAIN } {
+        let mut numbers = [[R::of(0.0); WIDEST]; D];
+        for d in 0..D {
+            slots[d].value().write(&mut numbers[d]);
+        }
+        for (number, body) in to[bodies.start * D..bodies.end * D].chunks_exact_mut(D).enumerate() {
+            for (d, leaf) in body.iter_mut().enumerate() {
+                *leaf = K::from_parts([numbers[d][number].lane(lane), 0.0]);
+            }
+        }
+        return;
+    }
     let mut from = lane;
     for body in to[bodies.start * D..bodies.end * D].chunks_exact_mut(D) {
         for (leaf, slot) in body.iter_mut().zip(slots) {

@@ -5,7 +5,10 @@ use crate::{
         load_store::{load_constants, pack, row_of, unpack, values},
         neighbours::{Cutoffs, Neighbours, Sum},
         other_terms::OtherTerms,
-        pair_sums::{Bodies, BodyConstants, ManyBody, add, inter_row, intra_row},
+        pair_sums::{
+            ActiveMask, Bodies, BodyConstants, ManyBody, add, add_active, inter_energies, inter_row, intra_energies,
+            intra_row,
+        },
     },
     scalar::{
         real::{Kernel, Real},
@@ -270,19 +273,52 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
         neighbours.kick(sum, cutoffs, covered.then_some(&gradients[..]), step, p);
     }
-    /// The energy of all pairs within a cutoff, and of all bodies alone, where lists of neighbours are short.
-    pub fn listed_energy<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> Option<R> {
-        let cutoffs = self.cutoffs::<H>(time).filter(Cutoffs::all)?;
-        let rows = self.acting.div_ceil(WIDTH);
-        let sum = Sum::<H, R, _, D, S> {
-            q: &self.q[..rows],
-            constants: &self.constants[..rows],
-            bodies: self.acting,
-            parameters: &self.parameters,
+    /// The kinetic energy, if it is a quadratic form: half the sum of the products of momenta and velocities.
+    pub fn kinetic<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> R {
+        let rows = self.moving.div_ceil(WIDTH);
+        let (p, constants) = (&self.p[..rows], &self.constants[..rows]);
+        let Self { moving, parameters, .. } = self;
+        R::enter(KineticEnergy::<H, R, K, D, S> {
+            p,
+            constants,
+            bodies: *moving,
+            parameters,
             time,
-            threads: self.threads,
-        };
-        Some(self.neighbours.clone().energy(sum, &cutoffs))
+            system: PhantomData,
+        })
+    }
+    /// The energy of all pairs, and of all bodies alone.
+    pub fn potential<H: ManyBody<D, S, Parameters<R> = P>>(&self, time: f64) -> R {
+        let rows = self.acting.div_ceil(WIDTH);
+        let (q, constants) = (&self.q[..rows], &self.constants[..rows]);
+        let Self { acting, parameters, threads, .. } = self;
+        // A constant, so that nothing is compiled for lists where there is no cutoff.
+        if const { H::LISTED_FROM < usize::MAX }
+            && let Some(cutoffs) = self.cutoffs::<H>(time).filter(Cutoffs::all)
+        {
+            let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
+            return self.neighbours.clone().energy(sum, &cutoffs);
+        }
+        let (count, bodies, system) = (chunks(*acting), *acting, PhantomData);
+        // Of the type of the gradients, so that `in_chunks` is compiled once.
+        let mut sums = zeros::<R::Row<WIDTH>, D>(count);
+        in_chunks(&mut sums, count, *threads, &|number, sum| {
+            sum[0][0] = R::enter(EnergyChunk::<H, R, K, D, S> {
+                q,
+                constants,
+                bodies,
+                parameters,
+                time,
+                number,
+                count,
+                system,
+            });
+        });
+        let mut total = R::of(0.0);
+        for sum in sums {
+            total += over_lanes(sum[0]);
+        }
+        total
     }
     /// Sums the forces of all pairs, chunk by chunk, and all chunks in their order.
     #[inline(always)]
@@ -304,21 +340,10 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
                 system,
             });
         };
+        in_chunks(gradients, count, *threads, &sum);
         if count == 1 {
-            return sum(0, gradients);
+            return;
         }
-        let (each, sum) = (count.div_ceil((*threads).min(count)), &sum);
-        let (mut jobs, mut next) = (Vec::<Job<'_>>::with_capacity(count), 0);
-        for gradients in gradients.chunks_mut(each * rows) {
-            let first = next;
-            next += each;
-            jobs.push(Box::new(move || {
-                for (number, gradient) in (first..).zip(gradients.chunks_exact_mut(rows)) {
-                    sum(number, gradient);
-                }
-            }));
-        }
-        at_once(jobs);
         let (all, others) = gradients.split_at_mut(rows);
         for other in others.chunks_exact(rows) {
             for row in 0..rows {
@@ -378,6 +403,51 @@ impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
     }
 }
 
+/// Computes `count` chunks of results on this number of threads.
+fn in_chunks<T: Send>(results: &mut [T], count: usize, threads: usize, compute: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    if count == 1 {
+        return compute(0, results);
+    }
+    let (each, length) = (count.div_ceil(threads.min(count)), results.len() / count);
+    let (mut jobs, mut next) = (Vec::<Job<'_>>::with_capacity(count), 0);
+    for results in results.chunks_mut(each * length) {
+        let first = next;
+        next += each;
+        jobs.push(Box::new(move || {
+            for (number, results) in (first..).zip(results.chunks_exact_mut(length)) {
+                compute(number, results);
+            }
+        }));
+    }
+    at_once(jobs);
+}
+
+/// The rows of bodies that a sum runs over, of which the last may have fewer bodies than lanes.
+#[derive(Clone, Copy)]
+struct Rows {
+    bodies: usize,
+    rows: usize,
+}
+
+impl Rows {
+    /// The active lanes of a row.
+    #[inline(always)]
+    fn active<R: Real>(self, row: usize) -> ActiveMask<R::Row<WIDTH>> {
+        let rest = self.bodies % WIDTH;
+        let partly = row + 1 == self.rows && rest > 0;
+        partly.then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
+    }
+}
+
+/// The sum of the energies of the bodies of a row, one after the other.
+fn over_lanes<R: Real, W: Row<R>>(row: W) -> R {
+    let mut total = R::of(0.0);
+    for lane in 0..WIDTH {
+        total += row.part(lane);
+    }
+    total
+}
+
 /// A chunk of the pairs: those of every `count`th row with itself and with the later rows; where action is not
 /// reaction, with all others.
 struct PairChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
@@ -399,23 +469,19 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
     fn call(self) {
         let Self { q, constants, bodies, parameters, time, number, count, gradient, .. } = self;
         let row = |row: usize| Bodies { q: values(&q[row]), constants: constants[row] };
-        let (last, rest) = (q.len().saturating_sub(1), bodies % WIDTH);
-        let active = Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 });
-        let active = |row: usize| {
-            let partly = row == last && rest > 0;
-            partly.then_some(active)
-        };
+        let rows = Rows { bodies, rows: q.len() };
         // Sums begin as a positive zero, so that no bit depends on whether a zero is added to them.
         gradient.fill([Real::of(0.0); D]);
         let mut first = number;
         while first < q.len() {
             let bodies = row(first);
-            let own = intra_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, active(first), time);
+            let own = intra_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, rows.active::<R>(first), time);
             let mut sum = add(gradient[first], own);
             let mut second = if H::RECIPROCAL { first + 1 } else { 0 };
             while second < q.len() {
                 if second != first {
-                    let (others, active, sums) = (row(second), active(second), [&mut sum, &mut gradient[second]]);
+                    let (others, active) = (row(second), rows.active::<R>(second));
+                    let sums = [&mut sum, &mut gradient[second]];
                     inter_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, active, time, sums);
                 }
                 second += 1;
@@ -423,5 +489,86 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
             gradient[first] = sum;
             first += count;
         }
+    }
+}
+
+/// The energies of a chunk of the pairs, and of the bodies of its rows alone: in every lane, those of its body with others.
+struct EnergyChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
+    q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
+    constants: &'s [[R::Row<WIDTH>; S]],
+    bodies: usize,
+    parameters: &'s H::Parameters<R>,
+    time: f64,
+    number: usize,
+    count: usize,
+    system: PhantomData<fn(H)>,
+}
+
+impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel
+    for EnergyChunk<'_, H, R, K, D, S>
+{
+    type Out = R::Row<WIDTH>;
+    const APART: bool = true;
+
+    #[inline(always)]
+    fn call(self) -> R::Row<WIDTH> {
+        let Self { q, constants, bodies, parameters, time, number, count, .. } = self;
+        let rows = Rows { bodies, rows: q.len() };
+        let (mut sum, mut first) = (Real::of(0.0), number);
+        while first < q.len() {
+            let bodies = Bodies { q: values(&q[first]), constants: constants[first] };
+            let alone = H::energy_alone::<R, R::Row<WIDTH>>(parameters, bodies.q, bodies.constants, time);
+            if let Some(alone) = alone {
+                add_active(&mut sum, alone, rows.active::<R>(first));
+            }
+            intra_energies::<H, R, R::Row<WIDTH>, WIDTH, D, S>(
+                parameters,
+                bodies,
+                rows.active::<R>(first),
+                time,
+                &mut sum,
+            );
+            for second in first + 1..q.len() {
+                let others = Bodies { q: values(&q[second]), constants: constants[second] };
+                let active = rows.active::<R>(second);
+                inter_energies::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, active, time, &mut sum);
+            }
+            first += count;
+        }
+        sum
+    }
+}
+
+/// The kinetic energies of bodies.
+struct KineticEnergy<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
+    p: &'s [[K::Slot<R::Row<WIDTH>>; D]],
+    constants: &'s [[R::Row<WIDTH>; S]],
+    bodies: usize,
+    parameters: &'s H::Parameters<R>,
+    time: f64,
+    system: PhantomData<fn(H)>,
+}
+
+impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel
+    for KineticEnergy<'_, H, R, K, D, S>
+{
+    type Out = R;
+    const APART: bool = true;
+
+    #[inline(always)]
+    fn call(self) -> R {
+        let Self { p, constants, bodies, parameters, time, .. } = self;
+        let rows = Rows { bodies, rows: p.len() };
+        let mut sum = Real::of(0.0);
+        for row in 0..p.len() {
+            let (p, mut velocity) = (values(&p[row]), [<R::Row<WIDTH> as Real>::of(0.0); D]);
+            H::drift_body::<R, R::Row<WIDTH>, _>(parameters, &mut velocity, p, constants[row], Real::of(1.0), time);
+            let mut twice = Real::of(0.0);
+            for d in 0..D {
+                twice = p[d].fma(velocity[d], twice);
+            }
+            add_active(&mut sum, twice, rows.active::<R>(row));
+        }
+        R::of(0.5) * over_lanes(sum)
     }
 }

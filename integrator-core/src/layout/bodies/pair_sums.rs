@@ -454,3 +454,63 @@ impl<W: Real, const D: usize, const S: usize> RowPair<W, D, S> {
         }
     }
 }
+
+/// Adds energies to those of a row, in active lanes.
+#[inline(always)]
+pub(crate) fn add_active<W: Real>(sum: &mut W, energies: W, active: ActiveMask<W>) {
+    let [energies] = masked([energies], active);
+    *sum += energies;
+}
+
+/// Adds the energies of the pairs within a row.
+///
+/// Rotation `s` pairs each body with the one `s` lanes ahead; of the rotation by half the row, half of the lanes have all pairs.
+#[inline(always)]
+pub(crate) fn intra_energies<H, R, W, const N: usize, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: Bodies<W, D, S>,
+    active: ActiveMask<W>,
+    time: f64,
+    sum: &mut W,
+) where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    for by in 1..=N / 2 {
+        let energies = pair_energies::<H, R, W, D, S>(parameters, [bodies, bodies.rotate::<R, N>(by)], time);
+        let [mut energies] = masked([energies], active);
+        if let Some(active) = active {
+            [energies] = masked([energies], Some(active.rotate::<N>(by)));
+        }
+        if 2 * by == N {
+            let first = W::parameter(&|lane| if 2 * (lane / R::LANES) < N { 1.0 } else { 0.0 });
+            [energies] = masked([energies], Some(first));
+        }
+        *sum += energies;
+    }
+}
+
+/// Adds the energies of the pairs between the bodies of two rows.
+#[inline(always)]
+pub(crate) fn inter_energies<H, R, W, const N: usize, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: Bodies<W, D, S>,
+    mut others: Bodies<W, D, S>,
+    mut active: ActiveMask<W>,
+    time: f64,
+    sum: &mut W,
+) where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    for _ in 0..N {
+        // Bodies that do not interact may have an energy, which is then constant.
+        add_active(sum, pair_energies::<H, R, W, D, S>(parameters, [bodies, others], time), active);
+        others = others.rotate::<R, N>(1);
+        if let Some(row) = active {
+            active = Some(row.rotate::<N>(1));
+        }
+    }
+}

@@ -187,6 +187,7 @@ where
         },
         finite: all_finite,
         dense: Some(dense::<F, X, H, R, K, E>),
+        energy: None,
         #[cfg(feature = "check")]
         squares: None,
     }

@@ -26,7 +26,9 @@ impl<R: Real> Default for InverseMass<R> {
 impl<R: Real> InverseMass<R> {
     /// The inverse masses in an order slice.
     pub fn of(slice: &[R]) -> Self {
-        Self { numbers: Aligned::new(slice.len(), &|index| slice[index]) }
+        let mut numbers = Aligned::filled(slice.len(), R::of(0.0));
+        numbers.copy_from_slice(slice);
+        Self { numbers }
     }
 
     /// Whether there are none yet.

@@ -95,6 +95,7 @@ impl<H: System, G: Kicks<H>> Method<H> for ByTable<G> {
             }),
             finite: all_finite,
             dense: None,
+            energy: None,
             #[cfg(feature = "check")]
             squares: None,
         }

@@ -30,6 +30,8 @@ use quote::{ToTokens, format_ident, quote};
 pub(crate) struct Constants {
     fields: TokenStream,
     gathered: TokenStream,
+    /// The functions that read the fields of one member which are gathered in lanes: compiled once for all scalars.
+    readers: TokenStream,
     values: TokenStream,
     /// Their derivatives by each of the parameters that are requested, and those by no parameter after these.
     slopes: Vec<TokenStream>,
@@ -84,7 +86,7 @@ impl Constants {
                     let call = method.call(&quote!(system), &arguments);
                     let value = quote!({
                         let system = ::core::clone::Clone::clone(self);
-                        #runtime::Vec::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
+                        #runtime::SharedTable::from([#runtime::Arc::new(move |[#(#arguments),*]: [f64; #count]| #call) as _])
                     });
                     (quote!(#runtime::External<#count>), value)
                 }
@@ -96,7 +98,16 @@ impl Constants {
             let runtime = &names.runtime;
             let gathered = match content {
                 Content::Number(_) | Content::Flag(_) | Content::Middle => {
-                    quote!(#runtime::in_lanes(members, |member| &member.#name))
+                    let element = match &of_pairs {
+                        Some((kind, _)) => {
+                            let kind = format_ident!("{kind}");
+                            quote!(#runtime::#kind<f64>)
+                        }
+                        None => quote!(f64),
+                    };
+                    let (single, parameters) = (table.kind(element, names), &names.parameters);
+                    prepared.readers.extend(quote!(fn #name(&self) -> &#single { &self.#name }));
+                    quote!(#runtime::in_lanes(members, #parameters::#name))
                 }
                 Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
                 Content::External(_) | Content::OwnFlow(_) => {
@@ -193,12 +204,13 @@ impl Constants {
     /// Their struct, and what the runtime asks of it.
     pub(crate) fn declaration(&self, names: &Names) -> TokenStream {
         let Names { runtime, parameters, scalar, .. } = names;
-        let Self { fields, gathered, common, not_finite, digested, pieces, .. } = self;
+        let Self { fields, gathered, readers, common, not_finite, digested, pieces, .. } = self;
         let [kind, single] = [quote!(#scalar), quote!(f64)].map(|scalar| self.kind(&scalar, names));
         let (fields, members, gathered) = match fields.is_empty() {
             true => (quote!(;), quote!(_members), None),
             false => (quote!({ #fields }), quote!(members), Some(quote!({ #gathered }))),
         };
+        let readers = (!readers.is_empty()).then(|| quote!(impl #single { #readers }));
         let alike = (!common.is_empty()).then(|| {
             quote! {
                 #[inline]
@@ -224,6 +236,8 @@ impl Constants {
             /// What depends on parameters alone, evaluated once per run.
             #[derive(::core::clone::Clone)]
             pub struct #kind #fields
+
+            #readers
 
             impl<#scalar: #runtime::Real> #runtime::Prepared<#scalar> for #kind {
                 type Single = #single;
@@ -368,7 +382,7 @@ fn own_flow(model: &Model, names: &Names, part: usize) -> TokenStream {
     };
     quote!({
         let system = ::core::clone::Clone::clone(self);
-        #runtime::Vec::from([#runtime::Arc::new(move |#q: &mut [f64], #p: &mut [f64], duration: f64| { #call }) as _])
+        #runtime::SharedTable::from([#runtime::Arc::new(move |#q: &mut [f64], #p: &mut [f64], duration: f64| { #call }) as _])
     })
 }
 
@@ -410,7 +424,7 @@ impl Table {
                 let length = Literal::u64_unsuffixed(length);
                 quote!([#inner; #length])
             }
-            None => quote!(#runtime::Vec<#inner>),
+            None => quote!(#runtime::SharedTable<#inner>),
         })
     }
 

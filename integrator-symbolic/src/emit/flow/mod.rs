@@ -39,7 +39,7 @@ use crate::{
 use form::{Form, form_of_loops};
 use lattice::Sweep;
 use pairs::ManyBody;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quadratic::Derivatives;
 use quote::quote;
 
@@ -194,43 +194,50 @@ impl Flows {
         })
     }
 
-    /// The function that returns an energy.
-    pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> TokenStream {
-        let bodies = self.many_body.as_ref();
-        // Bodies in lanes are unpacked for results that are rarely needed.
-        let plain = bodies.map(|_| quote!(let motion = &motion.plain::<Self::Coords>();));
-        let listed = bodies.filter(|bodies| name == "potential" && bodies.listed().is_some());
-        let listed = listed.map(|bodies| {
-            let others = bodies.others().map(|others| lower_roots(emitter.model, &[others])[0]);
-            let others = others.map(|others| {
-                let lines = emitter.value(&Frame::Motion, others).map(|others| quote!(#plain #others));
-                let Body(others) = lines.body(&emitter.names.scalar);
-                quote!(+ { #others })
-            });
-            quote!(if let ::core::option::Option::Some(energy) = motion.listed_energy::<Self>(time) {
-                return energy #others;
-            })
-        });
+    /// The function that returns an energy; `true` if terms are in lanes.
+    pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> (TokenStream, bool) {
+        if let Some((true, beside)) = self.many_body.as_ref().map(|bodies| bodies.energy(name)) {
+            return (Self::energy_of_bodies(emitter, name, beside), true);
+        }
         let energy = lower_roots(emitter.model, &[energy])[0];
-        let (lines, names) = (emitter.value(&Frame::Motion, energy), emitter.names);
+        let ((lines, has_lanes), names) = (emitter.value_in_lanes(energy), emitter.names);
         let around = |energy| match self.in_jacobi {
             true => jacobi::energy(name, &energy),
-            false => quote!(#plain #energy),
+            false => self.plain(&energy),
         };
-        let Body(body) = lines.map(around).body(&names.scalar);
         // The time is still a number here.
-        Body::new(quote!(#listed #body)).energy(name, names)
+        (lines.map(around).body(&names.scalar).energy(name, names), has_lanes)
+    }
+
+    /// The function that returns an energy of bodies, which the runtime sums, and others beside them.
+    fn energy_of_bodies(emitter: &mut Emitter<'_>, name: &str, beside: Option<NodeId>) -> TokenStream {
+        let beside = beside.filter(|beside| emitter.model.graph.as_constant(*beside) != Some(0.0));
+        let beside = beside.map(|beside| {
+            let beside = lower_roots(emitter.model, &[beside])[0];
+            let lines = emitter.value(&Frame::Motion, beside);
+            let body = Body::new(lines.tokens.clone());
+            let reads_state = ["q", "p"].into_iter().any(|half| body.mentions(half));
+            let plain = reads_state.then(|| quote!(let motion = &motion.plain::<Self::Coords>();));
+            let Body(beside) = lines.map(|beside| quote!(#plain #beside)).body(&emitter.names.scalar);
+            quote!(+ { #beside })
+        });
+        let function = Ident::new(name, Span::call_site());
+        Body::new(quote!(motion.#function::<Self>(time) #beside)).energy(name, emitter.names)
+    }
+
+    /// Lines about a motion in the user's own shape: bodies in lanes are unpacked for results that are rarely needed.
+    fn plain(&self, lines: &TokenStream) -> TokenStream {
+        match &self.many_body {
+            Some(_) => quote!(let motion = &motion.plain::<Self::Coords>(); #lines),
+            None => lines.clone(),
+        }
     }
 
     /// The lines that end in the value of a function of positions and momenta.
     fn value(&self, emitter: &mut Emitter<'_>, value: NodeId) -> TokenStream {
         let value = lower_roots(emitter.model, &[value])[0];
         let Lines { tokens, .. } = emitter.value(&Frame::Motion, value);
-        match &self.many_body {
-            _ if self.in_jacobi => jacobi::in_own_coordinates(&tokens),
-            Some(_) => quote!(let motion = &motion.plain::<Self::Coords>(); #tokens),
-            None => tokens,
-        }
+        if self.in_jacobi { jacobi::in_own_coordinates(&tokens) } else { self.plain(&tokens) }
     }
 
     /// What bodies in pairs implement of the runtime, on themselves and on their prepared constants.

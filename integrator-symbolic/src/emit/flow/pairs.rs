@@ -14,16 +14,13 @@ use crate::{
     graph::{NodeId, Part, index::LoopId},
     model::Model,
     pattern::{
-        all_pairs::{AllPairs, Bodies, First, LISTED_FROM, Listed, Others},
+        all_pairs::{AllPairs, Bodies, EnergiesOfBodies, First, LISTED_FROM, Listed, Others, ROW},
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
-
-/// The most bodies whose state is one row.
-pub(super) const ROW: u64 = 8;
 
 /// The parts of a stepper for bodies that act in pairs.
 pub(crate) struct ManyBody {
@@ -39,6 +36,10 @@ pub(crate) struct ManyBody {
     listed: Option<bool>,
     /// The energy of the terms beside pairs, if there are any.
     others: Option<NodeId>,
+    /// Whether the runtime sums the energies of pairs.
+    sums_pairs: bool,
+    /// What the kinetic energy is beside those of bodies, if the runtime sums these.
+    kinetic_beside: Option<NodeId>,
     /// The form of their gradient.
     form_of_others: Option<Form>,
 }
@@ -59,6 +60,7 @@ impl ManyBody {
             reciprocal,
             alone,
             others,
+            energies,
             listed,
             of,
             number,
@@ -72,7 +74,8 @@ impl ManyBody {
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
         let (beside, form_of_others) = beside.map(|others| writer.others(others)).unzip();
-        let neighbours = listed.as_ref().map(|listed| writer.listed(listed, pair));
+        let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
+        let neighbours = listed.as_ref().map(|listed| writer.listed(listed));
         let per_body = writer.per_body(of);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
         let number = number.filter(|_| listed.is_some()).map(|number| {
@@ -97,11 +100,14 @@ impl ManyBody {
             #acts
             #alone
             #beside
+            #of_energies
             #neighbours
         };
         let listed = listed.as_ref().map(|listed| listed.sides.is_some());
         let others = others.as_ref().map(|others| others.energy);
-        Self { row, sizes, functions, per_body, listed, others, form_of_others }
+        let sums_pairs = energies.is_some();
+        let kinetic_beside = energies.as_ref().and_then(|energies| energies.kinetic_beside);
+        Self { row, sizes, functions, per_body, listed, others, sums_pairs, kinetic_beside, form_of_others }
     }
 
     /// The form of the gradient of the terms beside pairs.
@@ -109,9 +115,12 @@ impl ManyBody {
         self.form_of_others
     }
 
-    /// The energy of the terms beside pairs, if there are any.
-    pub(crate) fn others(&self) -> Option<NodeId> {
-        self.others
+    /// Whether the runtime sums an energy, and what this has beside the terms of bodies and pairs.
+    pub(crate) fn energy(&self, name: &str) -> (bool, Option<NodeId>) {
+        match name {
+            "potential" => (self.sums_pairs, self.others),
+            _ => (self.kinetic_beside.is_some(), self.kinetic_beside),
+        }
     }
 
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
@@ -263,8 +272,8 @@ impl Writer<'_, '_> {
     }
 
     /// The condition under which neighbours within a cutoff are listed.
-    fn listed(&mut self, listed: &Listed, of: [LoopId; 2]) -> TokenStream {
-        let Listed { square, sides, energy, energy_alone } = listed;
+    fn listed(&mut self, listed: &Listed) -> TokenStream {
+        let Listed { square, sides } = listed;
         let (wide, d, none) = (self.emitter.names.wide.clone(), self.sizes[0].clone(), TokenStream::new);
         let square = self.lines(square);
         let square = self.function("cutoff", none(), none(), Some(quote!(#wide)), square);
@@ -272,27 +281,27 @@ impl Writer<'_, '_> {
             let sides = self.gradient(sides, quote!(gradient));
             self.function("sides", none(), none(), Some(quote!([#wide; #d])), sides)
         });
-        let energy = self.lines(energy);
-        let energy = self.function("energy", none(), self.two_bodies(of), Some(quote!(#wide)), energy);
-        let alone = energy_alone.as_ref().map(|alone| {
-            let lines = self.lines(alone).map(|energy| quote!(::core::option::Option::Some({ #energy })));
-            self.function(
-                "energy_alone",
-                none(),
-                self.one_body(alone),
-                Some(quote!(::core::option::Option<#wide>)),
-                lines,
-            )
-        });
         let from = Literal::u64_unsuffixed(LISTED_FROM);
         quote! {
             const LISTED_FROM: usize = #from;
 
             #square
             #sides
-            #energy
-            #alone
         }
+    }
+
+    /// The energies of a pair and of a body.
+    fn energies(&mut self, energies: &EnergiesOfBodies, of: [LoopId; 2]) -> TokenStream {
+        let EnergiesOfBodies { pair, alone, .. } = energies;
+        let (wide, none) = (self.emitter.names.wide.clone(), TokenStream::new);
+        let pair = self.lines(pair);
+        let pair = self.function("energy", none(), self.two_bodies(of), Some(quote!(#wide)), pair);
+        let alone = alone.as_ref().map(|alone| {
+            let lines = self.lines(alone).map(|energy| quote!(::core::option::Option::Some({ #energy })));
+            let result = quote!(::core::option::Option<#wide>);
+            self.function("energy_alone", none(), self.one_body(alone), Some(result), lines)
+        });
+        quote!(#pair #alone)
     }
 
     fn lines(&mut self, of: &OfBodies) -> Lines {

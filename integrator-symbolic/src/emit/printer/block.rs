@@ -5,7 +5,7 @@ use super::{
     fields::Fields,
     frame::Frame,
     function::Lines,
-    lanes::lane_context,
+    lanes::{has_lanes, lane_context},
 };
 use crate::{
     graph::{
@@ -51,6 +51,14 @@ impl Emitter<'_> {
     pub(crate) fn value(&mut self, frame: &Frame<'_>, root: NodeId) -> Lines {
         let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
         self.print(frame, &[], &[returned], &Constraints::default(), false)
+    }
+
+    /// The same, whose innermost loops may be in lanes; `true` if some are.
+    pub(crate) fn value_in_lanes(&mut self, root: NodeId) -> (Lines, bool) {
+        let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
+        let lines = self.print(&Frame::Motion, &[], &[returned], &Constraints::default(), true);
+        let [has_lanes, _] = has_lanes(self.model, &lines.program);
+        (lines, has_lanes)
     }
 
     /// The lines, whose innermost loops may be in lanes.

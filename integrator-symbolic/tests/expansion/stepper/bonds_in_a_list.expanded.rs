@@ -6,15 +6,26 @@ const _: () = {
     pub struct Parameters<Scalar> {
         prepared_0: usize,
         /// `stiffness[k]`
-        prepared_1: runtime::Vec<Scalar>,
+        prepared_1: runtime::SharedTable<Scalar>,
         /// `reach`
         reach: Scalar,
-        prepared_3: runtime::Vec<usize>,
-        prepared_4: runtime::Vec<usize>,
+        prepared_3: runtime::SharedTable<usize>,
+        prepared_4: runtime::SharedTable<usize>,
         prepared_5: usize,
-        prepared_6: runtime::Vec<usize>,
+        prepared_6: runtime::SharedTable<usize>,
         /// `stiffness[k] / 2`
-        prepared_7: runtime::Vec<Scalar>,
+        prepared_7: runtime::SharedTable<Scalar>,
+    }
+    impl Parameters<f64> {
+        fn prepared_1(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_1
+        }
+        fn reach(&self) -> &f64 {
+            &self.reach
+        }
+        fn prepared_7(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_7
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
@@ -22,13 +33,13 @@ const _: () = {
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
                 prepared_0: ::core::clone::Clone::clone(&members[0].prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                reach: runtime::in_lanes(members, |member| &member.reach),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                reach: runtime::in_lanes(members, Parameters::reach),
                 prepared_3: ::core::clone::Clone::clone(&members[0].prepared_3),
                 prepared_4: ::core::clone::Clone::clone(&members[0].prepared_4),
                 prepared_5: ::core::clone::Clone::clone(&members[0].prepared_5),
                 prepared_6: ::core::clone::Clone::clone(&members[0].prepared_6),
-                prepared_7: runtime::in_lanes(members, |member| &member.prepared_7),
+                prepared_7: runtime::in_lanes(members, Parameters::prepared_7),
             }
         }
         #[inline]
@@ -91,9 +102,10 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11384569783572275097;
+        const FINGERPRINT: u64 = 14541274103500244151;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
+        const ENERGIES_IN_LANES: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: self.bonds.len(),
@@ -282,12 +294,39 @@ const _: () = {
             motion: &Self::Motion<Scalar, Leaf>,
             _time: f64,
         ) -> Scalar {
-            let mut sum_0 = Scalar::of(0.0);
-            for k in 0..motion.q.len() {
-                let p_k_0 = motion.p[k][0].value();
-                let p_k_1 = motion.p[k][1].value();
-                sum_0 += p_k_1.square_add(p_k_0.square());
-            }
+            let [sum_0] = {
+                struct Iteration;
+                impl runtime::Iteration<1, 0, 0, 1, 0, 2> for Iteration {
+                    const READS: [runtime::Near; 1] = [
+                        runtime::Near {
+                            part: 0,
+                            offset: 0,
+                        },
+                    ];
+                    #[inline(always)]
+                    fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                        [[p_k_0,
+                        p_k_1,
+                        ],
+                        ]: [[Wide; 2]; 1],
+                        []: [Wide; 0],
+                        []: [Wide; 0],
+                        [mut sum_0,
+                        ]: [Wide; 1],
+                        []: [[Wide; 2]; 0],
+                    ) -> ([Wide; 1], [[Wide; 2]; 0]) {
+                        sum_0 += p_k_1.square_add(p_k_0.square());
+                        ([sum_0], [])
+                    }
+                }
+                runtime::Loop {
+                    range: 0..motion.q.len(),
+                    parts: [&motion.p[..]],
+                    constants: [],
+                    common: [],
+                }
+                    .run::<Iteration, _, _, _>(&mut [])
+            };
             Scalar::of(0.5).scale(sum_0)
         }
         #[inline(always)]

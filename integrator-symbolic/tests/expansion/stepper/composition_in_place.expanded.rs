@@ -68,13 +68,21 @@ const _: () = {
         /// `stiffness / 2`
         prepared_1: Scalar,
     }
+    impl Parameters<f64> {
+        fn stiffness(&self) -> &f64 {
+            &self.stiffness
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                stiffness: runtime::in_lanes(members, |member| &member.stiffness),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                stiffness: runtime::in_lanes(members, Parameters::stiffness),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

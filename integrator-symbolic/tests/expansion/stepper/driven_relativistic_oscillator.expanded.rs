@@ -9,13 +9,21 @@ const _: () = {
         /// `omega`
         omega: Scalar,
     }
+    impl Parameters<f64> {
+        fn amplitude(&self) -> &f64 {
+            &self.amplitude
+        }
+        fn omega(&self) -> &f64 {
+            &self.omega
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                amplitude: runtime::in_lanes(members, |member| &member.amplitude),
-                omega: runtime::in_lanes(members, |member| &member.omega),
+                amplitude: runtime::in_lanes(members, Parameters::amplitude),
+                omega: runtime::in_lanes(members, Parameters::omega),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -5,14 +5,19 @@ const _: () = {
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
         /// `field[k][k_2][k_3]`
-        field: runtime::Vec<[[Scalar; 32]; 16]>,
+        field: runtime::SharedTable<[[Scalar; 32]; 16]>,
+    }
+    impl Parameters<f64> {
+        fn field(&self) -> &runtime::SharedTable<[[f64; 32]; 16]> {
+            &self.field
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                field: runtime::in_lanes(members, |member| &member.field),
+                field: runtime::in_lanes(members, Parameters::field),
             }
         }
         #[inline]

@@ -5,28 +5,45 @@ const _: () = {
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
         /// `masses[k_2]`
-        masses: runtime::Vec<Scalar>,
+        masses: runtime::SharedTable<Scalar>,
         /// `softening`
         softening: Scalar,
         prepared_2: usize,
         /// `masses[i]`
-        masses_2: runtime::Vec<Scalar>,
+        masses_2: runtime::SharedTable<Scalar>,
         /// `masses[j]`
-        masses_3: runtime::Vec<Scalar>,
+        masses_3: runtime::SharedTable<Scalar>,
         /// `masses[i] / 2`
-        prepared_5: runtime::Vec<Scalar>,
+        prepared_5: runtime::SharedTable<Scalar>,
+    }
+    impl Parameters<f64> {
+        fn masses(&self) -> &runtime::SharedTable<f64> {
+            &self.masses
+        }
+        fn softening(&self) -> &f64 {
+            &self.softening
+        }
+        fn masses_2(&self) -> &runtime::SharedTable<f64> {
+            &self.masses_2
+        }
+        fn masses_3(&self) -> &runtime::SharedTable<f64> {
+            &self.masses_3
+        }
+        fn prepared_5(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_5
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                masses: runtime::in_lanes(members, |member| &member.masses),
-                softening: runtime::in_lanes(members, |member| &member.softening),
+                masses: runtime::in_lanes(members, Parameters::masses),
+                softening: runtime::in_lanes(members, Parameters::softening),
                 prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
-                masses_2: runtime::in_lanes(members, |member| &member.masses_2),
-                masses_3: runtime::in_lanes(members, |member| &member.masses_3),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                masses_2: runtime::in_lanes(members, Parameters::masses_2),
+                masses_3: runtime::in_lanes(members, Parameters::masses_3),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
             }
         }
         #[inline]
@@ -85,8 +102,9 @@ const _: () = {
             1,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 11348177080543593261;
+        const FINGERPRINT: u64 = 4961391995637370863;
         const WIDE: bool = true;
+        const ENERGIES_IN_LANES: bool = true;
         fn admissible(
             &self,
             length: usize,
@@ -136,43 +154,16 @@ const _: () = {
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let motion = &motion.plain::<Self::Coords>();
-            let mut sum_0 = Scalar::of(0.0);
-            for k in 0..motion.q.len() {
-                let p_k = motion.p[k].value();
-                sum_0 = Scalar::of(0.5).scale_add(p_k.square(), sum_0);
-            }
-            sum_0
+            motion.kinetic::<Self>(time)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let motion = &motion.plain::<Self::Coords>();
-            let mut sum_2 = Scalar::of(0.0);
-            for i in 0..motion.parameters.prepared_2 {
-                let condition_0 = <Scalar::Mask as runtime::Mask>::of((0) < (i));
-                if condition_0.any() {
-                    let mut sum_1 = Scalar::of(0.0);
-                    for j in 0..i {
-                        let mut sum_0 = Scalar::of(0.0);
-                        for k in 0..3 {
-                            let shared_0 = motion.q[(3 * i) + k].value()
-                                - motion.q[(3 * j) + k].value();
-                            sum_0 = shared_0.square_add(sum_0);
-                        }
-                        sum_1
-                            += motion.parameters.masses_2[i]
-                                * motion.parameters.masses_3[j]
-                                / (sum_0 + motion.parameters.softening).sqrt();
-                    }
-                    sum_2 = Scalar::select(condition_0, sum_2 + sum_1, sum_2);
-                }
-            }
-            -sum_2
+            motion.potential::<Self>(time)
         }
         fn stated(
             &self,
@@ -233,6 +224,25 @@ const _: () = {
                 gradient[k] = shared_2 * shared_0;
             }
             gradient
+        }
+        #[inline(always)]
+        fn energy<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(
+            parameters: &Self::Parameters<Scalar>,
+            q_i: [Wide; 3],
+            q_j: [Wide; 3],
+            constants_i: [Wide; 1],
+            constants_j: [Wide; 1],
+            _time: f64,
+        ) -> Wide {
+            let masses_of_i = constants_i[0];
+            let masses_of_j = constants_j[0];
+            let mut sum_0 = Wide::of(0.0);
+            for k in 0..3 {
+                let shared_0 = q_i[k] - q_j[k];
+                sum_0 = shared_0.square_add(sum_0);
+            }
+            -(masses_of_i * masses_of_j
+                / (sum_0 + Wide::splat(parameters.softening)).sqrt())
         }
     }
     impl runtime::BodyConstants<1> for Parameters<f64> {

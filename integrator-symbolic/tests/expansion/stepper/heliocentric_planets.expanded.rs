@@ -20,18 +20,41 @@ const _: () = {
         /// `1 / (2 star)`
         prepared_6: Scalar,
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &[f64; 4] {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &[f64; 4] {
+            &self.prepared_1
+        }
+        fn prepared_2(&self) -> &f64 {
+            &self.prepared_2
+        }
+        fn prepared_3(&self) -> &[f64; 4] {
+            &self.prepared_3
+        }
+        fn mass(&self) -> &[f64; 3] {
+            &self.mass
+        }
+        fn prepared_5(&self) -> &[f64; 4] {
+            &self.prepared_5
+        }
+        fn prepared_6(&self) -> &f64 {
+            &self.prepared_6
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
-                mass: runtime::in_lanes(members, |member| &member.mass),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
-                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                prepared_2: runtime::in_lanes(members, Parameters::prepared_2),
+                prepared_3: runtime::in_lanes(members, Parameters::prepared_3),
+                mass: runtime::in_lanes(members, Parameters::mass),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
+                prepared_6: runtime::in_lanes(members, Parameters::prepared_6),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -9,13 +9,21 @@ const _: () = {
         /// `-3 mu`
         prepared_1: Scalar,
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &f64 {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

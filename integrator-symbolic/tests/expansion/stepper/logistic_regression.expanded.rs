@@ -5,18 +5,26 @@ const _: () = {
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
         /// `covariates[row][k]`
-        covariates: runtime::Vec<runtime::Vec<Scalar>>,
+        covariates: runtime::SharedTable<runtime::SharedTable<Scalar>>,
         /// `outcomes[row]`
-        outcomes: runtime::Vec<Scalar>,
+        outcomes: runtime::SharedTable<Scalar>,
         prepared_2: usize,
+    }
+    impl Parameters<f64> {
+        fn covariates(&self) -> &runtime::SharedTable<runtime::SharedTable<f64>> {
+            &self.covariates
+        }
+        fn outcomes(&self) -> &runtime::SharedTable<f64> {
+            &self.outcomes
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                covariates: runtime::in_lanes(members, |member| &member.covariates),
-                outcomes: runtime::in_lanes(members, |member| &member.outcomes),
+                covariates: runtime::in_lanes(members, Parameters::covariates),
+                outcomes: runtime::in_lanes(members, Parameters::outcomes),
                 prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
             }
         }
@@ -69,8 +77,9 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5296978085037665967;
+        const FINGERPRINT: u64 = 6018378315042962994;
         const LARGE_FLOWS: bool = true;
+        const ENERGIES_IN_LANES: bool = true;
         fn admissible(
             &self,
             length: usize,
@@ -188,11 +197,38 @@ const _: () = {
             motion: &Self::Motion<Scalar, Leaf>,
             _time: f64,
         ) -> Scalar {
-            let mut sum_0 = Scalar::of(0.0);
-            for k in 0..motion.q.len() {
-                let p_k = motion.p[k].value();
-                sum_0 = Scalar::of(0.5).scale_add(p_k.square(), sum_0);
-            }
+            let [sum_0] = {
+                struct Iteration;
+                impl runtime::Iteration<1, 0, 0, 1, 0, 1> for Iteration {
+                    const READS: [runtime::Near; 1] = [
+                        runtime::Near {
+                            part: 0,
+                            offset: 0,
+                        },
+                    ];
+                    #[inline(always)]
+                    fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                        [[p_k,
+                        ],
+                        ]: [[Wide; 1]; 1],
+                        []: [Wide; 0],
+                        []: [Wide; 0],
+                        [mut sum_0,
+                        ]: [Wide; 1],
+                        []: [[Wide; 1]; 0],
+                    ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                        sum_0 = Wide::of(0.5).scale_add(p_k.square(), sum_0);
+                        ([sum_0], [])
+                    }
+                }
+                runtime::Loop {
+                    range: 0..motion.q.len(),
+                    parts: [motion.p.as_chunks::<1>().0],
+                    constants: [],
+                    common: [],
+                }
+                    .run::<Iteration, _, _, _>(&mut [])
+            };
             sum_0
         }
         #[inline(always)]
@@ -203,13 +239,39 @@ const _: () = {
             let q0 = motion.q[0].value();
             let mut sum_1 = Scalar::of(0.0);
             for row in 0..motion.parameters.prepared_2 {
-                let mut sum_0 = Scalar::of(0.0);
-                for k in 0..motion.q.len().saturating_sub(1) {
-                    sum_0 = motion
-                        .parameters
-                        .covariates[row][k]
-                        .scale_add(motion.q[k + 1].value(), sum_0);
-                }
+                let [sum_0] = {
+                    struct Iteration;
+                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                        const READS: [runtime::Near; 1] = [
+                            runtime::Near {
+                                part: 0,
+                                offset: 1,
+                            },
+                        ];
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            [[read_0_0,
+                            ],
+                            ]: [[Wide; 1]; 1],
+                            [constant_0,
+                            ]: [Wide; 1],
+                            []: [Wide; 0],
+                            [mut sum_0,
+                            ]: [Wide; 1],
+                            []: [[Wide; 1]; 0],
+                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                            sum_0 = constant_0.scale_add(read_0_0, sum_0);
+                            ([sum_0], [])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [],
+                    }
+                        .run::<Iteration, _, _, _>(&mut [])
+                };
                 let shared_0 = q0 + sum_0;
                 sum_1
                     += (-motion.parameters.outcomes[row])

@@ -13,13 +13,21 @@ const _: () = {
         /// `gravity`
         gravity: Scalar,
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &f64 {
+            &self.prepared_0
+        }
+        fn gravity(&self) -> &f64 {
+            &self.gravity
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                gravity: runtime::in_lanes(members, |member| &member.gravity),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                gravity: runtime::in_lanes(members, Parameters::gravity),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -17,17 +17,37 @@ const _: () = {
         /// `1 / (2 mass[i])`
         prepared_5: [Scalar; 6],
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &[f64; 6] {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &[f64; 6] {
+            &self.prepared_1
+        }
+        fn mass(&self) -> &[f64; 6] {
+            &self.mass
+        }
+        fn mass_2(&self) -> &[f64; 5] {
+            &self.mass_2
+        }
+        fn prepared_4(&self) -> &[f64; 6] {
+            &self.prepared_4
+        }
+        fn prepared_5(&self) -> &[f64; 6] {
+            &self.prepared_5
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                mass: runtime::in_lanes(members, |member| &member.mass),
-                mass_2: runtime::in_lanes(members, |member| &member.mass_2),
-                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                mass: runtime::in_lanes(members, Parameters::mass),
+                mass_2: runtime::in_lanes(members, Parameters::mass_2),
+                prepared_4: runtime::in_lanes(members, Parameters::prepared_4),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

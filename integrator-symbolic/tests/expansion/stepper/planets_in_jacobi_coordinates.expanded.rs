@@ -20,19 +20,42 @@ const _: () = {
         /// `Σ_{j in 0..i} gravity mass[i] mass[j] + Σ_{j_2 in leading_body..end_of_leader} gravity mass[i] mass[j_2]`
         prepared_7: [Scalar; 6],
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &[f64; 6] {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &[f64; 6] {
+            &self.prepared_1
+        }
+        fn mass(&self) -> &[f64; 6] {
+            &self.mass
+        }
+        fn mass_2(&self) -> &[f64; 5] {
+            &self.mass_2
+        }
+        fn prepared_5(&self) -> &[f64; 6] {
+            &self.prepared_5
+        }
+        fn prepared_6(&self) -> &[f64; 6] {
+            &self.prepared_6
+        }
+        fn prepared_7(&self) -> &[f64; 6] {
+            &self.prepared_7
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                mass: runtime::in_lanes(members, |member| &member.mass),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                mass: runtime::in_lanes(members, Parameters::mass),
                 leading_body: ::core::clone::Clone::clone(&members[0].leading_body),
-                mass_2: runtime::in_lanes(members, |member| &member.mass_2),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
-                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
-                prepared_7: runtime::in_lanes(members, |member| &member.prepared_7),
+                mass_2: runtime::in_lanes(members, Parameters::mass_2),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
+                prepared_6: runtime::in_lanes(members, Parameters::prepared_6),
+                prepared_7: runtime::in_lanes(members, Parameters::prepared_7),
             }
         }
         #[inline]

@@ -13,15 +13,29 @@ const _: () = {
         /// `stiffness / 2`
         prepared_3: Scalar,
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &f64 {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+        fn lambda(&self) -> &f64 {
+            &self.lambda
+        }
+        fn prepared_3(&self) -> &f64 {
+            &self.prepared_3
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                lambda: runtime::in_lanes(members, |member| &member.lambda),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                lambda: runtime::in_lanes(members, Parameters::lambda),
+                prepared_3: runtime::in_lanes(members, Parameters::prepared_3),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

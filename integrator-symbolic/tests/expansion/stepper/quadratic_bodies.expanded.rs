@@ -9,21 +9,35 @@ const _: () = {
         /// `PUSH`
         prepared_1: Scalar,
         /// `1 / mass[i]`
-        prepared_2: runtime::Vec<Scalar>,
+        prepared_2: runtime::SharedTable<Scalar>,
         prepared_3: usize,
         /// `1 / (2 mass[i])`
-        prepared_4: runtime::Vec<Scalar>,
+        prepared_4: runtime::SharedTable<Scalar>,
+    }
+    impl Parameters<f64> {
+        fn rate(&self) -> &f64 {
+            &self.rate
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+        fn prepared_2(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_2
+        }
+        fn prepared_4(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_4
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                rate: runtime::in_lanes(members, |member| &member.rate),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
+                rate: runtime::in_lanes(members, Parameters::rate),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                prepared_2: runtime::in_lanes(members, Parameters::prepared_2),
                 prepared_3: ::core::clone::Clone::clone(&members[0].prepared_3),
-                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
+                prepared_4: runtime::in_lanes(members, Parameters::prepared_4),
             }
         }
         #[inline]

@@ -5,20 +5,31 @@ const _: () = {
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
         /// `2 inertia[i][j]`
-        prepared_0: runtime::Vec<[Scalar; 64]>,
+        prepared_0: runtime::SharedTable<[Scalar; 64]>,
         /// `along[j]`
         along: [Scalar; 64],
         /// `across[i]`
-        across: runtime::Vec<Scalar>,
+        across: runtime::SharedTable<Scalar>,
+    }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &runtime::SharedTable<[f64; 64]> {
+            &self.prepared_0
+        }
+        fn along(&self) -> &[f64; 64] {
+            &self.along
+        }
+        fn across(&self) -> &runtime::SharedTable<f64> {
+            &self.across
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                along: runtime::in_lanes(members, |member| &member.along),
-                across: runtime::in_lanes(members, |member| &member.across),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                along: runtime::in_lanes(members, Parameters::along),
+                across: runtime::in_lanes(members, Parameters::across),
             }
         }
         #[inline]

@@ -7,29 +7,49 @@ const _: () = {
         /// `1 / (mass length^2)`
         prepared_0: Scalar,
         /// `k overtones[k] sqrt(length + k)`
-        prepared_1: runtime::Vec<Scalar>,
+        prepared_1: runtime::SharedTable<Scalar>,
         prepared_2: usize,
         /// `mass gravity length`
         prepared_3: Scalar,
         /// `k^2 overtones[k] sqrt(length + k)`
-        prepared_4: runtime::Vec<Scalar>,
+        prepared_4: runtime::SharedTable<Scalar>,
         /// `1 / (2 mass length^2)`
         prepared_5: Scalar,
         /// `overtones[k] sqrt(length + k)`
-        prepared_6: runtime::Vec<Scalar>,
+        prepared_6: runtime::SharedTable<Scalar>,
+    }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &f64 {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_1
+        }
+        fn prepared_3(&self) -> &f64 {
+            &self.prepared_3
+        }
+        fn prepared_4(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_4
+        }
+        fn prepared_5(&self) -> &f64 {
+            &self.prepared_5
+        }
+        fn prepared_6(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_6
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
                 prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
-                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
-                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+                prepared_3: runtime::in_lanes(members, Parameters::prepared_3),
+                prepared_4: runtime::in_lanes(members, Parameters::prepared_4),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
+                prepared_6: runtime::in_lanes(members, Parameters::prepared_6),
             }
         }
         #[inline]

@@ -11,14 +11,25 @@ const _: () = {
         /// `stiffness / 2`
         prepared_2: Scalar,
     }
+    impl Parameters<f64> {
+        fn rate(&self) -> &f64 {
+            &self.rate
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+        fn prepared_2(&self) -> &f64 {
+            &self.prepared_2
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                rate: runtime::in_lanes(members, |member| &member.rate),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
+                rate: runtime::in_lanes(members, Parameters::rate),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                prepared_2: runtime::in_lanes(members, Parameters::prepared_2),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -13,15 +13,29 @@ const _: () = {
         /// `(1 - mass) / 2`
         prepared_3: Scalar,
     }
+    impl Parameters<f64> {
+        fn mass(&self) -> &f64 {
+            &self.mass
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+        fn prepared_2(&self) -> &f64 {
+            &self.prepared_2
+        }
+        fn prepared_3(&self) -> &f64 {
+            &self.prepared_3
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                mass: runtime::in_lanes(members, |member| &member.mass),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                prepared_2: runtime::in_lanes(members, |member| &member.prepared_2),
-                prepared_3: runtime::in_lanes(members, |member| &member.prepared_3),
+                mass: runtime::in_lanes(members, Parameters::mass),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                prepared_2: runtime::in_lanes(members, Parameters::prepared_2),
+                prepared_3: runtime::in_lanes(members, Parameters::prepared_3),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

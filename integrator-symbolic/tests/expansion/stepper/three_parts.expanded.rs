@@ -20,18 +20,41 @@ const _: () = {
         /// `stiffness / 2`
         prepared_6: Scalar,
     }
+    impl Parameters<f64> {
+        fn prepared_0(&self) -> &f64 {
+            &self.prepared_0
+        }
+        fn prepared_1(&self) -> &f64 {
+            &self.prepared_1
+        }
+        fn rate(&self) -> &f64 {
+            &self.rate
+        }
+        fn depth(&self) -> &f64 {
+            &self.depth
+        }
+        fn prepared_4(&self) -> &f64 {
+            &self.prepared_4
+        }
+        fn prepared_5(&self) -> &f64 {
+            &self.prepared_5
+        }
+        fn prepared_6(&self) -> &f64 {
+            &self.prepared_6
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                prepared_0: runtime::in_lanes(members, |member| &member.prepared_0),
-                prepared_1: runtime::in_lanes(members, |member| &member.prepared_1),
-                rate: runtime::in_lanes(members, |member| &member.rate),
-                depth: runtime::in_lanes(members, |member| &member.depth),
-                prepared_4: runtime::in_lanes(members, |member| &member.prepared_4),
-                prepared_5: runtime::in_lanes(members, |member| &member.prepared_5),
-                prepared_6: runtime::in_lanes(members, |member| &member.prepared_6),
+                prepared_0: runtime::in_lanes(members, Parameters::prepared_0),
+                prepared_1: runtime::in_lanes(members, Parameters::prepared_1),
+                rate: runtime::in_lanes(members, Parameters::rate),
+                depth: runtime::in_lanes(members, Parameters::depth),
+                prepared_4: runtime::in_lanes(members, Parameters::prepared_4),
+                prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
+                prepared_6: runtime::in_lanes(members, Parameters::prepared_6),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -10,13 +10,21 @@ const _: () = {
         /// `depth`
         depth: Scalar,
     }
+    impl Parameters<f64> {
+        fn coupling(&self) -> &f64 {
+            &self.coupling
+        }
+        fn depth(&self) -> &f64 {
+            &self.depth
+        }
+    }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
-                coupling: runtime::in_lanes(members, |member| &member.coupling),
-                depth: runtime::in_lanes(members, |member| &member.depth),
+                coupling: runtime::in_lanes(members, Parameters::coupling),
+                depth: runtime::in_lanes(members, Parameters::depth),
             }
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {

@@ -5,7 +5,11 @@ use super::{
     listed::{Listed, epsilon},
     lists::Lists,
 };
-use crate::{layout::bodies::many_rows::WIDTH, scalar::real::Real, system::motion::Found};
+use crate::{
+    layout::bodies::many_rows::WIDTH,
+    scalar::{real::Real, simd::row::Row},
+    system::motion::Found,
+};
 
 /// Lists for a motion that may compute in other numbers.
 struct FoundLists<const D: usize> {
@@ -24,8 +28,15 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
     pub(crate) fn found(&self, bodies: usize) -> Option<Found> {
         let listed = self.last().filter(|_| R::LANES == 1)?;
         let mut reference = Vec::with_capacity(bodies);
-        for body in 0..bodies {
-            reference.push(listed.reference[body / WIDTH].map(|row| row.lane(body % WIDTH)));
+        for (row, first) in listed.reference.iter().zip((0..bodies).step_by(WIDTH)) {
+            let (mut numbers, mut points) = ([R::of(0.0); WIDTH], [[0.0; D]; WIDTH]);
+            for d in 0..D {
+                row[d].write(&mut numbers);
+                for lane in 0..WIDTH {
+                    points[lane][d] = numbers[lane].lane(0);
+                }
+            }
+            reference.extend_from_slice(&points[..WIDTH.min(bodies - first)]);
         }
         let (lists, epsilon) = (listed.lists.clone(), epsilon::<R>());
         Some(Arc::new(FoundLists {

@@ -204,31 +204,11 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
 
     /// The energy of all pairs and of all bodies alone.
     pub(crate) fn energy<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
-        mut self,
-        Sum { q, constants, bodies, parameters, time, threads }: Sum<'_, H, R, L, D, S>,
+        self,
+        sum: Sum<'_, H, R, L, D, S>,
         cutoffs: &Cutoffs<D>,
     ) -> R {
-        let mut total = R::of(0.0);
-        let listed = self.renew(q, bodies, cutoffs, threads);
-        let lists = &*listed.lists;
-        self.fill::<H, L, S>(q, constants, &lists.slot_of);
-        let (points, _) = self.points.as_chunks();
-        let mut results = vec![[[R::of(0.0); WIDTH]]; q.len()];
-        in_portions(lists, &mut results, threads, &|number, rows, results| {
-            let portion = lists.portions.as_ref().map(|portions| &portions[number]);
-            let system = PhantomData::<fn(H)>;
-            R::enter(Energies { points, portion, rows, bodies, parameters, time, results, system });
-        });
-        for row in 0..q.len() {
-            let slots = &lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
-            let own = H::energy_alone::<R, R::Row<WIDTH>>(parameters, values(&q[row]), constants[row], time);
-            let [sum] = gathered::<R, R::Row<WIDTH>, 1>(&results, slots);
-            let sum = own.map_or(sum, |own| own + sum);
-            for lane in 0..slots.len() {
-                total += sum.part(lane);
-            }
-        }
-        total
+        R::enter(Energy { neighbours: self, sum, cutoffs })
     }
 }
 
@@ -352,4 +332,48 @@ fn gathered<R: Real, W: Row<R>, const N: usize>(results: &[[[R; WIDTH]; N]], slo
         *row = W::read(numbers);
     }
     rows
+}
+
+/// The energy of neighbours, in the variant for the instruction set.
+struct Energy<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
+    neighbours: Neighbours<R, D>,
+    sum: Sum<'s, H, R, L, D, S>,
+    cutoffs: &'s Cutoffs<D>,
+}
+
+impl<H, R, L, const D: usize, const S: usize> Kernel for Energy<'_, H, R, L, D, S>
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    L: Slot<R::Row<WIDTH>>,
+{
+    type Out = R;
+
+    #[inline(always)]
+    fn call(self) -> R {
+        let Self { mut neighbours, sum, cutoffs } = self;
+        let Sum { q, constants, bodies, parameters, time, threads } = sum;
+        let listed = neighbours.renew(q, bodies, cutoffs, threads);
+        let lists = &*listed.lists;
+        neighbours.fill::<H, L, S>(q, constants, &lists.slot_of);
+        let (points, _) = neighbours.points.as_chunks();
+        // Of the type of the forces, so that what sums them is compiled once.
+        let mut results = vec![[[R::of(0.0); WIDTH]; D]; q.len()];
+        in_portions(lists, &mut results, threads, &|number, rows, results| {
+            let portion = lists.portions.as_ref().map(|portions| &portions[number]);
+            let system = PhantomData::<fn(H)>;
+            R::enter(Energies { points, portion, rows, bodies, parameters, time, results, system });
+        });
+        let mut total = R::of(0.0);
+        for row in 0..q.len() {
+            let slots = &lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
+            let own = H::energy_alone::<R, R::Row<WIDTH>>(parameters, values(&q[row]), constants[row], time);
+            let sum = gathered::<R, R::Row<WIDTH>, D>(&results, slots)[0];
+            let sum = own.map_or(sum, |own| own + sum);
+            for lane in 0..slots.len() {
+                total += sum.part(lane);
+            }
+        }
+        total
+    }
 }

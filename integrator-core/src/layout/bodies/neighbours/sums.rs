@@ -36,7 +36,7 @@ pub(crate) struct Energies<'s, H: ManyBody<D, S>, R: Real, const D: usize, const
     pub(crate) bodies: usize,
     pub(crate) parameters: &'s H::Parameters<R>,
     pub(crate) time: f64,
-    pub(crate) results: &'s mut [[[R; WIDTH]; 1]],
+    pub(crate) results: &'s mut [[[R; WIDTH]; D]],
     pub(crate) system: PhantomData<fn(H)>,
 }
 
@@ -95,24 +95,19 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
             let own = own_slots(row, bodies);
             let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own);
             let mut sum = <R::Row<WIDTH> as Real>::of(0.0);
-            let mut add = |at: &[u32; WIDTH], acting: Lanes<R>| {
-                let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, at);
-                put_in_order::<H, R, D, S>(&mut others, || acting);
-                let energy = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [body, others], time);
-                let none = Real::of(0.0);
-                sum += Real::select(acting, energy, none);
-            };
             match portion {
                 Some(portion) => {
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
                     for (step, slots) in portion.steps[head.first..][..range.most].iter().enumerate() {
-                        add(slots, range.acting(step));
+                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
+                        add_energies::<H, R, D, S>(&mut sum, parameters, [body, others], range.acting(step), time);
                     }
                 }
                 None => {
                     for other in 0..bodies.min((row + 1) * WIDTH) {
-                        add(&[other as u32; WIDTH], behind::<R>(other, row));
+                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
+                        add_energies::<H, R, D, S>(&mut sum, parameters, [body, others], behind::<R>(other, row), time);
                     }
                 }
             }
@@ -196,6 +191,20 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
             sum[d] += force[d];
         }
     }
+}
+
+/// Adds the energies of other bodies with those of a row, in the lanes of `acting`.
+#[inline(always)]
+fn add_energies<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
+    sum: &mut R::Row<WIDTH>,
+    parameters: &H::Parameters<R>,
+    [row, mut others]: [Bodies<R::Row<WIDTH>, D, S>; 2],
+    acting: Lanes<R>,
+    time: f64,
+) {
+    put_in_order::<H, R, D, S>(&mut others, || acting);
+    let energies = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [row, others], time);
+    *sum += Real::select(acting, energies, Real::of(0.0));
 }
 
 /// The numbers of steps of a row: of those with all lanes, of those with any lane, and of those with each lane.

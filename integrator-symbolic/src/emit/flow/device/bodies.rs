@@ -3,14 +3,14 @@
 
 use super::{Shape, function};
 use crate::{
-    emit::{
-        flow::pairs::ROW,
-        printer::{
-            block::Emitter,
-            cuda::{Lines, Reads, Within, evaluate},
-        },
+    emit::printer::{
+        block::Emitter,
+        cuda::{Lines, Reads, Within, evaluate},
     },
-    pattern::{all_pairs::AllPairs, bodies::OfBodies},
+    pattern::{
+        all_pairs::{AllPairs, ROW},
+        bodies::OfBodies,
+    },
 };
 
 /// The flows of `T` and of `V`, and what these require of the system.
