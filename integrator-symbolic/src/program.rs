@@ -142,6 +142,8 @@ pub(crate) struct Constraints {
     pub(crate) named: BTreeSet<NodeId>,
     /// Those that are computed wherever another one is, which reads them later than in this pass.
     pub(crate) beside: BTreeMap<NodeId, BTreeSet<NodeId>>,
+    /// Whether choices among prepared numbers are selections by any condition: lanes rarely agree on a branch.
+    pub(crate) selects: bool,
 }
 
 /// Schedules what stores need. `leaf` decides which nodes are read, not computed.

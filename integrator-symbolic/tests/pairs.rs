@@ -288,6 +288,14 @@ fn a_cutoff_is_proved_or_all_pairs_are_summed() {
         assert_eq!(text.contains("fn sides <"), found == Some(true), "{name}: {text}");
         assert!(text.contains("fn energy <") && text.contains("motion . potential"), "{name}: {text}");
     }
+    // Images that are chosen by conditions are selections: the cutoff alone is a branch of a force.
+    let by_branches = image!("if x > self.half { x - self.side } else if x < -self.half { x + self.side } else { x }");
+    let by_remainder = image!("(x + 0.5 * self.side).rem_euclid(self.side) - 0.5 * self.side");
+    for distance in [by_branches, by_remainder] {
+        let text = of_pairs("len", "[[f64; 3]]", distance, IF);
+        let pair = text.split("fn pair <").nth(1).and_then(|text| text.split("fn ").next()).expect("a force");
+        assert_eq!(pair.matches(". any ()").count(), 1, "{distance}: {pair}");
+    }
     // The side is what the displacement is shifted by, not a factor of it.
     let distance = image!("{ let side = 2.0 * self.half; x - side * (x / side).round() }");
     let text = of_pairs("len", "[[f64; 3]]", distance, IF);

@@ -265,7 +265,44 @@ impl Graph {
                 let inner = self.select(second, a, b);
                 self.select(first, a, inner)
             }
-            _ => self.intern(Node::Select(condition, a, b)),
+            _ => match self.shifts(condition, [a, b]) {
+                // exact but for the sign of a zero: one of two shifts of a number is added to it
+                Some((number, [first, second])) => {
+                    let shift = self.intern(Node::Select(condition, first, second));
+                    self.add(number, shift)
+                }
+                None => self.intern(Node::Select(condition, a, b)),
+            },
+        }
+    }
+
+    /// The number that both of two values are shifts of, as the images in a periodic box, and by how much: by numbers that
+    /// depend on parameters alone, where the condition depends on coordinates.
+    fn shifts(&mut self, condition: NodeId, values: [NodeId; 2]) -> Option<(NodeId, [NodeId; 2])> {
+        if self.is_prepared(condition) || values.iter().any(|value| self.is_prepared(*value)) {
+            return None;
+        }
+        let split = |graph: &Self, value: NodeId| match graph.node(value) {
+            Node::Add(number, shift) if graph.is_shift(shift) => Some((number, shift)),
+            Node::Add(shift, number) if graph.is_shift(shift) => Some((number, shift)),
+            _ => None,
+        };
+        let zero = self.constant(0.0);
+        let (number, shifts) = match values.map(|value| split(self, value)) {
+            [Some((number, first)), Some((other, second))] if number == other => (number, [first, second]),
+            [Some((number, first)), _] if number == values[1] => (number, [first, zero]),
+            [_, Some((number, second))] if number == values[0] => (number, [zero, second]),
+            _ => return None,
+        };
+        let is_there = |(shift, holds)| self.is_harmless(shift, &[Scope::Branch(condition, holds)]);
+        [(shifts[0], true), (shifts[1], false)].into_iter().all(is_there).then_some((number, shifts))
+    }
+
+    /// Whether a value depends on parameters alone, or is one of two such shifts.
+    fn is_shift(&self, value: NodeId) -> bool {
+        match self.node(value) {
+            Node::Select(_, a, b) => self.is_prepared(a) && self.is_prepared(b),
+            _ => self.is_prepared(value),
         }
     }
 }

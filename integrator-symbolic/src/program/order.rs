@@ -103,9 +103,24 @@ impl<L: Fn(&Graph, NodeId) -> bool> Scheduler<'_, L> {
     /// Whether a choice is one of two prepared numbers, which takes an instruction and no branch.
     pub(super) fn is_selection(&self, id: NodeId) -> bool {
         let Node::Select(_, a, b) = self.graph.node(id) else { return false };
+        if !self.graph.is_prepared(id) {
+            return self.constraints.selects && [a, b].iter().all(|side| self.is_selected(*side));
+        }
         // With fewer loops it is prepared itself.
-        let is_computed = self.graph.is_prepared(id) && self.graph.loops_of(id).iter().count() > 1;
+        let is_computed = self.graph.loops_of(id).iter().count() > 1;
         is_computed && [a, b].iter().all(|side| (self.leaf)(self.graph, *side))
+    }
+
+    /// Whether a number is prepared, but for its sign, or is one of two such numbers.
+    fn is_selected(&self, id: NodeId) -> bool {
+        let is_number = |id: NodeId| match self.graph.node(id) {
+            Node::Neg(number) => (self.leaf)(self.graph, number),
+            _ => self.graph.as_constant(id).is_some() || (self.leaf)(self.graph, id),
+        };
+        match self.graph.node(id) {
+            Node::Select(_, a, b) => [a, b].into_iter().all(is_number),
+            _ => is_number(id),
+        }
     }
 
     fn inner_item(&self, block: usize, named: &BTreeSet<NodeId>) -> Option<Item> {

@@ -10,6 +10,7 @@ use crate::{
     graph::index::LoopId,
     model::Model,
     pattern::bodies::{Constants, OfBodies},
+    program::Constraints,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -57,7 +58,8 @@ impl OfBodies {
         let reads = self.reads.iter().map(|(id, by, place)| (*id, constants.name(model, fields, *place, *by)));
         let bodies = Bodies { suffixes: suffixes.collect(), constants: reads.collect() };
         let constants = self.constants(model, fields, constants);
-        let lines = emitter.evaluate(&Frame::Bodies(bodies), &self.of, &self.stores);
+        let constraints = Constraints { selects: true, ..Constraints::default() };
+        let lines = emitter.evaluate_with(&Frame::Bodies(bodies), &self.of, &self.stores, &constraints);
         lines.map(|lines| quote!(#constants #lines))
     }
 }

@@ -116,6 +116,7 @@ pub(super) fn constraints(graph: &Graph, recurrences: &Recurrences) -> Constrain
     Constraints {
         named: recurrences.kept.union(&recurrences.nonlinear).copied().collect(),
         beside: recurrences.slopes.iter().map(|(id, slopes)| (*id, beside(slopes))).collect(),
+        selects: false,
     }
 }
 
