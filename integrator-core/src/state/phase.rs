@@ -1,7 +1,7 @@
 //! Points of phase space.
 
 use crate::state::{compensated::Compensated, coords::Coords, fixed::Fixed, precision::Precision};
-use core::ops::Neg;
+use core::{fmt, ops::Neg};
 
 /// A point of phase space: positions and momenta, in the shape of the arguments of the Hamiltonian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +101,32 @@ impl<C: Coords<Leaf = f64>> Phase<C> {
     }
 }
 
+/// A point as it is shown in the `Debug` output of a run: of many coordinates, the first ones.
+pub(crate) struct Abridged<'p, C>(pub(crate) &'p Phase<C>);
+
+impl<C: Coords> fmt::Debug for Abridged<'_, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        /// The most coordinates that are all shown, and how many of more.
+        const ALL: usize = 24;
+        const FIRST: usize = 3;
+
+        struct First<'l, K>(&'l [K]);
+
+        impl<K: fmt::Debug> fmt::Debug for First<'_, K> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_list().entries(&self.0[..FIRST]).finish_non_exhaustive()
+            }
+        }
+
+        let Phase { q, p } = self.0;
+        let (q, p) = (q.flat(), p.flat());
+        if q.len() <= ALL {
+            return self.0.fmt(f);
+        }
+        f.debug_struct("Phase").field("coordinates", &q.len()).field("q", &First(q)).field("p", &First(p)).finish()
+    }
+}
+
 /// The start of a run with coordinates `C`: a [`Phase`].
 ///
 /// The precision of the run follows from the start, so that generic code does not name it:
@@ -141,5 +167,19 @@ impl<C: Coords> StartOf<C> for Phase<C> {
     type Leaf = C::Leaf;
     fn into_phase(self) -> Self {
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_coordinates_are_abridged() {
+        let few = Phase::new([1.0, 2.0], [0.5; 2]);
+        assert_eq!(format!("{:?}", Abridged(&few)), format!("{few:?}"));
+        let many = Phase::new(vec![[0.5; 3]; 1000], vec![[1.0; 3]; 1000]);
+        let shown = "Phase { coordinates: 3000, q: [0.5, 0.5, 0.5, ..], p: [1.0, 1.0, 1.0, ..] }";
+        assert_eq!(format!("{:?}", Abridged(&many)), shown);
     }
 }

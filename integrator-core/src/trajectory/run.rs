@@ -11,7 +11,7 @@ use crate::{
     state::{
         clock::{Clock, durations, time_after},
         coords::Coords,
-        phase::Phase,
+        phase::{Abridged, Phase},
         point::Point,
         precision::Precision,
     },
@@ -712,7 +712,7 @@ impl<C: Coords> fmt::Debug for Run<C> {
             .field("step", &self.clock.h)
             .field("steps", &self.clock.steps)
             .field("time", &self.time())
-            .field("state", &self.state())
+            .field("state", &Abridged(&self.state()))
             .finish()
     }
 }

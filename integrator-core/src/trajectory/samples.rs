@@ -2,7 +2,10 @@
 
 use crate::{
     error::Error,
-    state::{coords::Coords, phase::Phase},
+    state::{
+        coords::Coords,
+        phase::{Abridged, Phase},
+    },
     system::energy::Energies,
     trajectory::{
         crossings::{Crossings, Direction},
@@ -241,7 +244,7 @@ impl<C: Coords> fmt::Debug for Sample<C> {
         f.debug_struct("Sample")
             .field("time", &self.time)
             .field("step", &self.step)
-            .field("state", &self.state)
+            .field("state", &Abridged(&self.state))
             .finish()
     }
 }
