@@ -6,7 +6,9 @@
 //! For an ensemble they are those of all members.
 
 use integrator_bench::{
+    problems::{Phi4Plane, SineGordon},
     race::{Racer, race},
+    starts::{cluster, liquid, rows_of_waves, waves},
     table::Table,
 };
 use integrator_core::{Coords, prelude::*};
@@ -14,90 +16,6 @@ use std::{cell::RefCell, error::Error, hint::black_box};
 
 /// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 11;
-
-struct Bodies {
-    masses: Vec<f64>,
-}
-
-#[hamiltonian]
-impl Bodies {
-    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..p.len() {
-            energy += (p[i][0].powi(2) + p[i][1].powi(2) + p[i][2].powi(2)) / (2.0 * self.masses[i]);
-        }
-        energy
-    }
-    fn potential(&self, q: &[[f64; 3]]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..q.len() {
-            for j in 0..i {
-                let [x, y, z] = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
-                energy -= self.masses[i] * self.masses[j] / (x * x + y * y + z * z + 0.01).sqrt();
-            }
-        }
-        energy
-    }
-}
-
-struct Liquid {
-    side: f64,
-}
-
-#[hamiltonian]
-impl Liquid {
-    fn kinetic(&self, p: &[[f64; 3]]) -> f64 {
-        p.iter().flatten().map(|p| p * p / 2.0).sum()
-    }
-    fn potential(&self, q: &[[f64; 3]]) -> f64 {
-        let mut energy = 0.0;
-        for i in 0..q.len() {
-            for j in 0..i {
-                let mut r2 = 0.0;
-                for k in 0..3 {
-                    let d = q[i][k] - q[j][k];
-                    r2 += (d - self.side * (d / self.side).round()).powi(2);
-                }
-                if r2 < 6.25 {
-                    let sixth = 1.0 / (r2 * r2 * r2);
-                    energy += 4.0 * (sixth * sixth - sixth) + 0.016316891136;
-                }
-            }
-        }
-        energy
-    }
-}
-
-struct Rotors;
-
-#[hamiltonian]
-impl Rotors {
-    fn kinetic(&self, p: &[f64]) -> f64 {
-        p.iter().map(|p| p * p / 2.0).sum()
-    }
-    fn potential(&self, q: &[f64]) -> f64 {
-        (1..q.len()).map(|i| 1.0 - (q[i] - q[i - 1]).cos()).sum()
-    }
-}
-
-struct Plane;
-
-#[hamiltonian]
-impl Plane {
-    fn kinetic(&self, p: &[[f64; 64]]) -> f64 {
-        p.iter().flatten().map(|p| p * p / 2.0).sum()
-    }
-    fn potential(&self, q: &[[f64; 64]]) -> f64 {
-        let mut energy = 0.0;
-        for y in 0..q.len() {
-            for x in 0..64 {
-                let [right, below] = [q[y][(x + 1) % 64] - q[y][x], q[(y + 1) % q.len()][x] - q[y][x]];
-                energy += 0.5 * (right * right + below * below) + 0.25 * q[y][x].powi(4);
-            }
-        }
-        energy
-    }
-}
 
 struct Posterior {
     covariates: Vec<f64>,
@@ -127,14 +45,6 @@ fn posterior() -> Posterior {
         covariates: (0..20_000).map(|k| (0.7 * f64::from(k)).sin()).collect(),
         outcomes: (0..1_000).map(|row| f64::from(row % 2)).collect(),
     }
-}
-
-/// A cube of bodies with this spacing.
-fn cube(side: usize, spacing: f64) -> Phase<Vec<[f64; 3]>> {
-    let wave = |i: usize| 0.01 * (1.3 * i as f64).sin();
-    let site = |i: usize| [i % side, i / side % side, i / side / side].map(|site| spacing * site as f64 + wave(i));
-    let bodies = 0..side.pow(3);
-    Phase::new(bodies.clone().map(site).collect(), bodies.map(|i| [wave(i + 1), wave(i + 2), 0.05]).collect())
 }
 
 struct Report {
@@ -176,10 +86,11 @@ impl Report {
 fn main() -> Result<(), Box<dyn Error>> {
     let table = Table::new("energies", &["layout", "what", "us", "to a step"]);
     let mut report = Report { table, lines: Vec::new() };
-    report.run("pairs", &Bodies { masses: vec![1.0; 216] }, &cube(6, 1.0), 20);
-    report.run("lists", &Liquid { side: 20.0 * 1.0583 }, &cube(20, 1.0583), 2);
-    report.run("line", &Rotors, &Phase::new(vec![0.1; 4_000], vec![0.2; 4_000]), 50);
-    report.run("plane", &Plane, &Phase::new(vec![[0.1; 64]; 64], vec![[0.2; 64]; 64]), 50);
+    let ((stars, at_stars), (argon, at_argon)) = (cluster(216), liquid(13));
+    report.run("pairs", &stars, &at_stars, 20);
+    report.run("lists", &argon, &at_argon, 2);
+    report.run("line", &SineGordon { stiffness: 1.0 }, &waves(4_000), 50);
+    report.run("plane", &Phi4Plane { stiffness: 1.0 }, &rows_of_waves(64), 50);
     report.run("regression", &posterior(), &Phase::new([0.01; 21], [0.1; 21]), 20);
     let members = || (0..16).map(|member| (posterior(), Phase::new([0.01 * f64::from(member); 21], [0.1; 21])));
     let new = || Ensemble::new(Verlet, members(), 0.01).expect("good starts").with_threads(1);
