@@ -128,10 +128,10 @@ pub trait Precision: Copy + Debug + PartialEq + Default + Send + Sync + 'static 
     const EPSILON: f64;
     /// Whether every update can be undone exactly, for which the composition has to be symmetric.
     const REVERSIBLE: bool = false;
-    /// Whether a slot is the number alone, without a carried error or a grid.
-    const PLAIN: bool = false;
     /// Whether the scalar type carries the rounding errors of its updates.
     const COMPENSATED: bool = false;
+    /// Whether a slot is the number alone, without a carried error or a grid.
+    const PLAIN: bool = !Self::COMPENSATED && !Self::REVERSIBLE;
 
     /// Fills a slot from one leaf per lane.
     fn pack<R: Real>(of_lane: &dyn Fn(usize) -> Self) -> Self::Slot<R>;
@@ -166,7 +166,6 @@ macro_rules! plain_precision {
             type EnergyIn<S: Instructions> = Fused<$scalar, S>;
 
             const NAME: &'static str = stringify!($scalar);
-            const PLAIN: bool = true;
             const EPSILON: f64 = <$scalar>::EPSILON as f64;
 
             #[inline(always)]

@@ -19,8 +19,8 @@ pub(crate) mod pair_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
 pub(crate) mod read_by_methods;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod shared_table;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod sites;
 #[cfg(any(debug_assertions, feature = "check"))]
 pub(crate) mod user_energies;

@@ -265,37 +265,30 @@ impl Graph {
                 let inner = self.select(second, a, b);
                 self.select(first, a, inner)
             }
-            _ => match self.shifts(condition, [a, b]) {
-                // exact but for the sign of a zero: one of two shifts of a number is added to it
-                Some((number, [first, second])) => {
-                    let shift = self.intern(Node::Select(condition, first, second));
-                    self.add(number, shift)
-                }
+            _ => match self.shifted(condition, [a, b]) {
+                Some(number) => self.select_addends(condition, number, [a, b]),
                 None => self.intern(Node::Select(condition, a, b)),
             },
         }
     }
 
-    /// The number that both of two values are shifts of, as the images in a periodic box, and by how much: by numbers that
-    /// depend on parameters alone, where the condition depends on coordinates.
-    fn shifts(&mut self, condition: NodeId, values: [NodeId; 2]) -> Option<(NodeId, [NodeId; 2])> {
+    /// The number that both of two values are shifts of, as the images in a periodic box: by numbers that depend on parameters
+    /// alone, where the condition depends on coordinates.
+    fn shifted(&self, condition: NodeId, values: [NodeId; 2]) -> Option<NodeId> {
         if self.is_prepared(condition) || values.iter().any(|value| self.is_prepared(*value)) {
             return None;
         }
-        let split = |graph: &Self, value: NodeId| match graph.node(value) {
-            Node::Add(number, shift) if graph.is_shift(shift) => Some((number, shift)),
-            Node::Add(shift, number) if graph.is_shift(shift) => Some((number, shift)),
+        let number = |value: NodeId, holds: bool| {
+            let Node::Add(a, b) = self.node(value) else { return None };
+            let is_shift = |shift| self.is_shift(shift) && self.is_harmless(shift, &[Scope::Branch(condition, holds)]);
+            [(a, b), (b, a)].into_iter().find_map(|(number, shift)| is_shift(shift).then_some(number))
+        };
+        match [number(values[0], true), number(values[1], false)] {
+            [Some(a), Some(b)] if a == b => Some(a),
+            [Some(a), _] if a == values[1] => Some(a),
+            [_, Some(b)] if b == values[0] => Some(b),
             _ => None,
-        };
-        let zero = self.constant(0.0);
-        let (number, shifts) = match values.map(|value| split(self, value)) {
-            [Some((number, first)), Some((other, second))] if number == other => (number, [first, second]),
-            [Some((number, first)), _] if number == values[1] => (number, [first, zero]),
-            [_, Some((number, second))] if number == values[0] => (number, [zero, second]),
-            _ => return None,
-        };
-        let is_there = |(shift, holds)| self.is_harmless(shift, &[Scope::Branch(condition, holds)]);
-        [(shifts[0], true), (shifts[1], false)].into_iter().all(is_there).then_some((number, shifts))
+        }
     }
 
     /// Whether a value depends on parameters alone, or is one of two such shifts.

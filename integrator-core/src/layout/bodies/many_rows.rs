@@ -292,27 +292,18 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         let rows = self.acting.div_ceil(WIDTH);
         let (q, constants) = (&self.q[..rows], &self.constants[..rows]);
         let Self { acting, parameters, threads, .. } = self;
+        let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
         // A constant, so that nothing is compiled for lists where there is no cutoff.
         if const { H::LISTED_FROM < usize::MAX }
             && let Some(cutoffs) = self.cutoffs::<H>(time).filter(Cutoffs::all)
         {
-            let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
             return self.neighbours.clone().energy(sum, &cutoffs);
         }
-        let (count, bodies, system) = (chunks(*acting), *acting, PhantomData);
+        let count = chunks(*acting);
         // Of the type of the gradients, so that `in_chunks` is compiled once.
         let mut sums = zeros::<R::Row<WIDTH>, D>(count);
-        in_chunks(&mut sums, count, *threads, &|number, sum| {
-            sum[0][0] = R::enter(EnergyChunk::<H, R, K, D, S> {
-                q,
-                constants,
-                bodies,
-                parameters,
-                time,
-                number,
-                count,
-                system,
-            });
+        in_chunks(&mut sums, count, *threads, &|number, sums| {
+            sums[0][0] = R::enter(EnergyChunk { sum: &sum, number, count });
         });
         let mut total = R::of(0.0);
         for sum in sums {
@@ -422,21 +413,11 @@ fn in_chunks<T: Send>(results: &mut [T], count: usize, threads: usize, compute: 
     at_once(jobs);
 }
 
-/// The rows of bodies that a sum runs over, of which the last may have fewer bodies than lanes.
-#[derive(Clone, Copy)]
-struct Rows {
-    bodies: usize,
-    rows: usize,
-}
-
-impl Rows {
-    /// The active lanes of a row.
-    #[inline(always)]
-    fn active<R: Real>(self, row: usize) -> ActiveMask<R::Row<WIDTH>> {
-        let rest = self.bodies % WIDTH;
-        let partly = row + 1 == self.rows && rest > 0;
-        partly.then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
-    }
+/// The active lanes of the last row of these bodies, if it has fewer bodies than lanes.
+#[inline(always)]
+fn active_in_last<R: Real>(bodies: usize) -> ActiveMask<R::Row<WIDTH>> {
+    let rest = bodies % WIDTH;
+    (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
 }
 
 /// The sum of the energies of the bodies of a row, one after the other.
@@ -469,19 +450,19 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
     fn call(self) {
         let Self { q, constants, bodies, parameters, time, number, count, gradient, .. } = self;
         let row = |row: usize| Bodies { q: values(&q[row]), constants: constants[row] };
-        let rows = Rows { bodies, rows: q.len() };
+        let last = active_in_last::<R>(bodies);
+        let active = |row: usize| last.filter(|_| row + 1 == q.len());
         // Sums begin as a positive zero, so that no bit depends on whether a zero is added to them.
         gradient.fill([Real::of(0.0); D]);
         let mut first = number;
         while first < q.len() {
             let bodies = row(first);
-            let own = intra_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, rows.active::<R>(first), time);
+            let own = intra_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, active(first), time);
             let mut sum = add(gradient[first], own);
             let mut second = if H::RECIPROCAL { first + 1 } else { 0 };
             while second < q.len() {
                 if second != first {
-                    let (others, active) = (row(second), rows.active::<R>(second));
-                    let sums = [&mut sum, &mut gradient[second]];
+                    let (others, active, sums) = (row(second), active(second), [&mut sum, &mut gradient[second]]);
                     inter_row::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, active, time, sums);
                 }
                 second += 1;
@@ -493,44 +474,34 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
 }
 
 /// The energies of a chunk of the pairs, and of the bodies of its rows alone: in every lane, those of its body with others.
-struct EnergyChunk<'s, H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> {
-    q: &'s [[K::Slot<R::Row<WIDTH>>; D]],
-    constants: &'s [[R::Row<WIDTH>; S]],
-    bodies: usize,
-    parameters: &'s H::Parameters<R>,
-    time: f64,
+struct EnergyChunk<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
+    sum: &'s Sum<'s, H, R, L, D, S>,
     number: usize,
     count: usize,
-    system: PhantomData<fn(H)>,
 }
 
-impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> Kernel
-    for EnergyChunk<'_, H, R, K, D, S>
+impl<H: ManyBody<D, S>, R: Real, L: Slot<R::Row<WIDTH>>, const D: usize, const S: usize> Kernel
+    for EnergyChunk<'_, H, R, L, D, S>
 {
     type Out = R::Row<WIDTH>;
     const APART: bool = true;
 
     #[inline(always)]
     fn call(self) -> R::Row<WIDTH> {
-        let Self { q, constants, bodies, parameters, time, number, count, .. } = self;
-        let rows = Rows { bodies, rows: q.len() };
+        let Self { sum: &Sum { q, constants, bodies, parameters, time, .. }, number, count } = self;
+        let row = |row: usize| Bodies { q: values(&q[row]), constants: constants[row] };
+        let last = active_in_last::<R>(bodies);
+        let active = |row: usize| last.filter(|_| row + 1 == q.len());
         let (mut sum, mut first) = (Real::of(0.0), number);
         while first < q.len() {
-            let bodies = Bodies { q: values(&q[first]), constants: constants[first] };
+            let bodies = row(first);
             let alone = H::energy_alone::<R, R::Row<WIDTH>>(parameters, bodies.q, bodies.constants, time);
             if let Some(alone) = alone {
-                add_active(&mut sum, alone, rows.active::<R>(first));
+                add_active(&mut sum, alone, active(first));
             }
-            intra_energies::<H, R, R::Row<WIDTH>, WIDTH, D, S>(
-                parameters,
-                bodies,
-                rows.active::<R>(first),
-                time,
-                &mut sum,
-            );
+            intra_energies::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, active(first), time, &mut sum);
             for second in first + 1..q.len() {
-                let others = Bodies { q: values(&q[second]), constants: constants[second] };
-                let active = rows.active::<R>(second);
+                let (others, active) = (row(second), active(second));
                 inter_energies::<H, R, R::Row<WIDTH>, WIDTH, D, S>(parameters, bodies, others, active, time, &mut sum);
             }
             first += count;
@@ -558,7 +529,8 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
     #[inline(always)]
     fn call(self) -> R {
         let Self { p, constants, bodies, parameters, time, .. } = self;
-        let rows = Rows { bodies, rows: p.len() };
+        let last = active_in_last::<R>(bodies);
+        let active = |row: usize| last.filter(|_| row + 1 == p.len());
         let mut sum = Real::of(0.0);
         for row in 0..p.len() {
             let (p, mut velocity) = (values(&p[row]), [<R::Row<WIDTH> as Real>::of(0.0); D]);
@@ -567,7 +539,7 @@ impl<H: ManyBody<D, S>, R: Real, K: Precision, const D: usize, const S: usize> K
             for d in 0..D {
                 twice = p[d].fma(velocity[d], twice);
             }
-            add_active(&mut sum, twice, rows.active::<R>(row));
+            add_active(&mut sum, twice, active(row));
         }
         R::of(0.5) * over_lanes(sum)
     }

@@ -49,16 +49,19 @@ impl Emitter<'_> {
 
     /// The line or lines that evaluate `root`, which is lowered. Their sums have the order of the loops.
     pub(crate) fn value(&mut self, frame: &Frame<'_>, root: NodeId) -> Lines {
-        let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
-        self.print(frame, &[], &[returned], &Constraints::default(), false)
+        self.returned(frame, root, false)
     }
 
     /// The same, whose innermost loops may be in lanes; `true` if some are.
     pub(crate) fn value_in_lanes(&mut self, root: NodeId) -> (Lines, bool) {
-        let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
-        let lines = self.print(&Frame::Motion, &[], &[returned], &Constraints::default(), true);
+        let lines = self.returned(&Frame::Motion, root, true);
         let [has_lanes, _] = has_lanes(self.model, &lines.program);
         (lines, has_lanes)
+    }
+
+    fn returned(&mut self, frame: &Frame<'_>, root: NodeId, in_lanes: bool) -> Lines {
+        let returned = Store { context: Vec::new(), sink: Sink::Return, value: root };
+        self.print(frame, &[], &[returned], &Constraints::default(), in_lanes)
     }
 
     /// The lines, whose innermost loops may be in lanes.
