@@ -8,6 +8,7 @@ mod attraction;
 mod canonical;
 mod central;
 mod cutoff;
+mod embedded;
 mod exchange;
 mod extremes;
 mod order;
@@ -26,11 +27,12 @@ pub(crate) use attraction::{attraction, inverse_mass, softening};
 pub(crate) use canonical::canonical;
 pub(crate) use central::pull;
 pub(crate) use cutoff::{Cutoff, cutoff};
+pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
 use order::Order;
 pub(crate) use order::with_numbers_of_each;
 use terms::{Terms, addends};
-pub(crate) use terms::{acting, moving};
+pub(crate) use terms::{Visited, acting, moving};
 
 /// A potential of pairs.
 pub(crate) struct Pairs {
@@ -38,11 +40,14 @@ pub(crate) struct Pairs {
     pub(crate) bodies: LoopId,
     /// The loops over the two bodies of a pair.
     pub(crate) pair: [LoopId; 2],
+    /// All loops over the two bodies of a pair.
+    pub(crate) visited: Vec<Visited>,
     /// The ends at which the bodies of a pair have no partner; none where each pair comes twice, or among few bodies.
     pub(crate) ends: [Option<End>; 2],
     /// The energy of a pair.
     pub(crate) energy: NodeId,
-    /// The energy of a pair whose bodies come in the order of the loops, without choices by their numbers.
+    /// The same whose bodies come in the order of the loops, without choices by their numbers, and with terms whose gradient is that
+    /// of energies of densities.
     pub(crate) written: NodeId,
     /// The gradient of a pair's energy by the coordinates of its first body.
     pub(crate) force: Vec<Contribution>,
@@ -52,6 +57,8 @@ pub(crate) struct Pairs {
     pub(crate) energy_alone: NodeId,
     /// The gradient of the one-body terms.
     pub(crate) alone: Vec<Contribution>,
+    /// The energies of a body that depend on sums over its partners.
+    pub(crate) embedded: Embedded,
     /// The energy of all other terms, and its gradient.
     pub(crate) others: (NodeId, Vec<Contribution>),
 }
@@ -65,9 +72,10 @@ pub(crate) fn pairs(
     are_many: bool,
     parameters: &mut dyn Parameters,
 ) -> Option<Pairs> {
-    let Terms { pair, ascending, bodies, pairs, alone, others, .. } =
+    let Terms { pair, ascending, bodies, mut visited, pairs, alone, embedded, others, .. } =
         Terms::of(graph, potential, length, are_many, parameters);
-    let pair = pair?;
+    let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair))?;
+    visited.extend(embedded.densities.iter().map(|density| Visited { pair: density.pair, ascending: None }));
     let [written, alone, others] = [pairs, alone, others].map(|terms| total(graph, terms));
     let of_others = gradient(graph, others, Part::Position);
     if !of_others.is_empty() && !are_many {
@@ -78,11 +86,13 @@ pub(crate) fn pairs(
         None => (written, None),
         Some(order) => (order.symmetric(graph, written, parameters)?, Some(order)),
     };
+    let embedded_pairs = embedded.of_pair(graph, pair, parameters)?;
     let mut forms = Forms::new(pair, order, parameters);
     if order.is_none() && forms.of(graph, energy, false)? != forms.of(graph, energy, true)? {
         return None;
     }
-    let gradients = gradient(graph, energy, Part::Position);
+    let [written, with_embedded] = [written, energy].map(|energy| graph.add(energy, embedded_pairs));
+    let gradients = gradient(graph, with_embedded, Part::Position);
     let [force, reaction] = pair.map(|by| -> Vec<Contribution> {
         let own = |contribution: &&Contribution| graph.loops.index(contribution.element.index) == Index::Running(by);
         gradients.iter().filter(own).cloned().collect()
@@ -100,7 +110,20 @@ pub(crate) fn pairs(
     let alone = gradient(graph, alone, Part::Position);
     let others = (others, of_others);
     let ends = order.map_or([None; 2], |order| order.ends);
-    Some(Pairs { bodies, pair, ends, energy, written, force, reciprocal, energy_alone, alone, others })
+    Some(Pairs {
+        bodies,
+        pair,
+        visited,
+        ends,
+        energy,
+        written,
+        force,
+        reciprocal,
+        energy_alone,
+        alone,
+        embedded,
+        others,
+    })
 }
 
 fn total(graph: &mut Graph, terms: Vec<NodeId>) -> NodeId {

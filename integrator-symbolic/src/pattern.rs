@@ -54,7 +54,9 @@ impl Pattern {
             Self::AllPairs(pairs) => {
                 let mut texts = Texts::of_bodies(parameters, running, root, pairs.are_of_length());
                 for energy in [potential, stated] {
-                    *energy = with_numbers_of_each(graph, *energy, pairs.pair, pairs.ends, &mut texts);
+                    for visited in &pairs.visited {
+                        *energy = with_numbers_of_each(graph, *energy, *visited, &mut texts);
+                    }
                 }
             }
             Self::Sites([_, None]) if may_be_flat => {

@@ -43,7 +43,7 @@ const ENERGIES: [(&str, &str, [Option<bool>; 2]); 27] = [
     ("neighbours in the list", "v += r2 * q[i - j][0];", [None; 2]),
 ];
 
-/// Bodies that may not be exchanged: pairs of many are put in order, but for loops in which each pair comes twice.
+/// Bodies that may not be exchanged: pairs of many are put in order, and those that come twice are added up.
 const ORDERED: [Option<bool>; 2] = [None, Some(true)];
 
 fn stepper(length: &str, kind: &str, [open, energy, close]: [&str; 3]) -> String {
@@ -90,11 +90,17 @@ fn pairs_are_found_whatever_their_order() {
                 let found = ["OneRow", "ManyRows", "Plain"]
                     .into_iter()
                     .find(|name| text.contains(&format!("runtime :: {name}")));
-                let comes_twice = order == "all others" && expected == ORDERED;
-                let expected = expected[usize::from(length == "len" && !comes_twice)];
+                // A difference of indices would be negative for half of the pairs that come twice.
+                let is_negative = order == "all others" && energy.contains("i - j");
+                let expected = match name {
+                    "one body twice" if order == "all others" && length == "len" => Some(false),
+                    _ => expected[usize::from(length == "len" && !is_negative)],
+                };
                 let expected_layout = if expected.is_some() { layout } else { "Plain" };
                 assert_eq!(found, Some(expected_layout), "{name}, {order}, {length}");
-                let reciprocal = expected.map(|expected| format!("const RECIPROCAL : bool = {expected}"));
+                // The two energies of an odd one cancel each other.
+                let cancels = order == "all others" && name == "odd in the distance";
+                let reciprocal = expected.filter(|_| !cancels).map(|is| format!("const RECIPROCAL : bool = {is}"));
                 assert!(reciprocal.is_none_or(|reciprocal| text.contains(&reciprocal)), "{name}, {order}, {length}");
             }
         }

@@ -9,46 +9,46 @@ const BODIES: usize = 397;
 const SIDE: f64 = 9.0;
 
 #[derive(Clone, PartialEq)]
-enum Kind {
+pub(super) enum Kind {
     Water,
     Salt,
 }
 
 /// Bodies with charges, weights, bonds and angles in a box.
 #[derive(Clone)]
-struct Parameters {
-    side: f64,
-    inverse: f64,
-    half: f64,
-    cutoff: f64,
-    shorter: f64,
-    offset: f64,
-    charges: Vec<f64>,
-    weights: Vec<f64>,
-    molecules: Vec<usize>,
-    kinds: Vec<Kind>,
-    partners: Vec<usize>,
+pub(super) struct Parameters {
+    pub(super) side: f64,
+    pub(super) inverse: f64,
+    pub(super) half: f64,
+    pub(super) cutoff: f64,
+    pub(super) shorter: f64,
+    pub(super) offset: f64,
+    pub(super) charges: Vec<f64>,
+    pub(super) weights: Vec<f64>,
+    pub(super) molecules: Vec<usize>,
+    pub(super) kinds: Vec<Kind>,
+    pub(super) partners: Vec<usize>,
     /// Without the last body, which is never the lesser one of a pair.
-    following: Vec<usize>,
-    strengths: Vec<f64>,
+    pub(super) following: Vec<usize>,
+    pub(super) strengths: Vec<f64>,
     /// Without the first body, which is never the greater one of a pair.
-    preceding: Vec<usize>,
+    pub(super) preceding: Vec<usize>,
     /// Strengths and reaches of pairs of types; the types are those of molecules modulo three.
-    strengths_of_types: Vec<[f64; 3]>,
-    reaches_of_types: Vec<Vec<f64>>,
-    types: Vec<usize>,
-    bonds: Vec<[usize; 2]>,
+    pub(super) strengths_of_types: Vec<[f64; 3]>,
+    pub(super) reaches_of_types: Vec<Vec<f64>>,
+    pub(super) types: Vec<usize>,
+    pub(super) bonds: Vec<[usize; 2]>,
     /// Bodies that come before a body and have no force on it, but for the first body, and pairs of bodies.
-    excluded: Vec<Vec<u32>>,
-    bonded: HashSet<(usize, usize)>,
+    pub(super) excluded: Vec<Vec<u32>>,
+    pub(super) bonded: HashSet<(usize, usize)>,
     /// Differences of the numbers of two bodies, and types of two bodies.
-    skipped: Vec<usize>,
-    allowed: Vec<(usize, usize)>,
-    angles: Vec<(usize, usize, usize)>,
+    pub(super) skipped: Vec<usize>,
+    pub(super) allowed: Vec<(usize, usize)>,
+    pub(super) angles: Vec<(usize, usize, usize)>,
 }
 
 impl Parameters {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let along = |factor: f64| (0..BODIES).map(|i| 1.0 + 0.5 * (factor * i as f64).sin()).collect();
         Self {
             side: SIDE,
@@ -79,7 +79,7 @@ impl Parameters {
     }
 
     /// Bodies near the sites of a lattice, at rest.
-    fn start() -> Phase<Vec<[f64; 3]>> {
+    pub(super) fn start() -> Phase<Vec<[f64; 3]>> {
         let spread = |i: usize, d: usize| 0.2 * ((7 * i + 3 * d) as f64).sin();
         let site = |i: usize| [i % 8, i / 8 % 8, i / 64].map(|site| site as f64 * SIDE / 8.0);
         let q = (0..BODIES)
@@ -93,15 +93,15 @@ impl Parameters {
 }
 
 /// What sums of as many terms as there are pairs differ by in another order.
-const ROUNDING: f64 = (BODIES * BODIES) as f64 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = (BODIES * BODIES) as f64 * f64::EPSILON;
 
-fn narrow(start: &Phase<Vec<[f64; 3]>>) -> Phase<Vec<[f32; 3]>> {
+pub(super) fn narrow(start: &Phase<Vec<[f64; 3]>>) -> Phase<Vec<[f32; 3]>> {
     let of = |part: &[[f64; 3]]| part.iter().map(|point| point.map(|x| x as f32)).collect();
     Phase::new(of(&start.q), of(&start.p))
 }
 
 /// Checks that momenta are equal up to a part of the largest one.
-fn are_near(found: &[[f64; 3]], expected: &[[f64; 3]], part: f64) {
+pub(super) fn are_near(found: &[[f64; 3]], expected: &[[f64; 3]], part: f64) {
     let largest = expected.iter().flatten().fold(0.0, |most: f64, p| most.max(p.abs()));
     assert!(largest > 0.01, "{largest}");
     for (p, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
@@ -116,7 +116,7 @@ macro_rules! potential {
         mod $name {
             use super::*;
 
-            struct InLanes(Parameters);
+            pub(super) struct InLanes(pub(super) Parameters);
             struct AsWritten(Parameters);
 
             #[hamiltonian]

@@ -4,11 +4,13 @@
 //! process for each of the others.
 
 mod axis;
+#[macro_use]
 mod beside_pairs;
 mod by_hand;
 #[path = "../../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;
 mod changed_states;
+mod densities;
 mod divergence;
 mod ends_of_loops;
 mod energies_in_lanes;

@@ -29,10 +29,18 @@ impl Graph {
         self.maybe_missing.insert(id);
     }
 
+    /// Declares that the runtime computes a parameter in every step, so that nothing made of it is prepared, before any node is
+    /// made of it.
+    pub(crate) fn declare_computed(&mut self, id: ParameterId) {
+        self.computed.insert(id);
+    }
+
     /// The same of a parameter with the text of another one, if it was declared of that.
-    pub(crate) fn declare_missing_like(&mut self, id: ParameterId, other: ParameterId) {
-        if self.maybe_missing.contains(&other) {
-            self.maybe_missing.insert(id);
+    pub(crate) fn declare_like(&mut self, id: ParameterId, other: ParameterId) {
+        for declared in [&mut self.maybe_missing, &mut self.computed] {
+            if declared.contains(&other) {
+                declared.insert(id);
+            }
         }
     }
 

@@ -309,6 +309,8 @@ pub(crate) struct Graph {
     never_negative: HashSet<ParameterId>,
     /// The parameters that are NaN if their list is too short; the function then reads no value computed from them.
     maybe_missing: HashSet<ParameterId>,
+    /// Parameters that the runtime computes in every step.
+    computed: HashSet<ParameterId>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,
 }
@@ -426,7 +428,8 @@ impl Graph {
                 Node::Sum(by, _) | Node::Fold(_, by, _) => LoopSet::of(by),
                 _ => LoopSet::EMPTY,
             },
-            prepared: !node.is_read(),
+            prepared: !node.is_read()
+                && !matches!(node, Node::Parameter(parameter) if self.computed.contains(&parameter)),
             positions: part == Some(Part::Position),
             momenta: part == Some(Part::Momentum),
             total: self.is_total_by_itself(node),

@@ -84,6 +84,10 @@ pub(crate) trait Parameters {
     fn extreme_entries(&mut self, _graph: &mut Graph, _table: ParameterId) -> Option<[ParameterId; 2]> {
         None
     }
+    /// The parameter of a body that is one of its densities, which the runtime computes; `None` as for others.
+    fn density(&mut self, _graph: &mut Graph, _by: LoopId, _number: usize) -> Option<ParameterId> {
+        None
+    }
     /// Calls the index of a new loop nearly as that of another one.
     fn name(&mut self, new: LoopId, like: LoopId);
     /// The same where it has no name yet.

@@ -4,7 +4,10 @@
 //! the energy selects each constant by comparing the indices of the two bodies, and multiplies each displacement by the sign of
 //! this comparison. Always true: if the bodies come in the order of the loops, the value of the energy does not change.
 
-use super::exchange::Forms;
+use super::{
+    exchange::Forms,
+    terms::{Visited, addend_of_distinct_pair},
+};
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId, Part,
     index::{Index, IndexId, LoopId, LoopSet},
@@ -210,7 +213,13 @@ pub(super) fn with_numbers(
             let loops = graph.loops.of_index(index);
             pair.into_iter().filter(|by| loops.contains(*by)).count()
         };
+        // In loops that visit pairs twice, a difference is negative for half of them, and the user's text stops there.
+        let is_difference = |graph: &Graph, index| {
+            ends[0].is_none() && matches!(graph.loops.index(index), Index::Sub(..)) && of_pair(graph, index) == 2
+        };
         let found = match graph.node(id) {
+            Node::CompareIndex(_, a, b) if is_difference(graph, a) || is_difference(graph, b) => None,
+            Node::FromIndex(index) if is_difference(graph, index) => None,
             Node::CompareIndex(comparison, a, b) if of_pair(graph, a) + of_pair(graph, b) > 0 => {
                 let [a, b] = [a, b].map(|index| number(graph, index, pair));
                 a.zip(b).map(|(a, b)| graph.compare(comparison, a, b))
@@ -231,14 +240,21 @@ pub(super) fn with_numbers(
 }
 
 /// Replaces parameters of both bodies of a pair by functions of one number per body, so that a run prepares numbers of bodies
-/// instead of numbers of pairs. `ends` are the ends of the list at which the bodies have no partner.
+/// instead of numbers of pairs. Energies of bodies with themselves have none, so nothing changes where the loops visit these.
 pub(crate) fn with_numbers_of_each(
     graph: &mut Graph,
     energy: NodeId,
-    pair: [LoopId; 2],
-    ends: [Option<End>; 2],
+    Visited { pair, ascending }: Visited,
     parameters: &mut dyn Parameters,
 ) -> NodeId {
+    let meets_itself = |id: NodeId| match graph.node(id) {
+        Node::Sum(other, body) => other == pair[1] && addend_of_distinct_pair(graph, pair[0], other, body).is_none(),
+        _ => false,
+    };
+    if ascending.is_none() && graph.reachable([energy]).into_iter().any(meets_itself) {
+        return energy;
+    }
+    let ends = ends(ascending);
     rewritten(graph, energy, |graph, id| match graph.node(id) {
         Node::Flag(flag) if is_of_both(graph, flag, pair) => parameters.flag(graph, flag, pair, ends),
         Node::Parameter(parameter) if is_of_both(graph, parameter, pair) => {

@@ -1,15 +1,25 @@
 //! Separates the terms of an energy: terms of pairs of bodies, terms of single bodies, and other terms.
 
 use super::{
+    embedded::{Embedded, renamed},
+    exchange::Forms,
     order::{ends, with_numbers},
     over_all, reads_only,
 };
 use crate::graph::{
     Comparison, Graph, Node, NodeId,
     index::{Index, IndexId, Loop, LoopId},
-    rename::Parameters,
+    rename::{Parameters, Renaming},
 };
 use std::collections::HashMap;
+
+/// Loops over the two bodies of a pair.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) struct Visited {
+    pub(crate) pair: [LoopId; 2],
+    /// Whether the second body has the larger index; `None` if each pair comes twice.
+    pub(crate) ascending: Option<bool>,
+}
 
 /// The addends of an energy, by the loops around them.
 pub(super) struct Terms<'p> {
@@ -27,10 +37,14 @@ pub(super) struct Terms<'p> {
     pub(super) pair: Option<[LoopId; 2]>,
     /// Whether the second body of a pair has the larger index; `None` if each pair comes twice.
     pub(super) ascending: Option<bool>,
+    /// All loops over the two bodies of a pair.
+    pub(super) visited: Vec<Visited>,
     /// The terms of a pair.
     pub(super) pairs: Vec<NodeId>,
     /// The terms of a single body.
     pub(super) alone: Vec<NodeId>,
+    /// The terms of a single body that depend on sums over its partners, where there are many bodies.
+    pub(super) embedded: Embedded,
     /// Other terms.
     pub(super) others: Vec<NodeId>,
 }
@@ -91,8 +105,10 @@ impl<'p> Terms<'p> {
             partners: HashMap::new(),
             pair: None,
             ascending: None,
+            visited: Vec::new(),
             pairs: Vec::new(),
             alone: Vec::new(),
+            embedded: Embedded::default(),
             others: Vec::new(),
         };
         terms.collect(graph, energy, one);
@@ -145,7 +161,22 @@ impl<'p> Terms<'p> {
         let product = graph.mul(factor, id);
         let term = self.where_conditions_hold(graph, product);
         if by == self.bodies && reads_only(graph, term, &[by], self.parameters) {
-            self.alone.push(term);
+            return self.alone.push(term);
+        }
+        let embedded = match by == self.bodies && self.are_many {
+            true => self.embedded.push(graph, term, by, self.length, self.parameters),
+            false => None,
+        };
+        if embedded.is_some() {
+            return;
+        }
+        // Terms beside one of densities are apart from it.
+        let beside = match self.are_many && self.reads_partners(graph, by, id) {
+            true => addends(graph, id, factor),
+            false => None,
+        };
+        if let Some(parts) = beside {
+            parts.into_iter().for_each(|(term, factor)| self.collect_of_body(graph, by, range, term, factor));
         } else {
             let sum = graph.sum(by, term);
             self.others.push(sum);
@@ -186,27 +217,88 @@ impl<'p> Terms<'p> {
         let Node::Sum(other, body) = graph.node(id) else { return None };
         let twice = is_partner(graph, self.length, by, other)?;
         let (pair, before) = ([by, other], is_before(graph, by, other));
-        if first != 0 && (twice || !before)
-            || is_short && (twice || before)
-            || self.pair.is_some_and(|known| known != pair)
-        {
+        let is_known = self.pair.is_none_or(|known| known == pair);
+        if first != 0 && (twice || !before) || is_short && (twice || before) || !is_known && !self.are_many {
             return None;
         }
         let body = if twice { addend_of_distinct_pair(graph, by, other, body)? } else { body };
-        let (mut energy, two) = (graph.mul(factor, body), graph.constant(2.0));
-        if twice {
-            energy = graph.mul(two, energy);
-        }
-        energy = self.where_conditions_hold(graph, energy);
         let ascending = (!twice).then_some(!before);
+        let once = graph.mul(factor, body);
+        let mut energy = self.with_conditions(graph, once, pair, ascending)?;
+        if twice && self.is_symmetric(graph, energy, pair)? {
+            let two = graph.constant(2.0);
+            let both = graph.mul(two, once);
+            energy = self.with_conditions(graph, both, pair, ascending)?;
+        } else if twice {
+            let exchanged = renamed(graph, energy, Renaming::exchange(pair), self.parameters)?;
+            energy = graph.add(energy, exchanged);
+        }
+        self.in_known_loops(graph, energy, pair, ascending)
+    }
+
+    /// The energy of a pair where the conditions around it hold, by numbers of each body.
+    fn with_conditions(
+        &mut self,
+        graph: &mut Graph,
+        energy: NodeId,
+        pair: [LoopId; 2],
+        ascending: Option<bool>,
+    ) -> Option<NodeId> {
+        let mut energy = self.where_conditions_hold(graph, energy);
         if self.are_many {
             energy = with_numbers(graph, energy, pair, ends(ascending), self.parameters)?;
         }
-        if !reads_only(graph, energy, &pair, self.parameters) {
-            return None;
+        reads_only(graph, energy, &pair, self.parameters).then_some(energy)
+    }
+
+    /// Whether the energy of a pair stays the same if its bodies are exchanged. Of few bodies, others are not supported.
+    fn is_symmetric(&mut self, graph: &mut Graph, energy: NodeId, pair: [LoopId; 2]) -> Option<bool> {
+        let mut forms = Forms::new(pair, None, self.parameters);
+        Some(!self.are_many || forms.of(graph, energy, false)? == forms.of(graph, energy, true)?)
+    }
+
+    /// The energy of a pair in the loops of those before, which may visit pairs in another order. Loops that visit each pair once
+    /// take the place of loops that visit it twice.
+    fn in_known_loops(
+        &mut self,
+        graph: &mut Graph,
+        energy: NodeId,
+        pair: [LoopId; 2],
+        ascending: Option<bool>,
+    ) -> Option<NodeId> {
+        let known = self.pair.filter(|known| *known != pair);
+        let energy = match (known, self.ascending, ascending) {
+            (None, ..) => energy,
+            (Some(known), None, _) => {
+                let renaming = Renaming::both(known, pair);
+                for energy in &mut self.pairs {
+                    *energy = renamed(graph, *energy, renaming, self.parameters)?;
+                }
+                energy
+            }
+            (Some(known), Some(order), _) => {
+                let [first, second] = known;
+                let to = if ascending.is_none_or(|own| own == order) { known } else { [second, first] };
+                renamed(graph, energy, Renaming::both(pair, to), self.parameters)?
+            }
+        };
+        if known.is_none() || self.ascending.is_none() {
+            (self.pair, self.ascending) = (Some(pair), ascending);
         }
-        (self.pair, self.ascending) = (Some(pair), ascending);
+        let visited = Visited { pair, ascending };
+        if !self.visited.contains(&visited) {
+            self.visited.push(visited);
+        }
         Some(energy)
+    }
+
+    /// Whether a node reads a sum over partners.
+    fn reads_partners(&self, graph: &Graph, by: LoopId, id: NodeId) -> bool {
+        let is_over_partners = |id: NodeId| match graph.node(id) {
+            Node::Sum(other, _) => is_partner(graph, self.length, by, other).is_some(),
+            _ => false,
+        };
+        graph.reachable([id]).into_iter().any(is_over_partners)
     }
 
     /// Whether a sum over partners is among the parts of a node.
@@ -232,7 +324,7 @@ impl<'p> Terms<'p> {
 
 /// Whether a loop runs over the partners of the body with the index of `by` among `count` bodies; `true` if each pair comes
 /// twice.
-fn is_partner(graph: &Graph, count: IndexId, by: LoopId, other: LoopId) -> Option<bool> {
+pub(super) fn is_partner(graph: &Graph, count: IndexId, by: LoopId, other: LoopId) -> Option<bool> {
     let Loop { parent, from, to } = graph.loops.get(other);
     if parent != Some(by) {
         return None;
@@ -266,7 +358,7 @@ pub(super) fn addends(graph: &mut Graph, id: NodeId, factor: NodeId) -> Option<V
 }
 
 /// The addend where the two indices differ, if nothing is added where they are equal.
-fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
+pub(super) fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
     let Node::Select(condition, same, other) = graph.node(body) else { return None };
     let (condition, same, other) = match graph.node(condition) {
         Node::Not(inner) => (inner, other, same),

@@ -7,12 +7,13 @@ use super::{
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},
     graph::{
-        Graph, Node, NodeId, ParameterId, Part, Scope,
+        Element, Graph, Node, NodeId, ParameterId, Part, Scope,
         index::{Index, IndexId, LoopId},
-        rename::End,
     },
     model::{Length, Model, Texts},
-    pairs::{Cutoff, Pairs, acting, cutoff, moving, over_all, pairs, per_body, points, pull},
+    pairs::{
+        Cutoff, Density, Embedded, Pairs, Visited, acting, cutoff, moving, over_all, pairs, per_body, points, pull,
+    },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
 };
 use std::collections::BTreeSet;
@@ -31,8 +32,8 @@ pub(crate) const ROW: u64 = 8;
 pub(crate) struct AllPairs {
     /// The loops over the two bodies of a pair.
     pub(crate) pair: [LoopId; 2],
-    /// The ends at which these bodies have no partner.
-    pub(crate) ends: [Option<End>; 2],
+    /// All loops over these bodies in the user's text.
+    pub(crate) visited: Vec<Visited>,
     /// How many coordinates a body has.
     pub(crate) dimension: u64,
     /// What is prepared of each body.
@@ -49,6 +50,8 @@ pub(crate) struct AllPairs {
     pub(crate) reciprocal: bool,
     /// The gradient of what a body has alone.
     pub(crate) alone: Option<OfBodies>,
+    /// The energies of bodies that depend on sums over their partners.
+    pub(crate) embedded: Option<EmbeddedOfBodies>,
     /// The terms of the potential that are neither of pairs nor of bodies alone.
     pub(crate) others: Option<Others>,
     /// The energies of pairs and bodies; `None` if bodies are one row or in Jacobi coordinates, or energies read more of a body
@@ -176,8 +179,20 @@ impl AllPairs {
         let is_length = !is_flat && first_acting.is_none();
         let Model { graph, parameters, running, root, .. } = &mut *model;
         let mut texts = Texts::of_bodies(parameters, running, root, is_length);
-        let Pairs { bodies, pair, ends, energy, written, force, reciprocal, energy_alone, alone, others } =
-            pairs(graph, potential, acting, are_many, &mut texts)?;
+        let Pairs {
+            bodies,
+            pair,
+            visited,
+            ends,
+            energy,
+            written,
+            force,
+            reciprocal,
+            energy_alone,
+            alone,
+            embedded,
+            others,
+        } = pairs(graph, potential, acting, are_many, &mut texts)?;
         let (mut energy_of_others, mut others) = others;
         if is_flat {
             energy_of_others = points::of_numbers(graph, energy_of_others, dimension);
@@ -203,6 +218,10 @@ impl AllPairs {
             }
         };
         let mut constants = Constants::new(every);
+        let embedded = match &embedded.densities[..] {
+            [] => None,
+            _ => Some(EmbeddedOfBodies::of(model, &mut constants, bodies, dimension, &embedded)?),
+        };
         let drift = OfBodies::new(model, &mut constants, &[moved], &velocity, Sink::Update)?;
         let acts = match condition(&force) {
             None => None,
@@ -233,7 +252,9 @@ impl AllPairs {
         let energies = match in_jacobi || fewer_than(ROW + 1) {
             false if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others]) => {
                 let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
-                let (known, of_pair, of_body) = (constants.count(), (pair, energy), (bodies, energy_alone));
+                let of_densities =
+                    embedded.as_ref().map_or(energy_alone, |embedded| model.graph.add(energy_alone, embedded.energy));
+                let (known, of_pair, of_body) = (constants.count(), (pair, energy), (bodies, of_densities));
                 let found =
                     EnergiesOfBodies::of(model, &mut constants, of_pair, of_body, has_form.then_some(kinetic_beside));
                 // What energies alone read would make the data of every force longer.
@@ -246,15 +267,20 @@ impl AllPairs {
             _ => None,
         };
         let of = Bodies { flat: is_flat.then_some(dimension), acting: first_acting, moving: first_moving };
-        let of_pairs =
-            [Some(&force), acts.as_ref().map(|(acts, _)| acts), energies.as_ref().map(|energies| &energies.pair)];
+        let of_pairs = [
+            Some(&force),
+            acts.as_ref().map(|(acts, _)| acts),
+            energies.as_ref().map(|energies| &energies.pair),
+            embedded.as_ref().map(|embedded| &embedded.densities),
+        ];
         let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
         let of_one = energies.iter().flat_map(|energies| &energies.alone);
-        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(of_one).collect();
+        let weights = embedded.iter().map(|embedded| &embedded.weights);
+        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Some(Self {
             pair,
-            ends,
+            visited,
             dimension,
             constants,
             drift,
@@ -263,6 +289,7 @@ impl AllPairs {
             central,
             reciprocal,
             alone,
+            embedded,
             others,
             energies,
             listed,
@@ -311,6 +338,50 @@ impl EnergiesOfBodies {
                 false => None,
             },
             kinetic_beside,
+        })
+    }
+}
+
+/// Sums over the partners of a body, and the energies that depend on these.
+pub(crate) struct EmbeddedOfBodies {
+    /// What the second body of a pair adds to each.
+    pub(crate) densities: OfBodies,
+    /// The derivatives of the energies by each.
+    pub(crate) weights: OfBodies,
+    /// The energies.
+    energy: NodeId,
+}
+
+impl EmbeddedOfBodies {
+    /// `None` if there are more densities than coordinates of a body.
+    fn of(
+        model: &mut Model,
+        constants: &mut Constants,
+        bodies: LoopId,
+        dimension: u64,
+        embedded: &Embedded,
+    ) -> Option<Self> {
+        let Embedded { energies, densities } = embedded;
+        let pair = densities.first()?.pair;
+        if densities.len() as u64 > dimension || densities.iter().any(|density| density.pair != pair) {
+            return None;
+        }
+        let (mut addends, mut weights) = (Vec::new(), Vec::new());
+        for (place, Density { number, addend, .. }) in (0..).zip(densities) {
+            constants.keep_density(model, *number, bodies)?;
+            let loops = &mut model.graph.loops;
+            let index = loops.intern(Index::Running(bodies));
+            let component = (dimension > 1).then(|| loops.intern(Index::Literal(place)));
+            let element = Element { part: Part::Position, index, component };
+            let weight = embedded.weight(&mut model.graph, *number)?;
+            addends.push(Contribution { context: Vec::new(), element, value: *addend });
+            weights.push(Contribution { context: Vec::new(), element, value: weight });
+        }
+        let energy = energies.iter().copied().reduce(|sum, energy| model.graph.add(sum, energy))?;
+        Some(Self {
+            densities: OfBodies::new(model, constants, &pair, &addends, Sink::Assign)?,
+            weights: OfBodies::new(model, constants, &[bodies], &weights, Sink::Assign)?,
+            energy,
         })
     }
 }

@@ -19,11 +19,13 @@ pub(crate) struct Constants {
     pub(crate) bodies: LoopId,
     /// These nodes.
     pub(crate) nodes: Vec<NodeId>,
+    /// Which of them are densities, or their weights, which the runtime computes.
+    pub(crate) densities: Vec<usize>,
 }
 
 impl Constants {
     pub(crate) fn new(bodies: LoopId) -> Self {
-        Self { bodies, nodes: Vec::new() }
+        Self { bodies, nodes: Vec::new(), densities: Vec::new() }
     }
 
     /// How many there are of a body.
@@ -44,6 +46,13 @@ impl Constants {
             self.nodes.push(node);
             self.nodes.len() - 1
         }))
+    }
+
+    /// Keeps a place for a density of the bodies with the index of a loop.
+    pub(crate) fn keep_density(&mut self, model: &mut Model, number: NodeId, by: LoopId) -> Option<()> {
+        let place = self.place(model, number, by)?;
+        self.densities.push(place);
+        Some(())
     }
 
     /// The number of bodies that a loop runs over, if that may be fewer than all.

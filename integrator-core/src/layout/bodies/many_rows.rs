@@ -2,6 +2,7 @@
 
 use crate::{
     layout::bodies::{
+        densities::densities,
         load_store::{load_constants, pack, row_of, unpack, values},
         neighbours::{Cutoffs, Neighbours, Sum},
         other_terms::OtherTerms,
@@ -98,7 +99,7 @@ fn copied<T: Copy>(rows: &[T]) -> Vec<T> {
 }
 
 /// Rows of zeros.
-fn zeros<W: Real, const D: usize>(rows: usize) -> Vec<[W; D]> {
+pub(crate) fn zeros<W: Real, const D: usize>(rows: usize) -> Vec<[W; D]> {
     let mut zeros = Vec::with_capacity(rows);
     for _ in 0..rows {
         zeros.push([W::of(0.0); D]);
@@ -225,6 +226,9 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
     pub fn kick<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
         let step = Real::of(-duration);
         let before = if const { H::SOME_STAY } { shared_row(&self.p, self.acting, self.bodies) } else { None };
+        if const { !H::DENSITIES.is_empty() } {
+            self.weigh::<H>(time);
+        }
         if let Some(cutoffs) = self.cutoffs::<H>(time) {
             self.kick_by_neighbours::<H>(&cutoffs, step, time);
         } else {
@@ -256,6 +260,21 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             return None;
         }
         Some(Cutoffs::of::<H, R, S>(&self.parameters, time)).filter(Cutoffs::any)
+    }
+    /// Replaces the densities of all bodies by the derivatives of their energies.
+    #[inline(always)]
+    fn weigh<H: ManyBody<D, S, Parameters<R> = P>>(&mut self, time: f64) {
+        let cutoffs = self.cutoffs::<H>(time);
+        let Self { q, constants, neighbours, threads, acting, parameters, .. } = self;
+        let rows = acting.div_ceil(WIDTH);
+        let (q, bodies, threads) = (&q[..rows], *acting, *threads);
+        let sum = Sum::<H, R, _, D, S> { q, constants: &constants[..rows], bodies, parameters, time, threads };
+        let densities = densities(sum, neighbours, cutoffs.as_ref());
+        for (constants, densities) in constants.iter_mut().zip(&densities) {
+            set_densities::<H, _, D, S>(constants, densities);
+            let weights = H::weights::<R, R::Row<WIDTH>>(parameters, *constants, time);
+            set_densities::<H, _, D, S>(constants, &weights);
+        }
     }
     /// The flow of `V` by neighbours; by all pairs in the lanes of members whose cutoff covers the box.
     #[cfg_attr(debug_assertions, inline)]
@@ -292,17 +311,26 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         let rows = self.acting.div_ceil(WIDTH);
         let (q, constants) = (&self.q[..rows], &self.constants[..rows]);
         let Self { acting, parameters, threads, .. } = self;
-        let sum = Sum::<H, R, _, D, S> { q, constants, bodies: *acting, parameters, time, threads: *threads };
+        let (bodies, threads) = (*acting, *threads);
+        let sum = |constants| Sum::<H, R, _, D, S> { q, constants, bodies, parameters, time, threads };
+        let mut neighbours = self.neighbours.clone();
+        let with_densities = if const { H::DENSITIES.is_empty() } {
+            Vec::new()
+        } else {
+            self.with_densities::<H>(sum(constants), &mut neighbours)
+        };
+        let constants = if const { H::DENSITIES.is_empty() } { constants } else { &with_densities };
+        let sum = sum(constants);
         // A constant, so that nothing is compiled for lists where there is no cutoff.
         if const { H::LISTED_FROM < usize::MAX }
             && let Some(cutoffs) = self.cutoffs::<H>(time).filter(Cutoffs::all)
         {
-            return self.neighbours.clone().energy(sum, &cutoffs);
+            return neighbours.energy(sum, &cutoffs);
         }
-        let count = chunks(*acting);
+        let count = chunks(bodies);
         // Of the type of the gradients, so that `in_chunks` is compiled once.
         let mut sums = zeros::<R::Row<WIDTH>, D>(count);
-        in_chunks(&mut sums, count, *threads, &|number, sums| {
+        in_chunks(&mut sums, count, threads, &|number, sums| {
             sums[0][0] = R::enter(EnergyChunk { sum: &sum, number, count });
         });
         let mut total = R::of(0.0);
@@ -310,6 +338,19 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
             total += over_lanes(sum[0]);
         }
         total
+    }
+    /// The constants of all bodies, with their densities.
+    fn with_densities<H: ManyBody<D, S, Parameters<R> = P>>(
+        &self,
+        sum: Sum<'_, H, R, K::Slot<R::Row<WIDTH>>, D, S>,
+        neighbours: &mut Neighbours<R, D>,
+    ) -> Vec<[R::Row<WIDTH>; S]> {
+        let (mut constants, cutoffs) = (copied(sum.constants), self.cutoffs::<H>(sum.time));
+        let densities = densities(sum, neighbours, cutoffs.as_ref());
+        for (constants, densities) in constants.iter_mut().zip(&densities) {
+            set_densities::<H, _, D, S>(constants, densities);
+        }
+        constants
     }
     /// Sums the forces of all pairs, chunk by chunk, and all chunks in their order.
     #[inline(always)]
@@ -394,6 +435,17 @@ impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
     }
 }
 
+/// Puts densities, or their weights, among the constants of bodies.
+#[inline(always)]
+fn set_densities<H: ManyBody<D, S>, W: Copy, const D: usize, const S: usize>(
+    constants: &mut [W; S],
+    densities: &[W; D],
+) {
+    for (place, density) in H::DENSITIES.iter().zip(densities) {
+        constants[*place] = *density;
+    }
+}
+
 /// Computes `count` chunks of results on this number of threads.
 fn in_chunks<T: Send>(results: &mut [T], count: usize, threads: usize, compute: &(dyn Fn(usize, &mut [T]) + Sync)) {
     if count == 1 {
@@ -415,7 +467,7 @@ fn in_chunks<T: Send>(results: &mut [T], count: usize, threads: usize, compute: 
 
 /// The active lanes of the last row of these bodies, if it has fewer bodies than lanes.
 #[inline(always)]
-fn active_in_last<R: Real>(bodies: usize) -> ActiveMask<R::Row<WIDTH>> {
+pub(crate) fn active_in_last<R: Real>(bodies: usize) -> ActiveMask<R::Row<WIDTH>> {
     let rest = bodies % WIDTH;
     (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
 }

@@ -1,5 +1,6 @@
 //! Flows of bodies that act on each other in pairs.
 
+mod densities;
 mod given;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod jacobi;

@@ -83,6 +83,30 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         None
     }
 
+    /// The constants of a body that are not prepared: sums over its partners, such as the electron density at an atom, on which an
+    /// energy of the body depends. Before forces are summed, their weights take their places.
+    const DENSITIES: &'static [usize] = &[];
+
+    /// What the second body of a pair adds to the densities of the first, in their order; zero after the last.
+    #[inline(always)]
+    fn densities<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        constants_i: [W; S],
+        constants_j: [W; S],
+        time: f64,
+    ) -> [W; D] {
+        let _ = (parameters, q_i, q_j, constants_i, constants_j, time);
+        [W::of(0.0); D]
+    }
+    /// The derivatives of the energy of a body by its densities, which are among its constants; zero after the last.
+    #[inline(always)]
+    fn weights<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, constants: [W; S], time: f64) -> [W; D] {
+        let _ = (parameters, constants, time);
+        [W::of(0.0); D]
+    }
+
     /// Whether the potential has terms that are neither of pairs nor of bodies alone.
     const OTHER_TERMS: bool = false;
 
@@ -162,7 +186,7 @@ pub struct Bodies<W, const D: usize, const S: usize> {
 
 impl<W: Real, const D: usize, const S: usize> Bodies<W, D, S> {
     #[inline(always)]
-    fn rotate<R: Real, const N: usize>(self, by: usize) -> Self
+    pub(crate) fn rotate<R: Real, const N: usize>(self, by: usize) -> Self
     where
         W: Row<R>,
     {
@@ -258,6 +282,32 @@ where
     energies
 }
 
+/// What each body of a row gets for its densities from the one in the same lane of another row.
+#[inline(always)]
+pub(crate) fn pair_densities<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    [i, j]: [Bodies<W, D, S>; 2],
+    time: f64,
+) -> [W; D]
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    if const { W::PARTS == 0 } {
+        return H::densities::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+    }
+    let mut densities = [W::of(0.0); D];
+    for part in 0..W::PARTS {
+        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
+        let of_part = H::densities::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
+        for (densities, of_part) in densities.iter_mut().zip(of_part) {
+            densities.set_part(part, of_part);
+        }
+    }
+    densities
+}
+
 /// The displacement from the second of two rows to the first.
 #[inline(always)]
 pub(crate) fn displacement<W: Real, const D: usize, const S: usize>([i, j]: [Bodies<W, D, S>; 2]) -> [W; D] {
@@ -283,7 +333,7 @@ pub(crate) type ActiveMask<W> = Option<W>;
 
 /// The force in active lanes, zero in others.
 #[inline(always)]
-fn masked<W: Real, const D: usize>(mut force: [W; D], active: ActiveMask<W>) -> [W; D] {
+pub(crate) fn masked<W: Real, const D: usize>(mut force: [W; D], active: ActiveMask<W>) -> [W; D] {
     if let Some(active) = active {
         let zero = W::of(0.0);
         for force in &mut force {

@@ -7,7 +7,7 @@ use crate::{
         frame::{Bodies, Frame},
         function::Lines,
     },
-    graph::index::LoopId,
+    graph::{NodeId, index::LoopId},
     model::Model,
     pattern::bodies::{Constants, OfBodies},
     program::Constraints,
@@ -18,13 +18,23 @@ use quote::{format_ident, quote};
 impl Constants {
     /// What a prepared constant of a body is called.
     fn name(&self, model: &Model, fields: &mut Fields, place: usize, by: LoopId) -> Ident {
-        let field = fields.number(&model.graph, &model.parameters, self.nodes[place]);
-        OfBodies::name_of(&format!("{field}_of"), model, by)
+        let name = match self.densities.iter().position(|density| *density == place) {
+            Some(number) => format!("density_{number}_of"),
+            None => format!("{}_of", fields.number(&model.graph, &model.parameters, self.nodes[place])),
+        };
+        OfBodies::name_of(&name, model, by)
     }
 
-    /// The tables that hold them.
-    pub(crate) fn fields(&self, model: &Model, fields: &mut Fields) -> Vec<Ident> {
-        self.nodes.iter().map(|id| fields.number(&model.graph, &model.parameters, *id)).collect()
+    /// Those of the body with an index; zeros for what the runtime computes.
+    pub(crate) fn of_body(&self, model: &Model, fields: &mut Fields, index: &Ident) -> Vec<TokenStream> {
+        let of = |(place, id): (usize, &NodeId)| match self.densities.contains(&place) {
+            true => quote!(0.0),
+            false => {
+                let field = fields.number(&model.graph, &model.parameters, *id);
+                quote!(self.#field[#index])
+            }
+        };
+        self.nodes.iter().enumerate().map(of).collect()
     }
 }
 

@@ -14,7 +14,7 @@ use crate::{
     graph::{NodeId, Part, index::LoopId},
     model::Model,
     pattern::{
-        all_pairs::{AllPairs, Bodies, EnergiesOfBodies, First, LISTED_FROM, Listed, Others, ROW},
+        all_pairs::{AllPairs, Bodies, EmbeddedOfBodies, EnergiesOfBodies, First, LISTED_FROM, Listed, Others, ROW},
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
@@ -50,7 +50,7 @@ impl ManyBody {
         let wide = &emitter.names.wide;
         let AllPairs {
             pair,
-            ends: _,
+            visited: _,
             dimension,
             constants,
             drift,
@@ -59,6 +59,7 @@ impl ManyBody {
             central,
             reciprocal,
             alone,
+            embedded,
             others,
             energies,
             listed,
@@ -72,6 +73,7 @@ impl ManyBody {
         let functions = [writer.drift(drift), writer.pair(force, central, pair)];
         let acts = acts.as_ref().map(|(condition, holds)| writer.acts(condition, *holds, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
+        let embedded = embedded.as_ref().map(|embedded| writer.embedded(embedded));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
         let (beside, form_of_others) = beside.map(|others| writer.others(others)).unzip();
         let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
@@ -99,6 +101,7 @@ impl ManyBody {
             #(#functions)*
             #acts
             #alone
+            #embedded
             #beside
             #of_energies
             #neighbours
@@ -244,6 +247,26 @@ impl Writer<'_, '_> {
         self.function("one_body", TokenStream::new(), self.one_body(alone), Some(result), body)
     }
 
+    /// The densities of a body, and their weights.
+    fn embedded(&mut self, EmbeddedOfBodies { densities, weights, .. }: &EmbeddedOfBodies) -> TokenStream {
+        let places = self.constants.densities.iter().map(|place| Literal::usize_unsuffixed(*place));
+        let places = quote!(&[#(#places),*]);
+        let (wide, d) = (self.emitter.names.wide.clone(), self.sizes[0].clone());
+        let result = || Some(quote!([#wide; #d]));
+        let pair = [densities.of[0], densities.of[1]];
+        let body = self.gradient(densities, quote!(gradient));
+        let densities = self.function("densities", TokenStream::new(), self.two_bodies(pair), result(), body);
+        let (of, s) = (OfBodies::name_of("constants", self.emitter.model, weights.of[0]), self.sizes[1].clone());
+        let body = self.gradient(weights, quote!(gradient));
+        let weights = self.function("weights", TokenStream::new(), quote!(#of: [#wide; #s]), result(), body);
+        quote! {
+            const DENSITIES: &'static [usize] = #places;
+
+            #densities
+            #weights
+        }
+    }
+
     /// The gradient of the terms beside pairs, in the user's own coordinates, and its form.
     fn others(&mut self, others: &Others) -> (TokenStream, Form) {
         let put = |place, value| quote!(#place = #value;);
@@ -346,12 +369,14 @@ impl Writer<'_, '_> {
 
     /// The prepared constants of a body as an array.
     fn per_body(&mut self, of: &Bodies) -> TokenStream {
-        let fields = self.constants.fields(self.emitter.model, &mut self.emitter.fields);
         let index = self.emitter.model.running.get(&self.constants.bodies);
-        let argument = index.filter(|_| !fields.is_empty()).map_or_else(|| format_ident!("_body"), Clone::clone);
+        let index = index.map_or_else(|| format_ident!("body"), Clone::clone);
+        let fields = self.constants.of_body(self.emitter.model, &mut self.emitter.fields, &index);
+        let reads_any = self.constants.densities.len() < fields.len();
+        let argument = if reads_any { index } else { format_ident!("_body") };
         let s = &self.sizes[1];
         // The rows of bodies in Jacobi coordinates begin with the one that leads.
-        let leading = self.emitter.model.jacobi().filter(|_| !fields.is_empty()).map(|jacobi| {
+        let leading = self.emitter.model.jacobi().filter(|_| reads_any).map(|jacobi| {
             let (runtime, parameters) = (&self.emitter.names.runtime, &self.emitter.model.parameters);
             let leading = self.emitter.fields.integer(parameters, jacobi.leading);
             quote!(let #argument = #runtime::body_at(self.#leading, #argument);)
@@ -368,7 +393,7 @@ impl Writer<'_, '_> {
         let counts: TokenStream = counts.collect();
         quote! {
             #[inline]
-            fn body_constants(&self, #argument: usize) -> [f64; #s] { #leading [#(self.#fields[#index]),*] }
+            fn body_constants(&self, #argument: usize) -> [f64; #s] { #leading [#(#fields),*] }
             #counts
         }
     }

@@ -31,7 +31,7 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        let text = self.text(id);
+        let text = self.text_of_pair(id, pair, ends);
         if let Some(entry) = self.entry_of_pair(graph, id, [&text, &text], pair, ends) {
             return Some(entry);
         }
@@ -88,8 +88,6 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        // If each pair comes twice, other sums over the same loops may have bodies with themselves, which tables lack.
-        let [Some(first_end), Some(_)] = ends else { return None };
         if graph.loops.of_parameter(id).iter().count() > 2 {
             return None;
         }
@@ -121,9 +119,10 @@ impl Texts<'_> {
         });
         let [row, column] = [numbers[0]?, numbers[1]?];
         let [first, second] = pair.map(running_index);
-        let order = match first_end {
-            End::Last => quote!(#first < #second),
-            End::First => quote!(#first > #second),
+        let order = match ends[0] {
+            Some(End::Last) => quote!(#first < #second),
+            Some(End::First) => quote!(#first > #second),
+            None => quote!(#first != #second),
         };
         let ([rows, columns], [of_rows, of_columns]) = (&equal, &bodies);
         let whole = quote!(#root::__private::ByClass::new(
@@ -134,7 +133,7 @@ impl Texts<'_> {
         let table = self.table(graph, "ByClass", whole);
         let shown = self.own_text(id);
         self.show(table, &shown);
-        graph.declare_missing_like(table, id);
+        graph.declare_like(table, id);
         Some(graph.entry(table, row, column))
     }
 }

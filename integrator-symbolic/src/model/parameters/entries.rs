@@ -42,7 +42,7 @@ impl Texts<'_> {
         let (text, own) = (self.is_plain_number(number).then(|| self.text(number))?, self.own_text(number));
         let entry = self.of_entries(graph, &text, entries)?;
         self.show(entry, &own);
-        graph.declare_missing_like(entry, number);
+        graph.declare_like(entry, number);
         Some(entry)
     }
 

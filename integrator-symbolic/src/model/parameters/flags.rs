@@ -29,7 +29,7 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        let (text, loops) = (self.text(id), graph.loops.of_parameter(id));
+        let (text, loops) = (self.text_of_pair(id, pair, ends), graph.loops.of_parameter(id));
         let own = |loops: LoopSet| pair.into_iter().filter(move |by| loops.contains(*by));
         if own(loops).count() < 2 {
             let number = self.id(graph, quote!(((#text) as u8 as f64)), loops);

@@ -28,7 +28,7 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        let text = self.text(id);
+        let text = self.text_of_pair(id, pair, ends);
         let mut condition = syn::parse2::<Expr>(text).ok()?;
         let mut holds = true;
         let call = loop {

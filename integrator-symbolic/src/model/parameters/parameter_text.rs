@@ -62,7 +62,7 @@ impl Parameters for Texts<'_> {
             Place::Number(_) => set,
         });
         let renamed = self.id(graph, text, loops);
-        graph.declare_missing_like(renamed, id);
+        graph.declare_like(renamed, id);
         if !loops.is_empty() {
             self.parameters[renamed.0 as usize].whole = self.parameters[id.0 as usize].whole.clone();
         }
@@ -152,7 +152,7 @@ impl Parameters for Texts<'_> {
         let guarded = self.id(graph, guarded, LoopSet::of(by));
         let own = self.parameters[id.0 as usize].own.clone();
         self.show(guarded, &own);
-        graph.declare_missing_like(guarded, id);
+        graph.declare_like(guarded, id);
         Some(guarded)
     }
 
@@ -174,7 +174,7 @@ impl Parameters for Texts<'_> {
         }
         let of_point = self.id(graph, text, LoopSet::of(point));
         self.show(of_point, &own);
-        graph.declare_missing_like(of_point, id);
+        graph.declare_like(of_point, id);
         Some(of_point)
     }
 
@@ -190,6 +190,13 @@ impl Parameters for Texts<'_> {
 
     fn extreme_entries(&mut self, graph: &mut Graph, table: ParameterId) -> Option<[ParameterId; 2]> {
         self.extremes_of_table(graph, table)
+    }
+
+    fn density(&mut self, graph: &mut Graph, by: LoopId, number: usize) -> Option<ParameterId> {
+        let name = format_ident!("__density_{number}");
+        let density = self.of_index(graph, by, |index| quote!(#name[#index]));
+        graph.declare_computed(density);
+        Some(density)
     }
 
     fn name_if_new(&mut self, new: LoopId, like: LoopId) {
@@ -304,7 +311,7 @@ impl<'m> Texts<'m> {
             }
         };
         self.show(first, &own);
-        graph.declare_missing_like(first, parameter);
+        graph.declare_like(first, parameter);
         first
     }
 
@@ -340,6 +347,16 @@ impl<'m> Texts<'m> {
 
     pub(super) fn text(&self, id: ParameterId) -> TokenStream {
         self.parameters[id.0 as usize].text.clone()
+    }
+
+    /// The text of a parameter of a pair, without the condition that it is not one of a body with itself, which loops that visit pairs
+    /// twice leave out.
+    pub(super) fn text_of_pair(&self, id: ParameterId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> TokenStream {
+        let text = self.text(id);
+        match guarded(&text) {
+            Some((condition, inner)) if ends[0].is_none() && are_distinct(&condition, pair) => inner,
+            _ => text,
+        }
     }
 
     /// The item of a list with the index of a loop.
@@ -491,6 +508,13 @@ fn guarded(text: &TokenStream) -> Option<(TokenStream, TokenStream)> {
         ] if choice == "if" => Some((condition.iter().cloned().collect(), guarded.stream())),
         _ => None,
     }
+}
+
+/// Whether a condition is that two indices differ, and nothing else.
+fn are_distinct(condition: &TokenStream, pair: [LoopId; 2]) -> bool {
+    let text: String = condition.to_string().chars().filter(|letter| !matches!(letter, ' ' | '(' | ')')).collect();
+    let [first, second] = pair.map(|by| running_index(by).to_string());
+    [format!("!{first}=={second}"), format!("!{second}=={first}")].contains(&text)
 }
 
 /// Whether a condition is one of indices of loops and of the number of bodies alone.

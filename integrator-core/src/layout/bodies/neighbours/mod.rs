@@ -202,6 +202,47 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         }
     }
 
+    /// The densities of all bodies; in lanes where lists are not used, those that are given.
+    pub(crate) fn densities<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
+        &mut self,
+        sum: Sum<'_, H, R, L, D, S>,
+        cutoffs: &Cutoffs<D>,
+        densities: &mut [[R::Row<WIDTH>; D]],
+    ) {
+        R::enter(Densities { neighbours: self, sum, cutoffs, densities });
+    }
+
+    /// Sums the forces on all bodies over their neighbours, or else their densities, in the slots of the lists.
+    #[inline(always)]
+    fn sum_up<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize, const DENSITIES: bool>(
+        &mut self,
+        sum: &Sum<'_, H, R, L, D, S>,
+        cutoffs: &Cutoffs<D>,
+    ) -> Arc<Listed<R::Row<WIDTH>, D>> {
+        let Sum { q, constants, bodies, parameters, time, threads } = *sum;
+        let listed = self.renew(q, bodies, cutoffs, threads);
+        let lists = &*listed.lists;
+        self.fill::<H, L, S>(q, constants, &lists.slot_of);
+        let Neighbours { points, results, .. } = self;
+        results.resize(q.len(), [[R::of(0.0); WIDTH]; D]);
+        let (points, _) = points.as_chunks();
+        in_portions(lists, results, threads, &|number, rows, results| {
+            let portion = lists.portions.as_ref().map(|portions| &portions[number]);
+            let system = PhantomData::<fn(H)>;
+            R::enter(Forces::<H, R, D, S, DENSITIES> {
+                points,
+                portion,
+                rows,
+                bodies,
+                parameters,
+                time,
+                results,
+                system,
+            });
+        });
+        listed
+    }
+
     /// The energy of all pairs and of all bodies alone.
     pub(crate) fn energy<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         self,
@@ -243,21 +284,11 @@ where
     #[inline(always)]
     fn call(self) {
         let Self { neighbours, sum, cutoffs, others, factor, p } = self;
-        let Sum { q, constants, bodies, parameters, time, threads } = sum;
-        let listed = neighbours.renew(q, bodies, cutoffs, threads);
-        let lists = &*listed.lists;
-        neighbours.fill::<H, L, S>(q, constants, &lists.slot_of);
-        let Neighbours { points, results, .. } = neighbours;
-        results.resize(q.len(), [[R::of(0.0); WIDTH]; D]);
-        let (points, _) = points.as_chunks();
-        in_portions(lists, results, threads, &|number, rows, results| {
-            let portion = lists.portions.as_ref().map(|portions| &portions[number]);
-            let system = PhantomData::<fn(H)>;
-            R::enter(Forces { points, portion, rows, bodies, parameters, time, results, system });
-        });
+        let listed = neighbours.sum_up::<H, L, S, false>(&sum, cutoffs);
+        let (Sum { q, constants, bodies, parameters, time, .. }, results) = (sum, &neighbours.results);
         let short = Real::less(Real::of(0.0), cutoffs.lanes::<R, R::Row<WIDTH>>());
         for row in 0..q.len() {
-            let slots = &lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
+            let slots = &listed.lists.slot_of[row * WIDTH..bodies.min((row + 1) * WIDTH)];
             let own = H::one_body::<R, R::Row<WIDTH>>(parameters, values(&q[row]), constants[row], time);
             let sum = gathered::<R, R::Row<WIDTH>, D>(results, slots);
             let mut gradient = own.map_or(sum, |own| add(own, sum));
@@ -266,6 +297,37 @@ where
                     gradient[d] = Real::select(short, gradient[d], others[row][d]);
                 }
                 p[row][d].fma(factor, gradient[d]);
+            }
+        }
+    }
+}
+
+/// The densities of bodies by their neighbours, in the variant for the instruction set.
+struct Densities<'s, H: ManyBody<D, S>, R: Real, L, const D: usize, const S: usize> {
+    neighbours: &'s mut Neighbours<R, D>,
+    sum: Sum<'s, H, R, L, D, S>,
+    cutoffs: &'s Cutoffs<D>,
+    densities: &'s mut [[R::Row<WIDTH>; D]],
+}
+
+impl<H, R, L, const D: usize, const S: usize> Kernel for Densities<'_, H, R, L, D, S>
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    L: Slot<R::Row<WIDTH>>,
+{
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self { neighbours, sum, cutoffs, densities } = self;
+        let listed = neighbours.sum_up::<H, L, S, true>(&sum, cutoffs);
+        let short = Real::less(Real::of(0.0), cutoffs.lanes::<R, R::Row<WIDTH>>());
+        for (row, densities) in densities.iter_mut().enumerate() {
+            let slots = &listed.lists.slot_of[row * WIDTH..sum.bodies.min((row + 1) * WIDTH)];
+            let listed = gathered::<R, R::Row<WIDTH>, D>(&neighbours.results, slots);
+            for d in 0..D {
+                densities[d] = Real::select(short, listed[d], densities[d]);
             }
         }
     }

@@ -4,7 +4,7 @@ use super::{constant, lists::Portion, numbers, quads};
 use crate::{
     layout::bodies::{
         many_rows::WIDTH,
-        pair_sums::{Bodies, ManyBody, components, displacement, pair_energies, pair_forces},
+        pair_sums::{Bodies, ManyBody, components, displacement, pair_densities, pair_energies, pair_forces},
     },
     scalar::{
         real::{Kernel, Real},
@@ -16,8 +16,8 @@ use core::{marker::PhantomData, ops::Range};
 /// Lists are prefetched this number of slots ahead: 2 KiB, which are read in some hundreds of nanoseconds.
 const AHEAD: usize = 512;
 
-/// The forces on the bodies of some rows.
-pub(crate) struct Forces<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> {
+/// The forces on the bodies of some rows, or else their densities.
+pub(crate) struct Forces<'s, H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const DENSITIES: bool> {
     pub(crate) points: &'s [[R; 4]],
     pub(crate) portion: Option<&'s Portion>,
     pub(crate) rows: Range<usize>,
@@ -40,7 +40,9 @@ pub(crate) struct Energies<'s, H: ManyBody<D, S>, R: Real, const D: usize, const
     pub(crate) system: PhantomData<fn(H)>,
 }
 
-impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forces<'_, H, R, D, S> {
+impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const DENSITIES: bool> Kernel
+    for Forces<'_, H, R, D, S, DENSITIES>
+{
     type Out = ();
 
     #[inline(always)]
@@ -60,13 +62,13 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                         R::Row::<WIDTH>::fetch_once(slots.as_ptr().wrapping_add(AHEAD));
                         let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
                         put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
-                        add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], None, time);
+                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], None, time);
                     }
                     for (step, slots) in (range.common..).zip(rest) {
                         let acting = range.acting(step);
                         let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
                         put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
-                        add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], Some(acting), time);
+                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], Some(acting), time);
                     }
                 }
                 None => {
@@ -74,7 +76,7 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Forc
                         let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
                         put_in_order::<H, R, D, S>(&mut others, || behind::<R>(other, row));
                         let acting = (other / WIDTH == row).then(|| others_than::<R>(other % WIDTH));
-                        add_forces::<H, R, D, S>(&mut sum, parameters, [body, others], acting, time);
+                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], acting, time);
                     }
                 }
             }
@@ -164,15 +166,25 @@ fn put_in_order<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
     }
 }
 
-/// Adds the forces of other bodies on those of a row, in the lanes of `acting`.
+/// Adds the forces of other bodies on those of a row, or their densities there, in the lanes of `acting`.
 #[inline(always)]
-fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
+fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const DENSITIES: bool>(
     sum: &mut [R::Row<WIDTH>; D],
     parameters: &H::Parameters<R>,
     rows: [Bodies<R::Row<WIDTH>, D, S>; 2],
     acting: Option<Lanes<R>>,
     time: f64,
 ) {
+    if DENSITIES {
+        let densities = pair_densities::<H, R, R::Row<WIDTH>, D, S>(parameters, rows, time);
+        for d in 0..H::DENSITIES.len() {
+            sum[d] += match acting {
+                Some(acting) => Real::select(acting, densities[d], Real::of(0.0)),
+                None => densities[d],
+            };
+        }
+        return;
+    }
     let mut force = pair_forces::<H, R, R::Row<WIDTH>, D, S>(parameters, rows, time);
     if let Some(acting) = acting {
         let none = Real::of(0.0);
