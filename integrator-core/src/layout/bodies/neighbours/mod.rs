@@ -158,7 +158,10 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         threads: usize,
     ) -> Arc<Listed<R::Row<WIDTH>, D>> {
         let last = self.last();
-        if let Some(listed) = last.as_ref().filter(|listed| listed.holds(q)) {
+        // No closure, which might be compiled outside of the variant for the instruction set.
+        if let Some(listed) = &last
+            && listed.holds(q)
+        {
             self.sums += 1;
             return listed.clone();
         }
