@@ -22,20 +22,28 @@ const SYMBOLIC: MayKnow = (
         ("errors", &[]),
         ("limits", &["errors"]),
         ("fragments", &[]),
+        ("reason", &[]),
         ("spelling", &[]),
         ("graph", &[]),
         ("differentiate", &["graph"]),
-        ("stencil", &["differentiate", "graph"]),
+        ("stencil", &["differentiate", "graph", "reason"]),
         ("lower", &["graph"]),
-        ("pairs", &["differentiate", "graph"]),
-        ("program", &["differentiate", "graph"]),
+        ("pairs", &["differentiate", "graph", "reason"]),
+        ("program", &["differentiate", "graph", "reason"]),
         ("scheme", &["errors"]),
         ("taylor", &["differentiate", "graph"]),
         ("syntax", &["errors", "scheme"]),
         ("model", &["errors", "graph", "limits", "spelling", "syntax"]),
-        ("pattern", &["differentiate", "graph", "lower", "model", "pairs", "program", "stencil"]),
+        ("pattern", &["differentiate", "graph", "lower", "model", "pairs", "program", "reason", "stencil"]),
+        ("layout", &["differentiate", "graph", "model", "pairs", "pattern", "program", "reason", "stencil"]),
         ("prose", &["differentiate", "graph", "model", "program"]),
-        ("judge", &["errors", "graph", "model", "pairs", "pattern", "prose", "scheme", "syntax"]),
+        (
+            "judge",
+            &[
+                "errors", "graph", "layout", "model", "pairs", "pattern", "prose", "reason", "scheme", "spelling",
+                "syntax",
+            ],
+        ),
         (
             "emit",
             &[
@@ -43,6 +51,7 @@ const SYMBOLIC: MayKnow = (
                 "stencil",
                 "graph",
                 "judge",
+                "layout",
                 "lower",
                 "model",
                 "pairs",
@@ -54,7 +63,7 @@ const SYMBOLIC: MayKnow = (
                 "taylor",
             ],
         ),
-        ("report", &["differentiate", "emit", "errors", "graph", "lower", "model", "pattern", "prose", "syntax"]),
+        ("report", &["differentiate", "graph", "layout", "lower", "model", "pattern", "prose", "syntax"]),
     ],
 );
 
@@ -156,8 +165,8 @@ const LARGE_CIRCLES: [(&str, &str, usize); 2] =
     [("integrator-core/src", "scalar", 9), ("integrator-core/src", "trajectory", 13)];
 
 /// The modules that compute and never see a token.
-const WITHOUT_TOKENS: [&str; 8] =
-    ["graph", "differentiate", "stencil", "lower", "pairs", "program", "pattern", "taylor"];
+const WITHOUT_TOKENS: [&str; 10] =
+    ["graph", "differentiate", "stencil", "lower", "pairs", "program", "pattern", "layout", "reason", "taylor"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

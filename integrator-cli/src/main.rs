@@ -44,8 +44,11 @@ enum Task {
     /// Keys of --json:
     ///   file, systems
     ///   systems: system, line, parts, equations, separable, quadratic_kinetic, autonomous, drift, kick,
-    ///            operations (written, shared, energies, together), compose, composition, admissible
-    ///   drift, kick: form (plain, lists, line, plane, row, tiles, neighbours), others (the form beside pairs), places
+    ///            flows_of_parts (name, form, slower), operations (written, shared, energies, together), compose,
+    ///            composition, admissible
+    ///   drift, kick: form (plain, lanes, terms, line, plane, volume, row, pairs, lists), others (the form beside pairs),
+    ///            places, cost, slower
+    ///   slower: than, range, reason, instead
     ///   places: loops, additions, multiplications, divisions, roots, functions, branches, coordinates
     ///   composition, admissible: name, order, symmetric, forces_per_step, stability_limit
     #[command(verbatim_doc_comment)]

@@ -6,10 +6,14 @@ use crate::{
     mistake::Mistake,
     source::{Annotated, Seen, Source},
 };
-use integrator_symbolic::{Flow, Proved, Report, Tally, declared, report, sequence};
+use integrator_symbolic::{Flow, Proved, Report, Slower, Tally, declared, report, sequence};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use serde_json::{Value, json};
 use std::fmt::Write;
+
+/// The columns of what is derived of a system, and how much deeper the rest of a long line is indented.
+const COLUMNS: usize = 120;
+const CONTINUED: usize = 8;
 
 /// How many columns the list of the catalogue takes.
 const WIDTH: usize = 100;
@@ -94,16 +98,36 @@ fn text(source: &Source, system: &System, catalogue: &[Proved]) -> String {
     let System { report, line, composition } = system;
     let mut text = format!("{}, {}:{line}\n", report.system, source.name);
     for line in report.to_string().lines() {
-        let _ = writeln!(text, "    {line}");
+        text += &wrapped(&format!("    {line}"));
     }
-    let _ = match composition {
-        None => writeln!(text, "    composition: {}, which is declared elsewhere", report.compose),
-        Some(proved) => writeln!(text, "    composition: {}, {}", report.compose, in_short(proved, report.separable)),
+    let composition = match composition {
+        None => "which is declared elsewhere".to_owned(),
+        Some(proved) => in_short(proved, report.separable),
     };
+    text += &wrapped(&format!("    composition: {}, {composition}", report.compose));
     let count = admissible(report, catalogue).len();
     let of = if report.quadratic_kinetic { "all" } else { "those for every T" };
     let _ = writeln!(text, "    admissible: {of} of the catalogue, {count} compositions");
     text
+}
+
+/// A line, continued with a deeper indent where it is longer than the columns of `show`.
+fn wrapped(line: &str) -> String {
+    let indent = line.len() - line.trim_start().len();
+    let (mut text, mut column) = (" ".repeat(indent), indent);
+    // Runs of spaces are kept, so that a formula stays apart from the range after it.
+    for word in line[indent..].split_inclusive(' ') {
+        let width = word.trim_end().chars().count();
+        if column + width > COLUMNS && column > indent {
+            text.truncate(text.trim_end().len());
+            column = indent + CONTINUED;
+            let _ = write!(text, "\n{}", " ".repeat(column));
+        }
+        text += word;
+        column += word.chars().count();
+    }
+    text.truncate(text.trim_end().len());
+    text + "\n"
 }
 
 /// The catalogue, a line or a few for each order.
@@ -160,6 +184,11 @@ fn value(system: &System, catalogue: &[Proved]) -> Value {
         "autonomous": report.autonomous,
         "drift": flow(&report.drift),
         "kick": flow(&report.kick),
+        "flows_of_parts": report.flows_of_parts.iter().map(|part| json!({
+            "name": part.name,
+            "form": part.form.map(|form| form.name()),
+            "slower": slower(&part.slower),
+        })).collect::<Vec<_>>(),
         "operations": {
             "written": report.operations_written,
             "shared": report.operations_shared,
@@ -191,5 +220,14 @@ fn flow(flow: &Flow) -> Value {
         "form": flow.form.name(),
         "others": flow.others.map(|form| form.name()),
         "places": places.collect::<Vec<_>>(),
+        "cost": flow.cost,
+        "slower": slower(&flow.slower),
     })
+}
+
+fn slower(slower: &[Slower]) -> Vec<Value> {
+    let values = slower.iter().map(|Slower { than, range, reason, instead }| {
+        json!({ "than": than.name(), "range": range, "reason": reason, "instead": instead })
+    });
+    values.collect()
 }

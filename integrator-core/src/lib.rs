@@ -135,6 +135,7 @@ pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::{Phase, StartOf};
 pub use system::counts::OwnSteps;
+pub use system::flow_layout::Layouts;
 pub use system::{QuadraticKinetic, System};
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;

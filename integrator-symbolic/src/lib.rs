@@ -17,6 +17,7 @@ mod errors;
 mod fragments;
 mod graph;
 mod judge;
+mod layout;
 mod limits;
 mod lower;
 mod model;
@@ -24,6 +25,7 @@ mod pairs;
 mod pattern;
 mod program;
 mod prose;
+mod reason;
 mod report;
 mod scheme;
 mod spelling;
@@ -31,14 +33,14 @@ mod stencil;
 mod syntax;
 mod taylor;
 
-pub use emit::Form;
 use errors::Errors;
 use fragments::without_groups;
 pub use graph::Tally;
+pub use layout::Form;
 use model::Model;
 use proc_macro2::TokenStream;
 use quote::quote;
-pub use report::{Flow, Place, Report};
+pub use report::{Flow, FlowOfPart, Place, Report, Slower};
 pub use scheme::{Proved, ProvedStage, ProvedViolation};
 pub use spelling::nearest;
 use syntax::{Compose, Input};
@@ -74,7 +76,7 @@ pub fn composition(declarations: TokenStream) -> TokenStream {
 pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> {
     let mut errors = Errors::default();
     let report = read(arguments, item, &mut errors).and_then(|input| {
-        let model = valid_model(&input, &mut errors)?;
+        let model = laid_out_model(&input, &mut errors)?;
         if input.gpu.is_some() {
             // Printers add to the graph that they print, so they get one of their own.
             let printed = valid_model(&input, &mut errors)?;
@@ -128,7 +130,7 @@ fn outcome<T>(found: Option<T>, errors: Errors) -> syn::Result<T> {
 
 fn stepper(arguments: TokenStream, item: TokenStream, errors: &mut Errors) -> Option<TokenStream> {
     let mut input = read(arguments, item, errors)?;
-    if let Some(model) = valid_model(&input, errors) {
+    if let Some(model) = laid_out_model(&input, errors) {
         let (stepper, obstacle) = emit::stepper(&input, model);
         check_device(&input, obstacle, errors);
         if errors.is_empty() {
@@ -158,6 +160,15 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
             .at(&input.item.self_ty, "the macro failed on this impl without a reason\nhelp: please report it as a bug");
     }
     let model = judge::judged(input, model?, errors);
+    Some(model).filter(|_| errors.is_empty())
+}
+
+/// The same, if the kick has the layout that is requested.
+fn laid_out_model(input: &Input, errors: &mut Errors) -> Option<Model> {
+    let model = valid_model(input, errors)?;
+    if input.layout.is_some() {
+        judge::check_layout(input, valid_model(input, errors)?, errors);
+    }
     Some(model).filter(|_| errors.is_empty())
 }
 

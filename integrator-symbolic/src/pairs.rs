@@ -22,6 +22,7 @@ use crate::{
         index::{Index, IndexId, Loop, LoopId},
         rename::{End, Parameters, Renaming},
     },
+    reason::Reason,
 };
 pub(crate) use attraction::{attraction, inverse_mass, softening};
 pub(crate) use canonical::canonical;
@@ -71,25 +72,29 @@ pub(crate) fn pairs(
     length: IndexId,
     are_many: bool,
     parameters: &mut dyn Parameters,
-) -> Option<Pairs> {
-    let Terms { pair, ascending, bodies, mut visited, pairs, alone, embedded, others, .. } =
+) -> Result<Pairs, Reason> {
+    let Terms { pair, ascending, bodies, mut visited, pairs, alone, embedded, others, obstacle, .. } =
         Terms::of(graph, potential, length, are_many, parameters);
-    let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair))?;
+    let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair));
+    let pair = pair.ok_or(obstacle.unwrap_or(Reason::NoPairs))?;
     visited.extend(embedded.densities.iter().map(|density| Visited { pair: density.pair, ascending: None }));
     let [written, alone, others] = [pairs, alone, others].map(|terms| total(graph, terms));
     let of_others = gradient(graph, others, Part::Position);
     if !of_others.is_empty() && !are_many {
-        return None;
+        return Err(obstacle.unwrap_or(Reason::PairsAndOthers));
     }
     let order = ascending.filter(|_| are_many).map(|ascending| Order::of(graph, pair, ascending));
     let (energy, order) = match order {
         None => (written, None),
-        Some(order) => (order.symmetric(graph, written, parameters)?, Some(order)),
+        Some(order) => (order.symmetric(graph, written, parameters).ok_or(Reason::PairOrder)?, Some(order)),
     };
-    let embedded_pairs = embedded.of_pair(graph, pair, parameters)?;
+    let embedded_pairs = embedded.of_pair(graph, pair, parameters).ok_or(Reason::PairOrder)?;
     let mut forms = Forms::new(pair, order, parameters);
-    if order.is_none() && forms.of(graph, energy, false)? != forms.of(graph, energy, true)? {
-        return None;
+    if order.is_none() {
+        let exchanged = [false, true].map(|exchanged| forms.of(graph, energy, exchanged));
+        if exchanged[0].is_none() || exchanged[0] != exchanged[1] {
+            return Err(Reason::PairOrder);
+        }
     }
     let [written, with_embedded] = [written, energy].map(|energy| graph.add(energy, embedded_pairs));
     let gradients = gradient(graph, with_embedded, Part::Position);
@@ -110,20 +115,7 @@ pub(crate) fn pairs(
     let alone = gradient(graph, alone, Part::Position);
     let others = (others, of_others);
     let ends = order.map_or([None; 2], |order| order.ends);
-    Some(Pairs {
-        bodies,
-        pair,
-        visited,
-        ends,
-        energy,
-        written,
-        force,
-        reciprocal,
-        energy_alone,
-        alone,
-        embedded,
-        others,
-    })
+    Ok(Pairs { bodies, pair, visited, ends, energy, written, force, reciprocal, energy_alone, alone, embedded, others })
 }
 
 fn total(graph: &mut Graph, terms: Vec<NodeId>) -> NodeId {

@@ -8,12 +8,12 @@
 pub(crate) mod all_pairs;
 pub(crate) mod bodies;
 mod ragged;
-mod sites;
+pub(crate) mod sites;
 pub(crate) mod stores;
 
 use crate::{
-    differentiate::{Contribution, fold_branches},
-    graph::NodeId,
+    differentiate::{Contribution, fold_branches, gradient},
+    graph::{NodeId, Part},
     model::{Model, Texts},
     pairs::with_numbers_of_each,
     program::lanes::are_many,
@@ -21,6 +21,20 @@ use crate::{
 };
 use all_pairs::AllPairs;
 pub(crate) use sites::lowered;
+
+/// The gradient of H by the momenta and by the positions.
+pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
+    let energies = [model.kinetic, model.potential];
+    gradients_of(model, energies)
+}
+
+/// The same of an H with these energies.
+pub(crate) fn gradients_of(model: &mut Model, [kinetic, potential]: [NodeId; 2]) -> [Vec<Contribution>; 2] {
+    let by = [(Part::Momentum, kinetic), (Part::Position, potential)];
+    let is_separable = model.is_separable();
+    let whole = model.graph.add(kinetic, potential);
+    by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
+}
 
 /// How iterations reach the coordinates.
 pub(crate) enum Pattern {
@@ -34,13 +48,13 @@ pub(crate) enum Pattern {
 /// The pattern of the gradients of `T` and of `V`.
 pub(crate) fn recognise(model: &mut Model, [kinetic, potential]: [&[Contribution]; 2]) -> Pattern {
     if model.is_separable()
-        && let Some(pairs) = AllPairs::of(model)
+        && let Ok(pairs) = AllPairs::of(model)
     {
         return Pattern::AllPairs(Box::new(pairs));
     }
     let folded = [kinetic, potential].map(|gradient| fold_branches(&mut model.graph, gradient));
     let components = sites::components(model, &folded[1]);
-    Pattern::Sites(folded.map(|gradient| sites::stencil_of(model, &gradient, components)))
+    Pattern::Sites(folded.map(|gradient| sites::stencil_of(model, &gradient, components).ok()))
 }
 
 impl Pattern {

@@ -2,11 +2,14 @@
 
 use crate::{
     differentiate::{Contribution, fold_branches},
-    emit::{self, Form},
-    graph::{Tally, index::LoopSet},
+    graph::{Part, Tally, index::LoopSet},
+    layout::{
+        Form, forms,
+        lost::{Lost, lost, of_part},
+    },
     lower::lower,
     model::{Model, Split},
-    pattern::recognise,
+    pattern::{gradients, recognise},
     prose,
     syntax::{Compose, Input},
 };
@@ -40,6 +43,8 @@ pub struct Report {
     pub drift: Flow,
     /// The flow that moves the momenta.
     pub kick: Flow,
+    /// The layouts of the parts that `split` names, if these have exact flows other than a drift and a kick.
+    pub flows_of_parts: Vec<FlowOfPart>,
     /// The number of operations of one drift and one kick as the derivatives are written; the body of a sum counts
     /// once.
     pub operations_written: u64,
@@ -60,6 +65,48 @@ pub struct Flow {
     pub others: Option<Form>,
     /// The computations of the flow, by their loops, outermost first; empty if nothing moves.
     pub places: Vec<Place>,
+    /// What the time of a kick is proportional to, in words; `None` for a drift, and for a kick without loops.
+    pub cost: Option<&'static str>,
+    /// The faster layouts that do not apply.
+    pub slower: Vec<Slower>,
+}
+
+/// The flow of a part that `split` names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FlowOfPart {
+    /// The names of the functions of the part.
+    pub name: String,
+    /// The layout of a flow along a gradient; `None` for a matrix, a Kepler motion, a shear or a hand-written flow.
+    pub form: Option<Form>,
+    /// The faster layouts that do not apply.
+    pub slower: Vec<Slower>,
+}
+
+/// A faster layout that does not apply to a flow.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Slower {
+    /// The faster layout.
+    pub than: Form,
+    /// The loop that is plain code, as `i in 0..n`; `None` if the flow as a whole is concerned.
+    pub range: Option<String>,
+    /// The reason.
+    pub reason: &'static str,
+    /// What to write instead; empty if nothing gains from it.
+    pub instead: &'static str,
+}
+
+impl fmt::Display for Slower {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "not `{}`", self.than.name())?;
+        if let Some(range) = &self.range {
+            write!(f, " over {range}")?;
+        }
+        write!(f, ": {}", self.reason)?;
+        if !self.instead.is_empty() {
+            write!(f, "; write {}", self.instead)?;
+        }
+        Ok(())
+    }
 }
 
 /// The computations of a flow in one place, with shared subexpressions computed once.
@@ -80,6 +127,11 @@ impl fmt::Display for Report {
             let time = if self.autonomous { "not read" } else { "read" };
             let form = if self.whole { "in one piece" } else { "in parts with exact flows" };
             writeln!(f, "H: {form}; time: {time}")?;
+            for FlowOfPart { name, form, slower } in &self.flows_of_parts {
+                let form = form.map_or_else(|| "an exact flow of its own".to_owned(), |form| form.to_string());
+                writeln!(f, "flow of {name}: {form}")?;
+                slower.iter().try_for_each(|slower| writeln!(f, "  {slower}"))?;
+            }
             return write!(f, "operations of the energies: {}", self.operations_of_energies);
         }
         let kinetic = if self.quadratic_kinetic { "quadratic in p, constant masses" } else { "general" };
@@ -114,13 +166,16 @@ impl fmt::Display for Flow {
                 loops => write!(f, "\n  per iteration of {}: {operations}", loops.join(", "))?,
             }
         }
-        Ok(())
+        if let Some(cost) = self.cost {
+            write!(f, "\n  layout = {}; cost: proportional to {cost}", self.form.name())?;
+        }
+        self.slower.iter().try_for_each(|slower| write!(f, "\n  {slower}"))
     }
 }
 
 /// What is derived from `input`, whose model is known to make sense.
 pub(crate) fn report(input: &Input, mut model: Model) -> Report {
-    let [kinetic, potential] = emit::gradients(&mut model);
+    let [kinetic, potential] = gradients(&mut model);
     let parts = prose::parts(&model);
     let equations = prose::equations(&mut model, &kinetic, &potential);
     let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
@@ -135,13 +190,23 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
     let pattern = recognise(&mut model, [&kinetic, &potential]);
     let mut stated = model.potential;
     let [kinetic, potential] = match pattern.restate(&mut model, &mut stated) {
-        true => emit::gradients(&mut model),
+        true => gradients(&mut model),
         false => [kinetic, potential],
     };
-    let (forms, others) = emit::forms(input, &mut model, &kinetic, &potential, &pattern);
+    let (forms, others) = forms(&mut model, [&kinetic, &potential], &pattern);
     let others = [None, others];
-    let [drift, kick] =
-        [0, 1].map(|part| Flow { form: forms[part], others: others[part], places: places[part].clone() });
+    let slower = [(&kinetic, Part::Momentum), (&potential, Part::Position)].map(|(gradient, part)| {
+        let lost = lost(&mut model, gradient, part, &pattern);
+        slower(&model, &lost)
+    });
+    let [drift, kick] = [0, 1].map(|part| Flow {
+        form: forms[part],
+        others: others[part],
+        places: places[part].clone(),
+        cost: (part == 1 && places[part].iter().any(|place| !place.loops.is_empty())).then(|| forms[part].cost()),
+        slower: slower[part].clone(),
+    });
+    let flows_of_parts = if model.is_separable() { Vec::new() } else { flows_of_parts(&mut model) };
     Report {
         system: readable(&input.item.self_ty),
         compose: match &input.compose {
@@ -157,11 +222,32 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         autonomous: model.autonomous,
         drift,
         kick,
+        flows_of_parts,
         operations_written: flows.written,
         operations_shared: flows.shared,
         operations_of_energies: energies.shared,
         operations_together: together.shared,
     }
+}
+
+/// The faster layouts that do not apply, in words.
+fn slower(model: &Model, lost: &[Lost]) -> Vec<Slower> {
+    let slower = lost.iter().map(|Lost { form, by, reason }| {
+        let [reason, instead] = reason.texts();
+        let range = by.map(|by| prose::ranges(model, LoopSet::of(by)).concat());
+        Slower { than: *form, range, reason, instead }
+    });
+    slower.collect()
+}
+
+fn flows_of_parts(model: &mut Model) -> Vec<FlowOfPart> {
+    let count = model.parts.len();
+    let part = |number: usize| {
+        let (form, lost) = of_part(model, number).unzip();
+        let (name, slower) = (model.parts[number].name(), slower(model, &lost.unwrap_or_default()));
+        FlowOfPart { name, form, slower }
+    };
+    (0..count).map(part).collect()
 }
 
 /// What a flow along a gradient computes, by the loops around it.

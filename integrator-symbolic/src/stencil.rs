@@ -18,6 +18,7 @@ use crate::{
         Element, Graph, Node, NodeId,
         index::{Index, IndexId, LoopId},
     },
+    reason::Reason,
 };
 use direction::Iterations;
 pub(crate) use direction::{Along, Direction, Extent};
@@ -142,14 +143,14 @@ pub(crate) fn stencil(
     lengths: &[IndexId],
     components: Components,
     leaf: impl Fn(&Graph, NodeId) -> bool,
-) -> Option<Stencil> {
-    let pieces = pieces(graph, gradient, &leaf)?;
+) -> Result<Stencil, Reason> {
+    let pieces = pieces(graph, gradient, &leaf).ok_or(Reason::SiteCondition)?;
     let of = |graph: &mut Graph, begins| stencil_of(graph, &pieces, (lengths, components), begins, &leaf);
-    let Some(together) = of(graph, Begins::Together) else { return of(graph, Begins::Apart) };
+    let Ok(together) = of(graph, Begins::Together) else { return of(graph, Begins::Apart) };
     if together.hands_on_to_rows_what_is_cheap(graph, &leaf) {
-        return of(graph, Begins::RowsApart).or(Some(together));
+        return of(graph, Begins::RowsApart).or(Ok(together));
     }
-    Some(together)
+    Ok(together)
 }
 
 /// Which site sees what an iteration adds.
@@ -170,10 +171,10 @@ fn stencil_of(
     (lengths, components): (&[IndexId], Components),
     begins: Begins,
     leaf: &impl Fn(&Graph, NodeId) -> bool,
-) -> Option<Stencil> {
-    let number = graph.loops.literal(*lengths.last()?);
+) -> Result<Stencil, Reason> {
+    let number = graph.loops.literal(*lengths.last().ok_or(Reason::Unrecognised)?);
     if number.is_some_and(|number| number < FEWEST) {
-        return None;
+        return Err(Reason::FewSites);
     }
     let mut directions: Vec<Direction> = Vec::new();
     for (level, length) in lengths.iter().enumerate() {
@@ -185,7 +186,7 @@ fn stencil_of(
             Begins::RowsApart => level + 1 < lengths.len(),
             Begins::Apart => true,
         };
-        directions.push(Direction::new(graph, parent, *length, farthest, apart)?);
+        directions.push(Direction::new(graph, parent, *length, farthest, apart).ok_or(Reason::Unrecognised)?);
     }
     let mut gathering = Gathering { leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };
     let mut made = Vec::new();
@@ -194,7 +195,10 @@ fn stencil_of(
     }
     let (gradient, iterations): (Vec<_>, Vec<_>) = made.into_iter().unzip();
     // Nothing is gained where no loops run over the lattice.
-    iterations.iter().find(|iterations| iterations.iter().all(Iterations::run))?;
+    let run = |iterations: &Vec<Iterations>| iterations.iter().all(Iterations::run);
+    if !iterations.iter().any(run) {
+        return Err(Reason::NoSites);
+    }
     for (contribution, own) in gradient.iter().zip(&iterations) {
         let reads_tables = gathering.reads_tables(contribution.value);
         let begins = own.iter().enumerate().map(|(direction, own)| {
@@ -222,10 +226,10 @@ fn stencil_of(
             gathering.contribution(contribution.value, &own, &begins, reads_tables)?;
         }
     }
-    let stencil = gathering.finished()?;
+    let stencil = gathering.finished().ok_or(Reason::Unrecognised)?;
     let may_be_points = stencil.lattice() == Lattice::Plane && number.is_none() && components == Components::Unknown;
     let is_row = stencil.directions.last().is_some_and(Direction::has_neighbours);
-    (!may_be_points || is_row).then_some(stencil)
+    if may_be_points && !is_row { Err(Reason::Unrecognised) } else { Ok(stencil) }
 }
 
 /// What is computed of a value and what it reads, children first; `leaf` decides what is read.
@@ -247,24 +251,27 @@ struct Gathering<'g, L> {
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
     /// The iterations in which a contribution is made, direction by direction; nothing inside, where there are none.
-    fn iterations(&mut self, Piece { contribution, conditions }: &Piece) -> Option<Option<Vec<Iterations>>> {
+    fn iterations(&mut self, Piece { contribution, conditions }: &Piece) -> Result<Option<Vec<Iterations>>, Reason> {
         let graph = &*self.graph;
         let iterations = self.stencil.directions.iter_mut().zip(graph.loops.of_coordinate(contribution.element));
         let mut iterations =
-            iterations.map(|(direction, index)| direction.iterations(graph, index)).collect::<Option<Vec<_>>>()?;
+            iterations.map(|(direction, index)| direction.iterations(graph, index)).collect::<Result<Vec<_>, _>>()?;
         for (condition, holds) in conditions {
             let loops = self.graph.loops_of(*condition);
             let mut directions = self.stencil.directions.iter().zip(&mut iterations);
-            let (direction, own) = directions.find(|(_, own)| own.by.is_some_and(|by| loops.contains(by)))?;
-            if !direction.narrow(self.graph, own, self.graph.node(*condition), *holds)? {
-                return Some(None);
+            let of_loop = directions.find(|(_, own)| own.by.is_some_and(|by| loops.contains(by)));
+            let (direction, own) = of_loop.ok_or(Reason::SiteCondition)?;
+            let may_remain = direction.narrow(self.graph, own, self.graph.node(*condition), *holds);
+            if !may_remain.ok_or(Reason::SiteCondition)? {
+                return Ok(None);
             }
         }
         // Every loop around it runs in one direction, and nothing else is around it.
         let by: BTreeSet<LoopId> = iterations.iter().filter_map(|iterations| iterations.by).collect();
         let around: BTreeSet<LoopId> = contribution.loops().collect();
         let running = iterations.iter().filter(|iterations| iterations.by.is_some()).count();
-        (by == around && running == by.len() && running == contribution.context.len()).then_some(Some(iterations))
+        let is_alone = by == around && running == by.len() && running == contribution.context.len();
+        if is_alone { Ok(Some(iterations)) } else { Err(Reason::SiteScope) }
     }
 
     /// Whether a value reads prepared constants by the index of an iteration.
@@ -280,21 +287,21 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         iterations: &[Iterations],
         begins: &[i64],
         reads_tables: bool,
-    ) -> Option<()> {
+    ) -> Result<(), Reason> {
         let value = self.seen(value, iterations, begins)?;
         let directions = self.stencil.directions.iter_mut().zip(iterations).zip(begins);
         let along = directions
             .map(|((direction, iterations), begins)| direction.along(self.graph, iterations, *begins, reads_tables));
-        let along = along.collect::<Option<Vec<_>>>()?;
+        let along = along.collect::<Option<Vec<_>>>().ok_or(Reason::Unrecognised)?;
         match self.stencil.contributions.iter_mut().find(|contribution| contribution.along == along) {
             Some(contribution) => contribution.value = self.graph.add(contribution.value, value),
             None => self.stencil.contributions.push(SiteContribution { along, value }),
         }
-        Some(())
+        Ok(())
     }
 
     /// The value of an iteration as seen from its site: coordinates are named by how far from the site they are.
-    fn seen(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Option<NodeId> {
+    fn seen(&mut self, value: NodeId, iterations: &[Iterations], begins: &[i64]) -> Result<NodeId, Reason> {
         let mut seen: HashMap<NodeId, NodeId> = HashMap::new();
         for id in computed(self.graph, value, self.leaf) {
             let loops = self.graph.loops_of(id);
@@ -304,7 +311,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                 .iter()
                 .eq(iterations.iter().filter_map(|iterations| iterations.by).filter(|by| loops.contains(*by)));
             let node = match self.graph.node(id) {
-                _ if !own => return None,
+                _ if !own => return Err(Reason::SiteScope),
                 // The number of an iteration in a table is how far from its site the iteration begins, one for each loop.
                 _ if (self.leaf)(self.graph, id) => {
                     let is_over = |own: &Iterations| own.by.is_some_and(|by| loops.contains(by));
@@ -314,25 +321,26 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                     let is_table = directions.all(|((direction, begins), _)| !direction.apart || *begins == 0);
                     // Of tables over planes the runtime knows those of one number for each, or for each site.
                     let is_known = !matches!(over[..], [true, row, site] if row != site);
-                    (rows_first && is_table && is_known).then_some(id)?
+                    (rows_first && is_table && is_known).then_some(id).ok_or(Reason::Unrecognised)?
                 }
                 Node::Coordinate(element) => self.neighbour(iterations, begins, element)?,
-                Node::Sum(..) | Node::Fold(..) | Node::External(..) => return None,
-                Node::CompareIndex(..) if !loops.is_empty() => return None,
+                Node::Sum(..) | Node::Fold(..) => return Err(Reason::SiteSum),
+                Node::External(..) => return Err(Reason::Method),
+                Node::CompareIndex(..) if !loops.is_empty() => return Err(Reason::SiteCondition),
                 node => self.graph.rebuilt(node.map(|child| seen[&child])),
             };
             seen.insert(id, node);
         }
-        seen.get(&value).copied()
+        seen.get(&value).copied().ok_or(Reason::Unrecognised)
     }
 
     /// A coordinate as seen from a site.
-    fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Option<NodeId> {
+    fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Result<NodeId, Reason> {
         let indices: Vec<_> = self.graph.loops.of_coordinate(element).collect();
         let directions = self.stencil.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices);
         let seen = directions
             .map(|((direction, (iterations, begins)), index)| direction.seen(self.graph, iterations, *begins, index));
-        let seen = seen.collect::<Option<Vec<_>>>()?;
+        let seen = seen.collect::<Result<Vec<_>, _>>()?;
         let loops = &mut self.graph.loops;
         let (index, component) = match seen[..] {
             [index] => (index, None),
@@ -341,9 +349,9 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
             [plane, row, site] if [plane, row].iter().any(|index| matches!(loops.index(*index), Index::Running(_))) => {
                 (plane, Some(loops.intern(Index::InPlane(row, site))))
             }
-            _ => return None,
+            _ => return Err(Reason::SiteFar),
         };
-        Some(self.graph.coordinate(Element { index, component, ..element }))
+        Ok(self.graph.coordinate(Element { index, component, ..element }))
     }
 
     /// All contributions, where no loop runs in one direction for one of them and in the other for another.

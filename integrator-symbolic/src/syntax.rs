@@ -70,6 +70,8 @@ pub(crate) struct Input {
     /// Where H stays in one piece, `split = none`.
     pub(crate) unsplit: Option<Span>,
     pub(crate) functions: Functions,
+    /// The layout that the kick has to have.
+    pub(crate) layout: Option<Ident>,
     /// Whether recurrences for Taylor series are requested, and where.
     pub(crate) taylor: Option<Span>,
     /// The parameters that derivatives are taken by, fields of the system.
@@ -125,7 +127,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
-    let Arguments { compose, split, coordinates, functions, taylor, sensitive, gpu, root } =
+    let Arguments { compose, split, coordinates, functions, layout, taylor, sensitive, gpu, root } =
         arguments.unwrap_or_default();
     let (mut names, mut paired, mut coupling, mut unsplit) = (Vec::new(), None, None, None);
     match split {
@@ -149,6 +151,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         coupling,
         unsplit,
         functions,
+        layout,
         taylor,
         sensitive,
         gpu,
@@ -168,6 +171,7 @@ struct Arguments {
     split: Option<Split>,
     coordinates: Option<Coordinates>,
     functions: Option<Functions>,
+    layout: Option<Ident>,
     taylor: Option<Span>,
     sensitive: Option<Vec<Ident>>,
     gpu: Option<Gpu>,
@@ -217,6 +221,9 @@ impl Arguments {
         } else if key == "functions" {
             equals(input, key.span())?;
             self.functions.replace(functions_of(input, key.span())?).is_some()
+        } else if key == "layout" {
+            equals(input, key.span())?;
+            self.layout.replace(layout_of(input, key.span())?).is_some()
         } else if key == "taylor" {
             without_tolerance(input)?;
             self.taylor.replace(key.span()).is_some()
@@ -235,8 +242,8 @@ impl Arguments {
 }
 
 const EXPECTED: &str = "note: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + \
-                        b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, \
-                        length)`, `gpu` and `crate = path::to::integrator_core`";
+                        b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, \
+                        `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.
 fn equals(input: ParseStream<'_>, key: Span) -> syn::Result<()> {
@@ -387,6 +394,12 @@ fn coordinates_of(input: ParseStream<'_>, key: Span) -> syn::Result<Coordinates>
     };
     let masses = masses.filter(|masses| !masses.stream().is_empty()).ok_or_else(lacks)?;
     Ok(Coordinates { masses: syn::parse2(masses.stream())?, name })
+}
+
+/// The word of a layout.
+fn layout_of(input: ParseStream<'_>, key: Span) -> syn::Result<Ident> {
+    let is = "expected the name of a layout\nhelp: write, for example, `layout = lists`";
+    if input.peek(Ident) { input.parse() } else { Err(misfit(input, key, is)) }
 }
 
 fn functions_of(input: ParseStream<'_>, key: Span) -> syn::Result<Functions> {

@@ -25,6 +25,7 @@ mod in_lanes;
 mod instruction_sets;
 mod invariants;
 mod kepler;
+mod layouts;
 mod limits;
 mod lists_of_lists;
 mod measured_order;

@@ -96,6 +96,8 @@ fn forms_loops_and_compositions() {
             bodies,
             "per iteration of i in 0..n, j in 0..i: 5 additions, 5 multiplications, 1 division, 1 square root, 2 coor",
         ),
+        (bodies, "      layout = pairs; cost: proportional to all pairs\n"),
+        (chain, "      layout = line; cost: proportional to the sites\n"),
         (bodies, "composition: V(1/2) T(1) V(1/2), order 2, symmetric, 1 force per step"),
         (driven, "T: general; time: read"),
         (driven, "once: 1 addition, 2 multiplications, 2 sin, 1 coordinate moved"),
@@ -126,6 +128,7 @@ fn json_says_the_same() {
         "composition",
         "drift",
         "equations",
+        "flows_of_parts",
         "kick",
         "line",
         "operations",
@@ -143,6 +146,63 @@ fn json_says_the_same() {
     assert_eq!(systems[2]["kick"]["places"][0]["functions"], serde_json::json!({ "sin": 2 }));
     assert_eq!(systems[3]["composition"], serde_json::Value::Null);
     assert_eq!(systems[0]["drift"]["form"], "line");
+}
+
+/// Loops in plain code, in a kick and in a part with a name.
+const SLOW: &str = "
+#[hamiltonian]
+impl Alternating {
+    fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() - 1 {
+            if i % 2 == 0 { energy += self.stiffness_of_the_left_bond[i] * (q[i + 1] - q[i] - self.length_of_the_bond[i]).powi(4); }
+        }
+        energy
+    }
+}
+
+#[hamiltonian(split = oscillator + pairs)]
+impl Coupled {
+    fn oscillator(&self, q: &[f64], p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p).sum::<f64>() + q.iter().map(|q| q * q).sum::<f64>()
+    }
+    fn pairs(&self, q: &[f64]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..q.len() { for j in 0..i { energy += (q[i] - q[j]).cos(); } }
+        energy
+    }
+}
+";
+
+#[test]
+fn slow_loops_have_a_reason() {
+    let path = file("slow.rs", SLOW);
+    let found = answer(&["show", &path]);
+    let lines = [
+        "    kick: plain code\n",
+        "\n      not `line`: a condition on the index of a site does not select a range of sites; write a condition such as",
+        "\n    flow of oscillator: an exact flow of its own\n    flow of pairs: innermost loops in SIMD lanes, the rest plain code\n",
+        "\n      not `pairs`: a part that `split` names is summed as written, without tiles or lists of pairs; write",
+    ];
+    for line in lines {
+        assert!(found.contains(line), "lacks `{line}`:\n{found}");
+    }
+    let found = json(&["show", &path]);
+    let slower = &found["systems"][0]["kick"]["slower"][0];
+    assert_eq!((&slower["than"], &slower["range"]), (&"line".into(), &serde_json::Value::Null));
+    assert_eq!(found["systems"][1]["flows_of_parts"][0]["form"], serde_json::Value::Null);
+    assert_eq!(found["systems"][1]["flows_of_parts"][1]["slower"][0]["than"], "pairs");
+}
+
+/// No line has more than 120 columns, and lines that are joined again have the words of the formula.
+#[test]
+fn long_formulas_are_wrapped() {
+    let found = answer(&["show", &file("wrapped.rs", SLOW)]);
+    assert!(found.lines().all(|line| line.chars().count() <= 120), "{found}");
+    let equation = "    dp[i]/dt += {4 stiffness_of_the_left_bond[i] (q[i + 1] - q[i] - length_of_the_bond[i])^3 if i % 2 == 0, else 0}";
+    let joined = found.replace("\n            ", " ");
+    assert!(found.contains("\n            ") && joined.contains(equation), "{found}");
 }
 
 #[test]

@@ -37,7 +37,7 @@ use crate::{
     error::{Error, Lost},
     scalar::instruction_set::InstructionSet,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped, precision::Precision},
-    system::{Shaped, System, energy::energy, motion::Prepared},
+    system::{Shaped, System, energy::energy, flow_layout::Layouts, motion::Prepared},
     threads::all_threads,
     trajectory::{
         admissible::{admissible_with, change},
@@ -209,7 +209,7 @@ impl<C: Coords> Ensemble<C> {
         H::Coords: Coords<With<C::Leaf> = C>,
     {
         let (mut parameters, mut constants, mut states) = (Vec::new(), Vec::new(), Vec::new());
-        let mut coordinates = 0;
+        let (mut coordinates, mut are_listed) = (0, true);
         for (number, (system, state)) in members.into_iter().enumerate() {
             let admitted = member::<H, C::Leaf, X>(&system, method, &state, h).and_then(|member| {
                 if with_energies {
@@ -225,6 +225,7 @@ impl<C: Coords> Ensemble<C> {
                 }
             };
             coordinates += state.q.flat().len() as u64;
+            are_listed &= system.is_listed(state.q.length());
             constants.push(method.constants(member.clone()));
             parameters.push(member);
             states.push(state);
@@ -254,7 +255,12 @@ impl<C: Coords> Ensemble<C> {
         }
         Ok(Self {
             members,
-            kind: Kind { autonomous: H::AUTONOMOUS, method: method.facts().name, forces: method.forces() },
+            kind: Kind {
+                autonomous: H::AUTONOMOUS,
+                method: method.facts().name,
+                layout: Layouts::of::<H>(are_listed),
+                forces: method.forces(),
+            },
             #[cfg(feature = "checkpoint")]
             origin: origins[0],
             #[cfg(feature = "checkpoint")]

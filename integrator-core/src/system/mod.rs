@@ -10,6 +10,7 @@ pub(crate) mod energy;
 pub(crate) mod equal_values;
 pub(crate) mod external;
 pub(crate) mod extremes;
+pub(crate) mod flow_layout;
 pub(crate) mod flows;
 pub(crate) mod integers;
 pub(crate) mod least_length;
@@ -100,6 +101,8 @@ pub trait System: Sized {
     ///
     /// One loop that reads the table of the composition is then compiled for all compositions.
     const LARGE_FLOWS: bool = false;
+    /// The names of the layouts of the flows, in the order of [`PARTS`](System::PARTS); empty if all are plain code.
+    const LAYOUT: &'static [&'static str] = &[];
     /// A fingerprint of the generated flows and energies, by which a checkpoint is matched to its system.
     const FINGERPRINT: u64 = 0;
     /// The names of the functions that are annotated as conserved.
@@ -114,6 +117,10 @@ pub trait System: Sized {
     /// unusable in the coordinates of the system.
     fn admissible(&self, _length: usize) -> Result<(), Error> {
         Ok(())
+    }
+    /// Returns whether a run from a start with `length` numbers or points has enough bodies for neighbour lists.
+    fn is_listed(&self, _length: usize) -> bool {
+        false
     }
     /// Evaluates the constants that depend on parameters only, by the user's own expressions.
     ///

@@ -19,6 +19,7 @@ use crate::{
         System,
         counts::{Counts, OwnSteps},
         energy::{Energies, Parts, energies},
+        flow_layout::Layouts,
         motion::Prepared,
     },
     trajectory::{
@@ -54,6 +55,7 @@ pub struct Run<C: Coords> {
     pub(crate) watch: Option<Watch>,
     pub(crate) autonomous: bool,
     method: &'static str,
+    layout: Layouts,
     /// The number of force evaluations per step, if it is known beforehand.
     forces: Option<usize>,
     /// The counters of the steps before `opened`.
@@ -71,6 +73,7 @@ pub struct Run<C: Coords> {
 pub(crate) struct Kind {
     pub(crate) autonomous: bool,
     pub(crate) method: &'static str,
+    pub(crate) layout: Layouts,
     pub(crate) forces: Option<usize>,
 }
 
@@ -153,6 +156,7 @@ impl<C: Coords> Run<C> {
         let run = Self {
             autonomous: H::AUTONOMOUS,
             method: method.facts.name,
+            layout: Layouts::of::<H>(system.is_listed(start.q.length())),
             forces: method.forces,
             #[cfg(feature = "checkpoint")]
             origin,
@@ -186,6 +190,7 @@ impl<C: Coords> Run<C> {
             watch: None,
             autonomous: false,
             method: "",
+            layout: Layouts::NONE,
             forces: None,
             counted: Counts::default(),
             start_unchecked: false,
@@ -198,12 +203,13 @@ impl<C: Coords> Run<C> {
     #[cfg(feature = "std")]
     pub(crate) fn known_as(
         self,
-        Kind { autonomous, method, forces }: Kind,
+        Kind { autonomous, method, layout, forces }: Kind,
         #[cfg(feature = "checkpoint")] origin: Origin,
     ) -> Self {
         Self {
             autonomous,
             method,
+            layout,
             forces,
             #[cfg(feature = "checkpoint")]
             origin,
@@ -474,6 +480,30 @@ impl<C: Coords> Run<C> {
     /// Returns the potential energy `V` at [`Run::time`]; with named parts, the energy of all parts except the first.
     pub fn potential(&self) -> f64 {
         self.parts().potential
+    }
+
+    /// Returns the layouts in which the flows of the system are computed, such as neighbour sums along a line.
+    ///
+    /// Methods other than compositions evaluate the equations of motion instead of these flows.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Chain;
+    ///
+    /// #[hamiltonian]
+    /// impl Chain {
+    ///     fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| p * p / 2.0).sum() }
+    ///     fn potential(&self, q: &[f64]) -> f64 { (1..q.len()).map(|i| (q[i] - q[i - 1]).powi(4)).sum() }
+    /// }
+    ///
+    /// let run = Chain.run(Phase::new(vec![0.0; 100], vec![1.0; 100]), 0.01)?;
+    /// assert_eq!(run.layout().kick(), "line");
+    /// assert_eq!(run.layout().to_string(), "kinetic: line, potential: line");
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn layout(&self) -> Layouts {
+        self.layout
     }
 
     /// Returns the value of a conserved quantity, by its name.

@@ -11,18 +11,16 @@ mod read_by_methods;
 mod taylor;
 
 use crate::{
-    differentiate::{Contribution, gradient},
-    graph::{NodeId, Part},
+    differentiate::Contribution,
+    graph::NodeId,
     judge::coordinates::KEPLER_PARTS,
     model::{ExactPart, Length, Model, Split, operand},
-    pattern::{Pattern, all_pairs::AllPairs, recognise},
+    pattern::{Pattern, all_pairs::AllPairs, gradients, gradients_of, recognise},
     prose::motion_documentation,
     scheme::Class,
     syntax::{Compose, Gpu, Input, names::Names},
 };
 use fingerprint::fingerprint;
-pub use flow::form::Form;
-pub(crate) use flow::form::forms;
 use flow::{
     Flows,
     constants::{Constants, with_count},
@@ -41,20 +39,6 @@ use taylor::{
     edges,
     orders::{Orders, orders},
 };
-
-/// The gradient of H by the momenta and by the positions.
-pub(crate) fn gradients(model: &mut Model) -> [Vec<Contribution>; 2] {
-    let energies = [model.kinetic, model.potential];
-    gradients_of(model, energies)
-}
-
-/// The same of an H with these energies.
-fn gradients_of(model: &mut Model, [kinetic, potential]: [NodeId; 2]) -> [Vec<Contribution>; 2] {
-    let by = [(Part::Momentum, kinetic), (Part::Position, potential)];
-    let is_separable = model.is_separable();
-    let whole = model.graph.add(kinetic, potential);
-    by.map(|(part, own)| gradient(&mut model.graph, if is_separable { own } else { whole }, part))
-}
 
 /// Returns the implementations of `Hamiltonian` and `System` for the annotated type. If code for devices is requested and
 /// cannot be generated, also returns the reason.
@@ -285,6 +269,7 @@ impl<'i> Stepper<'i> {
         let ((energies, in_lanes), Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
         let prepare = with_count(constants.prepare(names), self.count.as_ref());
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
+        let is_listed = flows.is_listed(self.count.as_ref());
         let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
         quote! {
             type Coords = #coordinates;
@@ -299,6 +284,7 @@ impl<'i> Stepper<'i> {
             #piecewise
 
             #admissible
+            #is_listed
             fn parameters(&self, #length: usize) -> #single { #prepare }
 
             #begin

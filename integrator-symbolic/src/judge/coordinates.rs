@@ -101,7 +101,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let length = lengths[0];
     let mut texts = Texts::new(parameters, running, root);
     let found = pairs(graph, *potential, length, false, &mut texts);
-    let Pairs { bodies, pair, energy, .. } = found.ok_or_else(|| {
+    let Pairs { bodies, pair, energy, .. } = found.map_err(|_| {
         Obstacle::Potential(
             "Jacobi coordinates require V as a sum over all pairs of bodies\nhelp: write a loop over `i` and one over \
              `j` in `0..i`, with the term `-G m[i] m[j] / |q[i] - q[j]|` of each pair\nnote: further terms may belong \
@@ -152,7 +152,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
         inverse_mass: inverse,
         attraction: graph.add(before, leading_after),
     });
-    let in_rows = AllPairs::of(model).is_some();
+    let in_rows = AllPairs::of(model).is_ok();
     jacobi.filter(|_| in_rows).ok_or_else(|| {
         Obstacle::Potential(
             "the terms of V do not have the same form for every pair of bodies\nhelp: use parameters of one body at a \

@@ -5,8 +5,10 @@
 
 mod composition;
 pub(crate) mod coordinates;
+mod layout;
 
 use crate::{errors::Errors, graph::exact::Exact, model::Model, syntax::Input};
+pub(crate) use layout::check_layout;
 
 /// Returns the model in the requested coordinates, and reports what the annotation requests and the model does not support.
 pub(crate) fn judged(input: &Input, mut model: Model, errors: &mut Errors) -> Model {

@@ -12,6 +12,7 @@ use crate::{
         index::{Index, LoopId},
         rename::{End, Parameters},
     },
+    reason::Reason,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -33,9 +34,10 @@ pub(crate) fn cutoff(
     bodies: LoopId,
     dimension: u64,
     parameters: &mut dyn Parameters,
-) -> Option<Cutoff> {
-    Distances { bodies, dimension, extremes: Extremes { pair, ends, parameters, known: HashMap::new() } }
-        .of_energy(graph, energy)?
+) -> Result<Cutoff, Reason> {
+    let extremes = Extremes { pair, ends, parameters, known: HashMap::new() };
+    let mut distances = Distances { bodies, dimension, extremes, known: HashMap::new(), obstacle: Reason::NoCutoff };
+    distances.of_energy(graph, energy).flatten().ok_or(distances.obstacle)
 }
 
 /// What distances are made of.
@@ -43,6 +45,10 @@ struct Distances<'p> {
     bodies: LoopId,
     dimension: u64,
     extremes: Extremes<'p>,
+    /// Results of `of_energy`: terms may share others.
+    known: HashMap<NodeId, Option<Option<Cutoff>>>,
+    /// The most specific obstacle so far.
+    obstacle: Reason,
 }
 
 /// The component of a distance along an axis: a number, or the index of a loop over all axes; and the side of the box.
@@ -51,6 +57,15 @@ type Axis = (Option<Index>, Option<NodeId>);
 impl Distances<'_> {
     /// The cutoff of an energy, `None` inside if it is zero everywhere; `None` if some of it has no cutoff.
     fn of_energy(&mut self, graph: &mut Graph, id: NodeId) -> Option<Option<Cutoff>> {
+        if let Some(known) = self.known.get(&id) {
+            return known.clone();
+        }
+        let found = self.of_operation(graph, id);
+        self.known.insert(id, found.clone());
+        found
+    }
+
+    fn of_operation(&mut self, graph: &mut Graph, id: NodeId) -> Option<Option<Cutoff>> {
         match graph.node(id) {
             Node::Constant(_) => (graph.as_constant(id) == Some(0.0)).then_some(None),
             Node::Neg(a) => self.of_energy(graph, a),
@@ -62,22 +77,28 @@ impl Distances<'_> {
             // Zero times what is prepared is zero: prepared constants are finite.
             Node::Div(a, b) if graph.is_prepared(b) => self.of_energy(graph, a),
             Node::Add(a, b) => {
-                let both = [self.of_energy(graph, a)?, self.of_energy(graph, b)?];
-                Self::larger(graph, both)
+                // Both, so that an obstacle of the second one is noted.
+                let [a, b] = [a, b].map(|term| self.of_energy(graph, term));
+                self.larger(graph, [a?, b?])
             }
             Node::Select(condition, a, b) => {
                 let mut both = [None, None];
                 for ((side, holds), cutoff) in [(a, true), (b, false)].into_iter().zip(&mut both) {
                     // Zero, or beyond the condition, or beyond a cutoff of its own.
+                    let known = self.obstacle;
                     *cutoff = match graph.as_constant(side) {
                         Some(0.0) => None,
                         _ => match self.of_condition(graph, condition, holds) {
-                            Some(cutoff) => Some(cutoff),
+                            Some(cutoff) => {
+                                // Another condition beside it is no obstacle, but another term may be one.
+                                self.obstacle = known.max(Reason::CutoffOfTerm);
+                                Some(cutoff)
+                            }
                             None => self.of_energy(graph, side)?,
                         },
                     };
                 }
-                Self::larger(graph, both)
+                self.larger(graph, both)
             }
             Node::Binary(function, a, b) if function.name() == "max" => {
                 match [a, b].map(|side| graph.as_constant(side)) {
@@ -91,13 +112,13 @@ impl Distances<'_> {
     }
 
     /// The larger one of two cutoffs in the same box.
-    fn larger(graph: &mut Graph, both: [Option<Cutoff>; 2]) -> Option<Option<Cutoff>> {
+    fn larger(&mut self, graph: &mut Graph, both: [Option<Cutoff>; 2]) -> Option<Option<Cutoff>> {
         Some(match both {
             [Some(a), Some(b)] if a == b => Some(a),
             [Some(a), Some(b)] if a.sides == b.sides => {
                 Some(Cutoff { square: graph.call_two("max", a.square, b.square), sides: a.sides })
             }
-            [Some(_), Some(_)] => return None,
+            [Some(_), Some(_)] => return self.refuse(Reason::CutoffBoxes),
             [a, b] => a.or(b),
         })
     }
@@ -123,7 +144,7 @@ impl Distances<'_> {
         let (bound, zero) = (graph.div(constant, factor), graph.constant(0.0));
         let Cutoff { square, sides } = self.of_bound(graph, distance, bound)?;
         // With another sign, it grows with the distance.
-        let [least, _] = self.extremes.of(graph, factor)?;
+        let Some([least, _]) = self.extremes.of(graph, factor) else { return self.refuse(Reason::CutoffOfPair) };
         let (falls, everywhere) = (graph.compare(Comparison::Less, zero, least), graph.constant(f64::INFINITY));
         Some(Cutoff { square: graph.select(falls, square, everywhere), sides })
     }
@@ -138,33 +159,42 @@ impl Distances<'_> {
             (Node::Compare(Comparison::Less | Comparison::LessOrEqual, a, b), true) => self.of_bound(graph, a, b),
             // The condition is false for a bound that is not a number.
             (Node::Compare(Comparison::Less | Comparison::LessOrEqual, a, b), false) => {
-                if Extremes::may_be_nan(graph, a) { None } else { self.of_bound(graph, b, a) }
+                match Extremes::may_be_nan(graph, a) {
+                    true => self.refuse(Reason::CutoffOfPair),
+                    false => self.of_bound(graph, b, a),
+                }
             }
             _ => None,
         }
     }
 
+    /// Notes an obstacle, unless a more specific one is known.
+    fn refuse<T>(&mut self, reason: Reason) -> Option<T> {
+        self.obstacle = self.obstacle.max(reason);
+        None
+    }
+
     /// The cutoff of pairs whose distance, or its square, is at most a bound.
     fn of_bound(&mut self, graph: &mut Graph, distance: NodeId, bound: NodeId) -> Option<Cutoff> {
-        if !graph.is_prepared(bound) {
+        // A condition on parameters alone is none on the distance.
+        if graph.is_prepared(distance) {
             return None;
         }
-        let [_, bound] = self.extremes.of(graph, bound)?;
+        if !graph.is_prepared(bound) {
+            let square = if let Node::Power(square, 1) = graph.node(distance) { square } else { distance };
+            let is_distance = self.axes(graph, square, &mut Vec::new()).is_some();
+            return self.refuse(if is_distance { Reason::CutoffMoves } else { Reason::CutoffReads });
+        }
+        let Some([_, bound]) = self.extremes.of(graph, bound) else { return self.refuse(Reason::CutoffOfPair) };
         let mut axes = Vec::new();
         let square = match graph.node(distance) {
-            Node::Power(square, 1) => {
-                self.axes(graph, square, &mut axes)?;
-                graph.mul(bound, bound)
-            }
+            Node::Power(square, 1) => self.axes(graph, square, &mut axes).map(|()| graph.mul(bound, bound)),
             Node::Unary(function, along) if function.name() == "abs" => {
-                self.axis(graph, along, &mut axes)?;
-                graph.mul(bound, bound)
+                self.axis(graph, along, &mut axes).map(|()| graph.mul(bound, bound))
             }
-            _ => {
-                self.axes(graph, distance, &mut axes)?;
-                bound
-            }
+            _ => self.axes(graph, distance, &mut axes).map(|()| bound),
         };
+        let Some(square) = square else { return self.refuse(Reason::CutoffReads) };
         let whole = match &axes[..] {
             [(None | Some(Index::Running(_)), _)] => true,
             axes => {
@@ -173,7 +203,7 @@ impl Distances<'_> {
             }
         };
         if !whole {
-            return None;
+            return self.refuse(Reason::CutoffAxes);
         }
         let sides = axes.into_iter().filter_map(|(component, side)| Some(self.side(graph, component, side?)));
         Some(Cutoff { square, sides: sides.collect() })

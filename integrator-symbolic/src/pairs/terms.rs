@@ -11,6 +11,7 @@ use crate::graph::{
     index::{Index, IndexId, Loop, LoopId},
     rename::{Parameters, Renaming},
 };
+use crate::reason::Reason;
 use std::collections::HashMap;
 
 /// Loops over the two bodies of a pair.
@@ -47,10 +48,12 @@ pub(super) struct Terms<'p> {
     pub(super) embedded: Embedded,
     /// Other terms.
     pub(super) others: Vec<NodeId>,
+    /// Why a sum over partners is among these.
+    pub(super) obstacle: Option<Reason>,
 }
 
 /// How many of `all` bodies the loops over pairs run over: all, or else a number of the system, which may be smaller.
-pub(crate) fn acting(graph: &Graph, energy: NodeId, all: IndexId) -> Option<IndexId> {
+pub(crate) fn acting(graph: &Graph, energy: NodeId, all: IndexId) -> Result<IndexId, Reason> {
     let found = graph.reachable([energy]).into_iter().filter_map(|id| match graph.node(id) {
         Node::Sum(other, _) => {
             let by = graph.loops.get(other).parent?;
@@ -60,7 +63,9 @@ pub(crate) fn acting(graph: &Graph, energy: NodeId, all: IndexId) -> Option<Inde
         }
         _ => None,
     });
-    the_only(found, all)
+    let found: Vec<_> = found.collect();
+    let reason = if found.is_empty() { Reason::NoPairs } else { Reason::PairCounts };
+    the_only(found.into_iter(), all).ok_or(reason)
 }
 
 /// How many of `all` bodies the loops of an energy run over.
@@ -110,6 +115,7 @@ impl<'p> Terms<'p> {
             alone: Vec::new(),
             embedded: Embedded::default(),
             others: Vec::new(),
+            obstacle: None,
         };
         terms.collect(graph, energy, one);
         terms
@@ -218,10 +224,20 @@ impl<'p> Terms<'p> {
         let twice = is_partner(graph, self.length, by, other)?;
         let (pair, before) = ([by, other], is_before(graph, by, other));
         let is_known = self.pair.is_none_or(|known| known == pair);
-        if first != 0 && (twice || !before) || is_short && (twice || before) || !is_known && !self.are_many {
-            return None;
+        if first != 0 && (twice || !before) || is_short && (twice || before) {
+            return self.refuse(Reason::Unrecognised);
         }
-        let body = if twice { addend_of_distinct_pair(graph, by, other, body)? } else { body };
+        if !is_known && !self.are_many {
+            return self.refuse(Reason::PairCounts);
+        }
+        let body = match twice {
+            true => match addend_of_distinct_pair(graph, by, other, body) {
+                None if reads_only(graph, body, &pair, self.parameters) => return self.refuse(Reason::PairWithItself),
+                None => return self.refuse(Reason::Unrecognised),
+                Some(body) => body,
+            },
+            false => body,
+        };
         let ascending = (!twice).then_some(!before);
         let once = graph.mul(factor, body);
         let mut energy = self.with_conditions(graph, once, pair, ascending)?;
@@ -246,9 +262,17 @@ impl<'p> Terms<'p> {
     ) -> Option<NodeId> {
         let mut energy = self.where_conditions_hold(graph, energy);
         if self.are_many {
-            energy = with_numbers(graph, energy, pair, ends(ascending), self.parameters)?;
+            let Some(written) = with_numbers(graph, energy, pair, ends(ascending), self.parameters) else {
+                return self.refuse(Reason::PairReads);
+            };
+            energy = written;
         }
-        reads_only(graph, energy, &pair, self.parameters).then_some(energy)
+        if !reads_only(graph, energy, &pair, self.parameters) {
+            let is_method = |id: NodeId| matches!(graph.node(id), Node::External(..));
+            let calls = graph.reachable([energy]).into_iter().any(is_method);
+            return self.refuse(if calls { Reason::Method } else { Reason::PairReads });
+        }
+        Some(energy)
     }
 
     /// Whether the energy of a pair stays the same if its bodies are exchanged. Of few bodies, others are not supported.
@@ -299,6 +323,12 @@ impl<'p> Terms<'p> {
             _ => false,
         };
         graph.reachable([id]).into_iter().any(is_over_partners)
+    }
+
+    /// Notes the first obstacle.
+    fn refuse(&mut self, reason: Reason) -> Option<NodeId> {
+        self.obstacle.get_or_insert(reason);
+        None
     }
 
     /// Whether a sum over partners is among the parts of a node.

@@ -15,6 +15,7 @@ use crate::{
         Cutoff, Density, Embedded, Pairs, Visited, acting, cutoff, moving, over_all, pairs, per_body, points, pull,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
+    reason::Reason,
 };
 use std::collections::BTreeSet;
 
@@ -57,8 +58,8 @@ pub(crate) struct AllPairs {
     /// The energies of pairs and bodies; `None` if bodies are one row or in Jacobi coordinates, or energies read more of a body
     /// than forces do.
     pub(crate) energies: Option<EnergiesOfBodies>,
-    /// The condition under which neighbours within a cutoff are listed.
-    pub(crate) listed: Option<Listed>,
+    /// The condition under which neighbours within a cutoff are listed, or why they are not.
+    pub(crate) listed: Result<Listed, Reason>,
     /// How many bodies there are.
     pub(crate) of: Bodies,
     /// The constant that is the number of a body, where pairs do nothing but compare it with that of the other body.
@@ -155,27 +156,32 @@ impl Energies {
 
 impl AllPairs {
     /// That of a model, if its potential is one of pairs and its kinetic energy one of bodies.
-    pub(crate) fn of(model: &mut Model) -> Option<Self> {
-        let of_flat = Energies::of_flat(model).and_then(|energies| Self::with(model, &energies));
-        of_flat.or_else(|| {
-            let energies = Energies::of(model)?;
-            Self::with(model, &energies)
+    pub(crate) fn of(model: &mut Model) -> Result<Self, Reason> {
+        let of_flat = match Energies::of_flat(model) {
+            Some(energies) => Self::with(model, &energies),
+            None => Err(Reason::BodyShape),
+        };
+        of_flat.or_else(|of_flat| {
+            let energies = Energies::of(model).ok_or(Reason::BodyShape)?;
+            // If flat coordinates are points, the obstacle is that of the points.
+            Self::with(model, &energies).map_err(|reason| if of_flat == Reason::BodyShape { reason } else { of_flat })
         })
     }
 
-    fn with(model: &mut Model, energies: &Energies) -> Option<Self> {
+    fn with(model: &mut Model, energies: &Energies) -> Result<Self, Reason> {
         let &Energies { kinetic, potential, dimension, all, is_flat } = energies;
         let (in_jacobi, count) = (model.jacobi().is_some(), model.graph.loops.literal(all));
         // A body alone has no pairs.
         if count.is_some_and(|count| count < 2) {
-            return None;
+            return Err(Reason::OneBody);
         }
         let fewer_than = |bound| count.is_some_and(|count| count < bound);
         let are_many = !in_jacobi && !fewer_than(APART_FROM);
         let acting = acting(&model.graph, potential, all)?;
-        let moving = moving(&model.graph, kinetic, all)?;
+        let moving = moving(&model.graph, kinetic, all).ok_or(Reason::Kinetic)?;
         let [first_acting, first_moving] = [acting, moving].map(|end| First::of(model, end, all));
-        let (first_acting, first_moving) = (first_acting.ok()?, first_moving.ok()?);
+        let first_acting = first_acting.map_err(|()| Reason::Unrecognised)?;
+        let first_moving = first_moving.map_err(|()| Reason::Unrecognised)?;
         let is_length = !is_flat && first_acting.is_none();
         let Model { graph, parameters, running, root, .. } = &mut *model;
         let mut texts = Texts::of_bodies(parameters, running, root, is_length);
@@ -198,10 +204,14 @@ impl AllPairs {
             energy_of_others = points::of_numbers(graph, energy_of_others, dimension);
             others = gradient(graph, energy_of_others, Part::Position);
         }
-        let (kinetic, kinetic_beside, velocity) = per_body(graph, kinetic, moving, Part::Momentum, &mut texts)?;
+        let per_body = per_body(graph, kinetic, moving, Part::Momentum, &mut texts);
+        let (kinetic, kinetic_beside, velocity) = per_body.ok_or(Reason::Kinetic)?;
         let velocity = fold_branches(graph, &velocity);
-        if velocity.is_empty() || force.is_empty() || !is_direct(&graph.loops, &velocity) {
-            return None;
+        if velocity.is_empty() || !is_direct(&graph.loops, &velocity) {
+            return Err(Reason::Kinetic);
+        }
+        if force.is_empty() {
+            return Err(Reason::Unrecognised);
         }
         let [every, moved] = [all, moving].map(|end| over_all(graph, end));
         let mut texts = Texts::new(&mut model.parameters, &mut model.running, &model.root);
@@ -209,9 +219,10 @@ impl AllPairs {
             texts.name_in_place(by, pair[0], &pair);
         }
 
-        let cutoff = match in_jacobi || fewer_than(LISTED_FROM) {
-            true => None,
-            false => {
+        let cutoff = match (in_jacobi, fewer_than(LISTED_FROM)) {
+            (true, _) => Err(Reason::ListsInJacobi),
+            (_, true) => Err(Reason::FewBodiesForLists),
+            (false, false) => {
                 let Model { graph, parameters, running, root, .. } = &mut *model;
                 let mut texts = Texts::of_bodies(parameters, running, root, is_length);
                 cutoff(graph, written, (pair, ends), bodies, dimension, &mut texts)
@@ -242,8 +253,8 @@ impl AllPairs {
             _ => Some(Others { energy: energy_of_others, gradient: stores(model, &others, Sink::Collect) }),
         };
         let listed = match cutoff {
-            None => None,
-            Some(cutoff) => Some(Listed::of(model, &mut constants, bodies, &cutoff)?),
+            Err(reason) => Err(reason),
+            Ok(cutoff) => Ok(Listed::of(model, &mut constants, bodies, &cutoff)?),
         };
         // Steps read conditions on the time in their middle, energies at their own time.
         let reads_middle = |graph: &Graph, roots: &[NodeId]| {
@@ -258,7 +269,7 @@ impl AllPairs {
                 let found =
                     EnergiesOfBodies::of(model, &mut constants, of_pair, of_body, has_form.then_some(kinetic_beside));
                 // What energies alone read would make the data of every force longer.
-                let found = found.filter(|_| listed.is_some() || constants.count() == known);
+                let found = found.ok().filter(|_| listed.is_ok() || constants.count() == known);
                 if found.is_none() {
                     constants.nodes.truncate(known);
                 }
@@ -278,7 +289,7 @@ impl AllPairs {
         let weights = embedded.iter().map(|embedded| &embedded.weights);
         let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
-        Some(Self {
+        Ok(Self {
             pair,
             visited,
             dimension,
@@ -329,9 +340,9 @@ impl EnergiesOfBodies {
         (pair, energy): ([LoopId; 2], NodeId),
         (bodies, alone): (LoopId, NodeId),
         kinetic_beside: Option<NodeId>,
-    ) -> Option<Self> {
+    ) -> Result<Self, Reason> {
         let is_alone = model.graph.as_constant(alone) != Some(0.0);
-        Some(Self {
+        Ok(Self {
             pair: OfBodies::value(model, constants, &pair, energy)?,
             alone: match is_alone {
                 true => Some(OfBodies::value(model, constants, &[bodies], alone)?),
@@ -353,35 +364,34 @@ pub(crate) struct EmbeddedOfBodies {
 }
 
 impl EmbeddedOfBodies {
-    /// `None` if there are more densities than coordinates of a body.
     fn of(
         model: &mut Model,
         constants: &mut Constants,
         bodies: LoopId,
         dimension: u64,
         embedded: &Embedded,
-    ) -> Option<Self> {
+    ) -> Result<Self, Reason> {
         let Embedded { energies, densities } = embedded;
-        let pair = densities.first()?.pair;
+        let pair = densities.first().ok_or(Reason::NoPairs)?.pair;
         if densities.len() as u64 > dimension || densities.iter().any(|density| density.pair != pair) {
-            return None;
+            return Err(Reason::Densities);
         }
         let (mut addends, mut weights) = (Vec::new(), Vec::new());
         for (place, Density { number, addend, .. }) in (0..).zip(densities) {
-            constants.keep_density(model, *number, bodies)?;
+            constants.keep_density(model, *number, bodies).ok_or(Reason::Densities)?;
             let loops = &mut model.graph.loops;
             let index = loops.intern(Index::Running(bodies));
             let component = (dimension > 1).then(|| loops.intern(Index::Literal(place)));
             let element = Element { part: Part::Position, index, component };
-            let weight = embedded.weight(&mut model.graph, *number)?;
+            let weight = embedded.weight(&mut model.graph, *number).ok_or(Reason::Densities)?;
             addends.push(Contribution { context: Vec::new(), element, value: *addend });
             weights.push(Contribution { context: Vec::new(), element, value: weight });
         }
-        let energy = energies.iter().copied().reduce(|sum, energy| model.graph.add(sum, energy))?;
-        Some(Self {
+        let energy = energies.iter().copied().reduce(|sum, energy| model.graph.add(sum, energy));
+        Ok(Self {
             densities: OfBodies::new(model, constants, &pair, &addends, Sink::Assign)?,
             weights: OfBodies::new(model, constants, &[bodies], &weights, Sink::Assign)?,
-            energy,
+            energy: energy.ok_or(Reason::Densities)?,
         })
     }
 }
@@ -392,8 +402,8 @@ impl Listed {
         constants: &mut Constants,
         bodies: LoopId,
         Cutoff { square, sides }: &Cutoff,
-    ) -> Option<Self> {
-        Some(Self {
+    ) -> Result<Self, Reason> {
+        Ok(Self {
             square: OfBodies::value(model, constants, &[], *square)?,
             sides: match &sides[..] {
                 [] => None,

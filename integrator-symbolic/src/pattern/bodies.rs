@@ -11,6 +11,7 @@ use crate::{
     },
     model::{Model, Texts, is_field, is_leaf},
     program::{Sink, Store, is_direct},
+    reason::Reason,
 };
 use std::collections::{BTreeSet, HashMap};
 
@@ -117,7 +118,7 @@ impl OfBodies {
         constants: &mut Constants,
         of: &[LoopId],
         gradient: &[Contribution],
-    ) -> Option<Self> {
+    ) -> Result<Self, Reason> {
         let folded = fold_branches(&mut model.graph, gradient);
         let branches = folded.iter().any(|contribution| contribution.conditions().next().is_some());
         if is_direct(&model.graph.loops, &folded) && !branches {
@@ -133,18 +134,28 @@ impl OfBodies {
         of: &[LoopId],
         gradient: &[Contribution],
         sink: fn(Element) -> Sink,
-    ) -> Option<Self> {
+    ) -> Result<Self, Reason> {
         let stores = stores(model, gradient, sink);
         Self::over(model, constants, of, stores)
     }
 
     /// The function that gives a value.
-    pub(crate) fn value(model: &mut Model, constants: &mut Constants, of: &[LoopId], value: NodeId) -> Option<Self> {
+    pub(crate) fn value(
+        model: &mut Model,
+        constants: &mut Constants,
+        of: &[LoopId],
+        value: NodeId,
+    ) -> Result<Self, Reason> {
         let value = lower_roots(model, &[value])[0];
         Self::over(model, constants, of, vec![Store { context: Vec::new(), sink: Sink::Return, value }])
     }
 
-    fn over(model: &mut Model, constants: &mut Constants, of: &[LoopId], mut stores: Vec<Store>) -> Option<Self> {
+    fn over(
+        model: &mut Model,
+        constants: &mut Constants,
+        of: &[LoopId],
+        mut stores: Vec<Store>,
+    ) -> Result<Self, Reason> {
         let leaves = read(model, &stores);
         for store in &mut stores {
             store.context.splice(0..0, of.iter().map(|by| Scope::Loop(*by)));
@@ -153,10 +164,10 @@ impl OfBodies {
         for id in leaves {
             let loops = model.graph.loops_of(id);
             if let Some(by) = of.iter().copied().find(|by| loops.contains(*by)) {
-                reads.push((id, by, constants.place(model, id, by)?));
+                reads.push((id, by, constants.place(model, id, by).ok_or(Reason::Unrecognised)?));
             }
         }
-        Some(Self { of: of.to_vec(), stores, reads })
+        Ok(Self { of: of.to_vec(), stores, reads })
     }
 }
 

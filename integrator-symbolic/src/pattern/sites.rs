@@ -5,12 +5,13 @@ use crate::{
     differentiate::Contribution,
     graph::Graph,
     model::{Model, is_leaf},
+    reason::Reason,
     stencil::{Components, Direction, Stencil, stencil},
 };
 
 /// What the gradient of the potential shows about coordinates with two indices. A kinetic energy looks the same for
 /// points as for rows of sites.
-pub(super) fn components(model: &mut Model, potential: &[Contribution]) -> Components {
+pub(crate) fn components(model: &mut Model, potential: &[Contribution]) -> Components {
     let Model { graph, parameters, extents, .. } = model;
     let has_unknown_width = matches!(extents[..], [_, width] if graph.loops.literal(width).is_none());
     if !has_unknown_width {
@@ -21,15 +22,19 @@ pub(super) fn components(model: &mut Model, potential: &[Contribution]) -> Compo
 }
 
 /// The stencil of a gradient, if all sites take part alike.
-pub(super) fn stencil_of(model: &mut Model, gradient: &[Contribution], components: Components) -> Option<Stencil> {
+pub(crate) fn stencil_of(
+    model: &mut Model,
+    gradient: &[Contribution],
+    components: Components,
+) -> Result<Stencil, Reason> {
     let Model { graph, parameters, extents, running, .. } = model;
     let stencil = stencil(graph, gradient, extents, components, |graph, id| is_leaf(graph, parameters, id))?;
     for Direction { place, begins, .. } in &stencil.directions {
-        let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by))?;
-        let index = running.get(&first)?.clone();
+        let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by));
+        let index = first.and_then(|first| running.get(&first)).ok_or(Reason::Unrecognised)?.clone();
         running.entry(*place).or_insert(index);
     }
-    Some(stencil)
+    Ok(stencil)
 }
 
 /// A stencil whose values have no powers.

@@ -13,6 +13,7 @@ use crate::graph::{
     Element, Graph, Node, NodeId, Part,
     index::{Index, IndexId, LoopId},
 };
+use crate::reason::Reason;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// The fewest iterations of a loop in lanes, where their number is known.
@@ -87,8 +88,8 @@ impl<'s> LaneContext<'s> {
         for item in items {
             match item {
                 Item::Loop { body, .. } => match self.loop_in_lanes(items, item) {
-                    Some(lanes) => found.push(lanes),
-                    None => self.add_to(found, body),
+                    Ok(lanes) => found.push(lanes),
+                    Err(_) => self.add_to(found, body),
                 },
                 Item::Branch { body, .. } => self.add_to(found, body),
                 _ => {}
@@ -97,30 +98,40 @@ impl<'s> LaneContext<'s> {
     }
 
     /// The loop in lanes that a line among others is.
-    pub(crate) fn loop_in_lanes<'p>(self, beside: &[Item], item: &'p Item) -> Option<LoopInLanes<'p>> {
+    pub(crate) fn loop_in_lanes<'p>(self, beside: &[Item], item: &'p Item) -> Result<LoopInLanes<'p>, Reason> {
         let Self { graph, lengths, named, .. } = self;
-        let Item::Loop { by, body } = item else { return None };
+        let Item::Loop { by, body } = item else { return Err(Reason::NoLoop) };
         let by = *by;
         let are_few = literal_count(graph, by).is_some_and(|count| count < FEWEST);
         let is_volume = graph.loops.sites_of_row().is_some();
-        if are_few || is_volume || !are_many(graph, lengths) || is_over_list(graph, by, body) {
-            return None;
+        let obstacles = [
+            (!are_many(graph, lengths), Reason::FewCoordinates),
+            (are_few, Reason::FewIterations),
+            (is_volume || is_over_list(graph, by, body), Reason::Unrecognised),
+        ];
+        if let Some((_, reason)) = obstacles.into_iter().find(|(is_met, _)| *is_met) {
+            return Err(reason);
         }
         let context = NestContext { graph, named, operands: &BTreeMap::new() };
-        let nest = context.innermost(by, body)?;
+        let nest = context.innermost(by, body).ok_or(Reason::LoopBody)?;
         let is_sum = |id: &NodeId| {
             matches!(graph.node(*id), Node::Sum(..))
                 && !self.compared.contains(id)
                 && beside.contains(&Item::Begin(*id))
         };
         let Nest { body, reads, constants, predicates, invariants, targets, sums, .. } = nest;
-        let has_wrong_lines = !predicates.is_empty() || body.iter().any(|line| computes(graph, named, line, is_called));
         let is_wide = body.iter().any(|line| computes(graph, named, line, is_function));
-        let is_short = reads.len() <= MOST && sums.len() <= MOST;
-        if has_wrong_lines || !is_short || !sums.iter().all(is_sum) || sums.is_empty() && targets.is_empty() {
-            return None;
+        let is_other = !sums.iter().all(is_sum) || sums.is_empty() && targets.is_empty();
+        let obstacles = [
+            (!predicates.is_empty(), Reason::LoopCondition),
+            (body.iter().any(|line| computes(graph, named, line, is_called)), Reason::Method),
+            (reads.len() > MOST || sums.len() > MOST, Reason::LongLoop),
+            (is_other, Reason::Unrecognised),
+        ];
+        if let Some((_, reason)) = obstacles.into_iter().find(|(is_met, _)| *is_met) {
+            return Err(reason);
         }
-        let components = read_together(graph, lengths.get(1).copied())?;
+        let components = read_together(graph, lengths.get(1).copied()).ok_or(Reason::Unrecognised)?;
         let mut lanes = LoopInLanes {
             components,
             body,
@@ -135,33 +146,33 @@ impl<'s> LaneContext<'s> {
         };
         for (id, element) in reads {
             if graph.loops.of_element(element).contains(by) {
-                let (offset, component) = lanes.place(graph, by, element)?;
+                let (offset, component) = lanes.place(graph, by, element).ok_or(Reason::LoopIndex)?;
                 let part = position(&mut lanes.parts, element.part);
                 let point = position(&mut lanes.reads, (part, offset));
                 lanes.coordinates.push((id, point, component));
             } else {
                 // Without a name, it is read inside of the loop because it may not be there without iterations.
-                lanes.common.push(Some(id).filter(|id| named.contains(id))?);
+                lanes.common.push(Some(id).filter(|id| named.contains(id)).ok_or(Reason::Unrecognised)?);
             }
         }
         for id in constants {
-            lanes.constant(self, by, id)?;
+            lanes.constant(self, by, id).ok_or(Reason::Unrecognised)?;
         }
         for element in targets {
-            let (offset, _) = lanes.place(graph, by, element)?;
+            let (offset, _) = lanes.place(graph, by, element).ok_or(Reason::LoopIndex)?;
             if *lanes.target.get_or_insert(offset) != offset {
-                return None;
+                return Err(Reason::LoopTargets);
             }
         }
         let made: BTreeSet<NodeId> = lanes.body.iter().flat_map(|line| line.named()).collect();
         if lanes.common.iter().any(|id| made.contains(id)) {
-            return None;
+            return Err(Reason::Unrecognised);
         }
         if lanes.parts.is_empty() {
             // The runtime learns from it how coordinates are kept.
             lanes.parts.push(Part::Position);
         }
-        Some(lanes)
+        Ok(lanes)
     }
 }
 

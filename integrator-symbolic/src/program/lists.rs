@@ -12,6 +12,7 @@ use crate::graph::{
     Element, Graph, MOST_COMPONENTS, Node, NodeId, Part, Scope,
     index::{Index, IndexId, LoopId},
 };
+use crate::reason::Reason;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The fewest terms of which vectors are made where their number is known.
@@ -83,18 +84,29 @@ impl<'p> ListSum<'p> {
         by: LoopId,
         body: &'p [Item],
         is_table: impl Fn(NodeId) -> bool,
-    ) -> Option<Self> {
-        if !is_over_list(graph, by, body) || literal_count(graph, by).is_some_and(|count| count < FEWEST) {
-            return None;
+    ) -> Result<Self, Reason> {
+        if !is_over_list(graph, by, body) {
+            return Err(Reason::NoList);
+        }
+        if literal_count(graph, by).is_some_and(|count| count < FEWEST) {
+            return Err(Reason::FewTerms);
         }
         let context = NestContext { graph, named, operands: &BTreeMap::new() };
-        let mut nests = context.nests(by, body)?;
-        let Nest { body, reads, constants, predicates, invariants, targets, .. } = nests.pop()?;
-        let is_alone = nests.is_empty() && predicates.is_empty() && targets.len() <= MOST && reads.len() <= MOST;
-        if !is_alone || body.iter().any(|line| computes(graph, named, line, is_called)) {
-            return None;
+        let has_loop = body.iter().any(|item| matches!(item, Item::Loop { .. }));
+        let reason = if has_loop { Reason::TermLoop } else { Reason::LoopBody };
+        let mut nests = context.nests(by, body).ok_or(reason)?;
+        let Nest { body, reads, constants, predicates, invariants, targets, .. } =
+            nests.pop().ok_or(Reason::LoopBody)?;
+        let obstacles = [
+            (!nests.is_empty(), Reason::TermLoop),
+            (!predicates.is_empty(), Reason::LoopCondition),
+            (targets.len() > MOST || reads.len() > MOST, Reason::LongTerm),
+            (body.iter().any(|line| computes(graph, named, line, is_called)), Reason::Method),
+        ];
+        if let Some((_, reason)) = obstacles.into_iter().find(|(is_met, _)| *is_met) {
+            return Err(reason);
         }
-        let components = read_together(graph, components)?;
+        let components = read_together(graph, components).ok_or(Reason::Unrecognised)?;
         let mut sum = Self {
             components,
             body,
@@ -108,7 +120,7 @@ impl<'p> ListSum<'p> {
         };
         for (id, element) in reads {
             if graph.loops.of_element(element).contains(by) {
-                let (list, component) = sum.place(graph, by, element)?;
+                let (list, component) = sum.place(graph, by, element).ok_or(Reason::TermIndex)?;
                 let part = position(&mut sum.parts, element.part);
                 let point = position(&mut sum.reads, (part, list));
                 sum.coordinates.push((id, point, component));
@@ -121,7 +133,7 @@ impl<'p> ListSum<'p> {
             match loops.iter().last() == Some(by) {
                 true if is_table(id) => sum.constants.push(id),
                 false if !loops.contains(by) => sum.common.push(id),
-                _ => return None,
+                _ => return Err(Reason::Unrecognised),
             }
         }
         if sum.parts.is_empty() {
@@ -129,10 +141,10 @@ impl<'p> ListSum<'p> {
             sum.parts.push(Part::Position);
         }
         for element in targets {
-            let place = sum.place(graph, by, element)?;
+            let place = sum.place(graph, by, element).ok_or(Reason::TermTarget)?;
             sum.targets.push(place);
         }
-        Some(sum)
+        Ok(sum)
     }
 
     /// The list and the component of a coordinate.

@@ -4,6 +4,7 @@ use crate::graph::{
     Comparison, Graph, Node,
     index::{Index, IndexId, Loop, LoopId, LoopSet},
 };
+use crate::reason::Reason;
 use std::collections::HashMap;
 
 /// Where the places are that differ from the others, and how far is looked.
@@ -230,11 +231,11 @@ impl Direction {
     }
 
     /// The iterations of the loop whose index runs in `index`.
-    pub(super) fn iterations(&mut self, graph: &Graph, index: IndexId) -> Option<Iterations> {
-        let linear = self.linear(graph, index)?;
+    pub(super) fn iterations(&mut self, graph: &Graph, index: IndexId) -> Result<Iterations, Reason> {
+        let linear = self.linear(graph, index).ok_or(Reason::SiteIndex)?;
         let Some(by) = linear.running else {
-            let place = self.place(linear)?;
-            return Some(Iterations {
+            let place = self.place(linear).ok_or(Reason::Unrecognised)?;
+            return Ok(Iterations {
                 by: None,
                 from: place,
                 to: place.further(1),
@@ -245,13 +246,13 @@ impl Direction {
         };
         let Loop { from, to, .. } = graph.loops.get(by);
         let bound = |bound| self.place(self.linear(graph, bound)?);
-        let (from, to) = (bound(from)?, bound(to)?);
+        let (from, to) = bound(from).zip(bound(to)).ok_or(Reason::SiteRange)?;
         let whole = (from, to) == (Place::FromBegin(0), Place::FromEnd(0));
         if linear.lengths != 0 || linear.wraps && !whole {
-            return None;
+            return Err(Reason::Unrecognised);
         }
         self.periodic |= linear.wraps;
-        Some(Iterations { by: Some(by), from, to, to_place: linear.constant, whole, wraps: linear.wraps })
+        Ok(Iterations { by: Some(by), from, to, to_place: linear.constant, whole, wraps: linear.wraps })
     }
 
     /// Leaves of some iterations those in which a comparison of their number holds, or does not, and returns whether
@@ -348,22 +349,25 @@ impl Direction {
         iterations: &Iterations,
         begins: i64,
         index: IndexId,
-    ) -> Option<IndexId> {
-        let linear = self.linear(graph, index)?;
+    ) -> Result<IndexId, Reason> {
+        let linear = self.linear(graph, index).ok_or(Reason::SiteIndex)?;
         self.periodic |= linear.wraps;
         let ahead = match iterations.by {
             Some(by) if linear.running == Some(by) && linear.lengths == 0 && (!linear.wraps || iterations.whole) => {
                 linear.constant - begins
             }
-            None => self.nearest(iterations.from, self.place(linear)?)?,
-            Some(_) => return None,
+            None => {
+                let place = self.place(linear).ok_or(Reason::Unrecognised)?;
+                self.nearest(iterations.from, place).ok_or(Reason::Unrecognised)?
+            }
+            Some(_) => return Err(Reason::Unrecognised),
         };
         if ahead.abs() > self.farthest {
-            return None;
+            return Err(Reason::SiteFar);
         }
         let (far, here) = (ahead.unsigned_abs(), graph.loops.intern(Index::Running(self.place)));
         let distance = graph.loops.intern(Index::Literal(far));
-        Some(if ahead < 0 {
+        Ok(if ahead < 0 {
             self.behind = self.behind.max(far);
             graph.loops.intern(Index::Sub(here, distance))
         } else {

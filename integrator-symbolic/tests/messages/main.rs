@@ -2,6 +2,7 @@
 //! returns the user's item for every input.
 
 mod jacobi;
+mod layout;
 #[path = "../mutate/mod.rs"]
 mod mutate;
 mod robustness;

@@ -10,37 +10,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 unknown argument `composition`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 unknown argument `composition`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 unknown argument `Verlet`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 unknown argument `Verlet`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected an argument\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 expected an argument\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 expected the name of a composition or a sequence of stages\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:10 expected the name of a composition or a sequence of stages\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
@@ -129,13 +129,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 expected the path of `integrator_core`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:8 expected the path of `integrator_core`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:18 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
@@ -1024,13 +1024,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "split = 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:8 expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + interaction`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:8 expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + interaction`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (

@@ -1,6 +1,6 @@
 //! What is derived, for people.
 
-use integrator_symbolic::{Form, Place, declared, report, sequence};
+use integrator_symbolic::{Form, Place, declared, hamiltonian, report, sequence};
 use proc_macro2::TokenStream;
 use std::path::Path;
 
@@ -87,6 +87,22 @@ fn mistakes_have_no_report() {
 
 const KINETIC: &str = "fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }";
 
+/// Holds the constant of the generated code, which emission decides, against the report, which emits nothing.
+fn assert_runtime_knows(system: &str) {
+    let report = report(TokenStream::new(), tokens(system)).expect("no mistake");
+    let expanded = hamiltonian(TokenStream::new(), tokens(system)).to_string();
+    let constant = expanded.split_once("const LAYOUT").map(|(_, rest)| rest.split(';').next().unwrap_or_default());
+    let names = [&report.drift, &report.kick].map(|flow| flow.form.name());
+    match constant {
+        None => assert_eq!(names, ["plain"; 2], "{system}"),
+        Some(constant) => {
+            let quoted: Vec<_> = constant.split('"').skip(1).step_by(2).collect();
+            assert_eq!(quoted, names, "{system}");
+        }
+    }
+    assert_eq!(expanded.contains("fn is_listed"), names[1] == "lists", "{system}");
+}
+
 #[test]
 fn flows_have_the_form_that_is_written() {
     let rows = [
@@ -98,44 +114,45 @@ fn flows_have_the_form_that_is_written() {
             Form::Line,
         ),
         (KINETIC, "for i in 0..q.len() { if i % 2 == 0 { v += q[i].powi(4); } }", Form::Plain),
-        (KINETIC, "for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).powi(2).exp(); } }", Form::Tiles),
+        (KINETIC, "for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).powi(2).exp(); } }", Form::Pairs),
         (
             KINETIC,
             "for i in 0..q.len() { for j in 0..i { let d = q[i] - q[j]; if d.abs() < 1.0 { v += d.powi(2).exp(); } } }",
-            Form::Neighbours,
+            Form::Lists,
         ),
         (
             KINETIC,
             "for i in 0..q.len() { for j in 0..i { let d = q[i] - q[j]; if d * d < 1.0 { v += d.powi(2).exp(); } } }",
-            Form::Neighbours,
+            Form::Lists,
         ),
         (
             KINETIC,
             "for i in 0..q.len() { for j in 0..i { let mut d = q[i] - q[j]; d -= 9.0 * (d / 9.0).round(); \
              if d * d < 1.0 { v += d.powi(4); } } }",
-            Form::NeighboursInBox,
+            Form::ListsInBox,
         ),
-        (KINETIC, "for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Form::Lists),
+        (KINETIC, "for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Form::Terms),
         (
             KINETIC,
             "for (k, &(a, b, c)) in self.angles.iter().enumerate() { v += self.k[k] * (q[a] - q[b]) * (q[b] - q[c]); }",
-            Form::Lists,
+            Form::Terms,
         ),
         (KINETIC, "for &(a, b) in &self.bonds { v += (q[a + 1] - q[b]).powi(4); }", Form::Plain),
-        (KINETIC, "for i in 0..q.len() { for &j in &self.near[i] { v += q[i] * q[j].powi(2); } }", Form::Lists),
+        (KINETIC, "for i in 0..q.len() { for &j in &self.near[i] { v += q[i] * q[j].powi(2); } }", Form::Terms),
         (
             KINETIC,
             "for i in 0..q.len() { for &j in &self.near[i] { if j > i { v += q[i] * q[j].powi(2); } } }",
             Form::Plain,
         ),
         (KINETIC, "for k in 0..4 { v += q[self.held[k]].powi(4); }", Form::Plain),
-        (KINETIC, "for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }", Form::Loops),
+        (KINETIC, "for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }", Form::Lanes),
         (KINETIC, "v = q[0] * q[1];", Form::Plain),
     ];
     for (kinetic, body, form) in rows {
         let potential = format!("fn potential(&self, q: &[f64]) -> f64 {{ let mut v = 0.0; {body} v }}");
-        let report = report(TokenStream::new(), tokens(&format!("impl S {{ {kinetic} {potential} }}")));
-        assert_eq!(report.expect("no mistake").kick.form, form, "{body}");
+        let system = format!("impl S {{ {kinetic} {potential} }}");
+        assert_eq!(report(TokenStream::new(), tokens(&system)).expect("no mistake").kick.form, form, "{body}");
+        assert_runtime_knows(&system);
     }
     let row = "impl S {
         fn kinetic(&self, p: [f64; 3]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
@@ -174,14 +191,92 @@ fn flows_have_the_form_that_is_written() {
     let systems = [
         (row, Form::Row),
         (plane, Form::Plane),
-        (&bonds, Form::Lists),
-        (&loops, Form::Lists),
+        (&bonds, Form::Terms),
+        (&loops, Form::Terms),
         (&long, Form::Plain),
-        (&before, Form::Tiles),
+        (&before, Form::Pairs),
     ];
     for (system, form) in systems {
         let report = report(TokenStream::new(), tokens(system)).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(report.kick.form, form, "{report}");
+        assert_runtime_knows(system);
+    }
+}
+
+/// What `show` says of a kick beside its form: the faster layouts that do not apply, each with its loop and its reason.
+#[test]
+fn slower_kicks_have_reasons_and_fast_ones_have_none() {
+    let points = "fn kinetic(&self, p: &[[f64; 3]]) -> f64 { p.iter().flatten().map(|p| 0.5 * p * p).sum() }";
+    let pair = |energy: &str| {
+        format!(
+            "{points} fn potential(&self, q: &[[f64; 3]]) -> f64 {{ let mut v = 0.0; for i in 0..q.len() {{ for j in \
+             0..i {{ let r2: f64 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum(); {energy} }} }} v }}"
+        )
+    };
+    let numbers =
+        |body: &str| format!("{KINETIC} fn potential(&self, q: &[f64]) -> f64 {{ let mut v = 0.0; {body} v }}");
+    let rows: [(String, &[&str]); 15] = [
+        (pair("v -= 1.0 / r2.sqrt();"), &[]),
+        (pair("if r2 < 1.0 { v += (1.0 - r2).powi(2); }"), &[]),
+        (numbers("for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }"), &[]),
+        (numbers("for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }"), &[]),
+        (numbers("v = q[0] * q[1];"), &[]),
+        (numbers("for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }"), &[]),
+        (
+            pair("if r2 < 1.0 { v += (1.0 - r2).powi(2); } v += r2;"),
+            &["not `lists`: a term of a pair is outside of the condition on the distance"],
+        ),
+        (
+            pair("if r2 < 1.0 + self.driven * q[i][0] * q[j][0] { v += r2; }"),
+            &["not `lists`: the distance is compared with a number that changes during a run"],
+        ),
+        (
+            pair("v += self.table[i][j] * r2;"),
+            &[
+                "not `pairs`: the energy of a pair reads other bodies, or a parameter or condition of both bodies at once",
+            ],
+        ),
+        (
+            pair("v += self.field[i] * q[i][0] * r2;"),
+            &["not `pairs`: the macro cannot prove that exchanging the two bodies of a pair keeps its energy"],
+        ),
+        (
+            numbers("for i in 0..q.len() - 5 { v += (q[i + 5] - q[i]).powi(4); }"),
+            &[
+                "not `line`: a site acts on another one that is more than 2 sites, 1 row or 1 plane away",
+                "not `lanes` over i in 0..n - 5: an iteration adds to the gradient of two coordinates",
+            ],
+        ),
+        (
+            numbers("for &(a, b) in &self.bonds { v += (q[a + 1] - q[b]).powi(4); }"),
+            &[
+                "not `terms` over k in 0..bonds.len(): a term reads a coordinate at an index that is not in the list, such as",
+            ],
+        ),
+        (
+            pair("v += (-r2).exp();").replace(
+                "let mut v = 0.0;",
+                "let mut v = 0.0; for &(i, j) in &self.bonds { for d \
+             in 0..5 { v += (self.k[d] * (q[i][0] - q[j][0])).sin(); } }",
+            ),
+            &["not `terms` over k in 0..bonds.len(): a term has an inner loop that is not written out"],
+        ),
+        (
+            numbers("for i in 0..q.len() { for &j in &self.near[i] { if j > i { v += q[i] * q[j].powi(2); } } }"),
+            &["not `terms` over k_2 in 0..near[k].len(): iterations depend on each other, or a branch reads"],
+        ),
+        (
+            "fn kinetic(&self, p: [f64; 20]) -> f64 { p.iter().map(|p| p * p).sum() }
+             fn potential(&self, q: [f64; 20]) -> f64 { (0..20).map(|i| (self.k[i] * q[i] * q[0]).sin()).sum() }"
+                .to_owned(),
+            &["not `lanes` over k in 0..20: there are fewer than 65 coordinates, or their number is not a literal"],
+        ),
+    ];
+    for (functions, expected) in rows {
+        let report = report(TokenStream::new(), tokens(&format!("impl S {{ {functions} }}"))).expect("no mistake");
+        let slower: Vec<String> = report.kick.slower.iter().map(ToString::to_string).collect();
+        let is_said = slower.len() == expected.len() && slower.iter().zip(expected).all(|(a, b)| a.starts_with(b));
+        assert!(is_said, "{functions}\n{slower:#?}");
     }
 }
 
@@ -191,7 +286,7 @@ fn terms_beside_pairs_have_a_form_of_their_own() {
     let rows = [
         ("", None),
         ("v += self.offset;", None),
-        ("for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Some(Form::Lists)),
+        ("for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }", Some(Form::Terms)),
         ("for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }", Some(Form::Plain)),
     ];
     for (beside, form) in rows {
@@ -202,7 +297,7 @@ fn terms_beside_pairs_have_a_form_of_their_own() {
             }}"
         );
         let report = report(TokenStream::new(), tokens(&item)).unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!((report.kick.form, report.kick.others), (Form::Tiles, form), "{beside}: {report}");
+        assert_eq!((report.kick.form, report.kick.others), (Form::Pairs, form), "{beside}: {report}");
         assert_eq!(report.to_string().contains("by eight; other terms: "), form.is_some(), "{report}");
     }
 }

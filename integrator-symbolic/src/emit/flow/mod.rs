@@ -6,7 +6,6 @@ pub(super) mod device;
 pub(super) mod doubled;
 pub(super) mod field;
 pub(super) mod force_gradient;
-pub(super) mod form;
 #[cfg(test)]
 mod guarded;
 pub(super) mod invariants;
@@ -27,19 +26,20 @@ use crate::{
         function::{Body, Lines},
     },
     graph::{Graph, NodeId, Part, exact::Exact},
+    layout::{Form, form_of_loops},
     model::{ExactPart, Length, Shape},
     pattern::{
         Pattern,
+        all_pairs::LISTED_FROM,
         stores::{Pass, lower_roots, passes},
     },
     program::Store,
     stencil::Stencil,
     syntax::names::Names,
 };
-use form::{Form, form_of_loops};
 use lattice::Sweep;
 use pairs::ManyBody;
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quadratic::Derivatives;
 use quote::quote;
 
@@ -69,8 +69,10 @@ impl Flows {
     ) -> Self {
         let (many_body, [mut drift, mut kick]) = match pattern {
             Pattern::AllPairs(pairs) => {
-                let flow = |part| Flow { body: ManyBody::flow(part), ..Flow::default() };
-                (Some(ManyBody::of(emitter, pairs)), [Part::Momentum, Part::Position].map(flow))
+                let many_body = ManyBody::of(emitter, pairs);
+                let [drift, kick] = Form::of_bodies(many_body.listed(), many_body.is_row());
+                let flow = |part, form| Flow { body: ManyBody::flow(part), form, ..Flow::default() };
+                (Some(many_body), [flow(Part::Momentum, drift), flow(Part::Position, kick)])
             }
             Pattern::Sites([velocity, force]) => {
                 let drift = Flow::of(emitter, kinetic, Part::Momentum, velocity.as_ref());
@@ -155,7 +157,25 @@ impl Flows {
         let lattice = |flow: &Flow| flow.sweep.as_ref().map(Sweep::lattice);
         let alike = lattice(drift).filter(|of_drift| lattice(kick) == Some(*of_drift));
         let (radii, sites) = alike.map(|alike| lattice::parts(alike, names)).unzip();
-        (quote!(#wide #large #radii), sites)
+        let forms = || [drift].into_iter().chain(middle).chain([kick]).map(|flow| flow.form);
+        let layout = forms().any(|form| form != Form::Plain).then(|| {
+            let words = forms().map(Form::name);
+            quote!(
+                const LAYOUT: &'static [&'static str] = &[#(#words),*];
+            )
+        });
+        (quote!(#wide #large #radii #layout), sites)
+    }
+
+    /// The function that compares the number of bodies that act with the least number whose neighbours are listed.
+    pub(crate) fn is_listed(&self, count: Option<&TokenStream>) -> Option<TokenStream> {
+        self.many_body.as_ref()?.listed()?;
+        let (count, from) = (count.cloned().unwrap_or_else(|| quote!(length)), Literal::u64_unsuffixed(LISTED_FROM));
+        Some(quote! {
+            fn is_listed(&self, length: usize) -> bool {
+                #count >= #from
+            }
+        })
     }
 
     /// The functions `drift` and `kick`, and `middle` where there are more parts.
@@ -274,8 +294,7 @@ pub(crate) struct Flow {
     body: Body,
     /// Where all sites of a lattice take part alike, what the runtime sweeps along them.
     sweep: Option<Sweep>,
-    /// The form of its loops, if some of them are in lanes.
-    form_of_loops: Option<Form>,
+    form: Form,
     /// Whether it gains from vectors of 512 bits: it divides by a root cubed, or computes terms of lists or functions in lanes.
     is_wide: bool,
     /// Whether it takes so long that a choice among flows costs nothing beside it.
@@ -334,7 +353,8 @@ impl Flow {
         match stencil {
             Some(stencil) => {
                 let sweep = lattice::sweep(emitter, stencil, part);
-                Self { body: Body::new(sweep.flow()), sweep: Some(sweep), ..Self::default() }
+                let form = sweep.lattice().into();
+                Self { body: Body::new(sweep.flow()), sweep: Some(sweep), form, ..Self::default() }
             }
             None if gradient.is_empty() => Self::default(),
             None => Self::along(emitter, gradient, part, &Frame::Motion),
@@ -349,11 +369,11 @@ impl Flow {
             Part::Momentum => quote!(duration),
             Part::Position => quote!(-duration),
         };
-        let (form_of_loops, has_wide_lanes) = form_of_loops(emitter.model, &lines.program);
+        let (form, has_wide_lanes) = form_of_loops(emitter.model, &lines.program);
         let is_wide = lines.program.divides_by_root_cubed || has_wide_lanes;
         let scalar = &emitter.names.scalar;
         let body = lines.map(|lines| quote!(let step = #scalar::of(#duration); #lines)).body(scalar);
-        Self { body, form_of_loops, is_wide, is_large: form_of_loops.is_some(), ..Self::default() }
+        Self { body, form, is_wide, is_large: form != Form::Plain, ..Self::default() }
     }
 
     /// The lines that move each coordinate by `step` times its component.

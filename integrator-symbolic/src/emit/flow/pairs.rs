@@ -1,10 +1,7 @@
 //! Rust code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
 //! over bodies and pairs belong to the runtime.
 
-use super::{
-    form::{Form, form_of_loops},
-    through_buffer,
-};
+use super::through_buffer;
 use crate::{
     emit::printer::{
         block::Emitter,
@@ -40,8 +37,6 @@ pub(crate) struct ManyBody {
     sums_pairs: bool,
     /// What the kinetic energy is beside those of bodies, if the runtime sums these.
     kinetic_beside: Option<NodeId>,
-    /// The form of their gradient.
-    form_of_others: Option<Form>,
 }
 
 impl ManyBody {
@@ -75,9 +70,10 @@ impl ManyBody {
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let embedded = embedded.as_ref().map(|embedded| writer.embedded(embedded));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
-        let (beside, form_of_others) = beside.map(|others| writer.others(others)).unzip();
+        let beside = beside.map(|others| writer.others(others));
         let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
-        let neighbours = listed.as_ref().map(|listed| writer.listed(listed));
+        let listed = listed.as_ref().ok();
+        let neighbours = listed.map(|listed| writer.listed(listed));
         let per_body = writer.per_body(of);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
         let number = number.filter(|_| listed.is_some()).map(|number| {
@@ -106,16 +102,11 @@ impl ManyBody {
             #of_energies
             #neighbours
         };
-        let listed = listed.as_ref().map(|listed| listed.sides.is_some());
+        let listed = listed.map(|listed| listed.sides.is_some());
         let others = others.as_ref().map(|others| others.energy);
         let sums_pairs = energies.is_some();
         let kinetic_beside = energies.as_ref().and_then(|energies| energies.kinetic_beside);
-        Self { row, sizes, functions, per_body, listed, others, sums_pairs, kinetic_beside, form_of_others }
-    }
-
-    /// The form of the gradient of the terms beside pairs.
-    pub(crate) fn form_of_others(&self) -> Option<Form> {
-        self.form_of_others
+        Self { row, sizes, functions, per_body, listed, others, sums_pairs, kinetic_beside }
     }
 
     /// Whether the runtime sums an energy, and what this has beside the terms of bodies and pairs.
@@ -267,15 +258,14 @@ impl Writer<'_, '_> {
         }
     }
 
-    /// The gradient of the terms beside pairs, in the user's own coordinates, and its form.
-    fn others(&mut self, others: &Others) -> (TokenStream, Form) {
+    /// The gradient of the terms beside pairs, in the user's own coordinates.
+    fn others(&mut self, others: &Others) -> TokenStream {
         let put = |place, value| quote!(#place = #value;);
         let lines = through_buffer(self.emitter, &Frame::Motion, Part::Momentum, &others.gradient, put);
-        let form = form_of_loops(self.emitter.model, &lines.program).0.unwrap_or(Form::Plain);
         let Names { runtime, scalar, .. } = self.emitter.names;
         let body = lines.body(scalar);
         let (motion, time, body) = (body.argument("motion"), body.argument("time"), &body.0);
-        let text = quote! {
+        quote! {
             const OTHER_TERMS: bool = true;
 
             #[inline(always)]
@@ -283,8 +273,7 @@ impl Writer<'_, '_> {
                 #motion: #runtime::Unpacked<'_, #scalar, Self::Coords, Self::Parameters<#scalar>>,
                 #time: f64,
             ) { #body }
-        };
-        (text, form)
+        }
     }
 
     /// The coordinates and prepared constants of a body, as arguments.

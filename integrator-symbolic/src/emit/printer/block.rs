@@ -5,13 +5,13 @@ use super::{
     fields::Fields,
     frame::Frame,
     function::Lines,
-    lanes::{has_lanes, lane_context},
 };
 use crate::{
     graph::{
         Element, Fold, Graph, Node, NodeId, Part,
         index::{Index, LoopId},
     },
+    layout::{has_lanes, lane_context},
     model::{Length, Model, is_field},
     program::{
         Constraints, Item, Program, Sink, Store, lanes::LaneContext, lists::is_over_list, results::Results,

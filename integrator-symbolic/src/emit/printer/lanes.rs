@@ -10,37 +10,16 @@ use super::{
 };
 use crate::{
     graph::{NodeId, index::LoopId},
-    model::{Model, is_field},
-    program::{
-        Item, Program,
-        lanes::{LaneContext, LoopInLanes},
-    },
+    program::{Item, lanes::LoopInLanes},
     syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// What decides which loops of a program are in lanes.
-pub(super) fn lane_context<'m>(
-    model: &'m Model,
-    program: &'m Program,
-    is_kept: &'m dyn Fn(NodeId) -> bool,
-) -> LaneContext<'m> {
-    let (graph, lengths, named, compared) = (&model.graph, &model.lengths[..], &program.named, &program.compared);
-    LaneContext { graph, lengths, named, compared, is_kept }
-}
-
-/// Whether a program has loops in lanes, and whether one of these gains from the widest vectors.
-pub(crate) fn has_lanes(model: &Model, program: &Program) -> [bool; 2] {
-    let is_kept = |id| is_field(&model.graph, &model.parameters, id);
-    let loops = lane_context(model, program, &is_kept).all(program);
-    [!loops.is_empty(), loops.iter().any(|lanes| lanes.is_wide)]
-}
-
 impl Block<'_> {
     /// The loop in lanes that a line among others is, if it is one here.
     pub(super) fn loop_in_lanes<'p>(&self, beside: &[Item], item: &'p Item) -> Option<LoopInLanes<'p>> {
-        let lanes = self.lanes?.loop_in_lanes(beside, item)?;
+        let lanes = self.lanes?.loop_in_lanes(beside, item).ok()?;
         // Lanes in which a condition does not hold add to no gradient.
         let may_add = lanes.target.is_none() || self.masks.is_empty();
         (may_add && matches!(self.accumulation, Accumulation::Fused)).then_some(lanes)

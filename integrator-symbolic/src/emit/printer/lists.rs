@@ -10,42 +10,16 @@ use super::{
 };
 use crate::{
     graph::{
-        Graph, NodeId, Part,
+        NodeId, Part,
         index::{Index, IndexId, LoopId},
     },
-    model::{Model, Parameter, is_field},
-    program::{Item, Program, lists::ListSum, results::Results},
+    layout::list_sum,
+    program::{Item, lists::ListSum, results::Results},
     syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::BTreeSet;
-
-/// The sum over a list that a loop of a program is, if its terms share vectors.
-fn list_sum<'p>(
-    graph: &Graph,
-    lengths: &[IndexId],
-    parameters: &[Parameter],
-    named: &BTreeSet<NodeId>,
-    by: LoopId,
-    body: &'p [Item],
-) -> Option<ListSum<'p>> {
-    ListSum::of(graph, lengths.get(1).copied(), named, by, body, |id| is_field(graph, parameters, id))
-}
-
-/// Whether a program has a sum over a list whose terms share vectors.
-pub(crate) fn has_list_sums(model: &Model, program: &Program) -> bool {
-    fn any(model: &Model, program: &Program, items: &[Item]) -> bool {
-        items.iter().any(|item| match item {
-            Item::Loop { by, body } => {
-                list_sum(&model.graph, &model.lengths, &model.parameters, &program.named, *by, body).is_some()
-                    || any(model, program, body)
-            }
-            _ => false,
-        })
-    }
-    any(model, program, &program.items)
-}
 
 impl Block<'_> {
     /// A loop over a list whose terms share vectors.
@@ -55,7 +29,7 @@ impl Block<'_> {
             return None;
         }
         let named: BTreeSet<NodeId> = self.printer.names.keys().copied().collect();
-        let sum = list_sum(self.printer.graph, self.printer.lengths, self.printer.parameters, &named, by, body)?;
+        let sum = list_sum(self.printer.graph, self.printer.lengths, self.printer.parameters, &named, by, body).ok()?;
         let (term, reads_time) = self.term(fields, &sum);
         let call = self.call(fields, by, &sum, reads_time);
         Some(quote!({ #term #call }))

@@ -105,6 +105,7 @@ const _: () = {
         const FINGERPRINT: u64 = 14541274103500244151;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
+        const LAYOUT: &'static [&'static str] = &["plain", "terms"];
         const ENERGIES_IN_LANES: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {

@@ -104,6 +104,7 @@ const _: () = {
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
         );
+        const LAYOUT: &'static [&'static str] = &["line", "line"];
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 4.0 * (self.beta / 4.0),

@@ -72,6 +72,7 @@ const _: () = {
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
         );
+        const LAYOUT: &'static [&'static str] = &["volume", "volume"];
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 field: runtime::table(

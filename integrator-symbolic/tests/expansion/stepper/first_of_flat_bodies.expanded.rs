@@ -104,6 +104,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 4961391995637370863;
         const WIDE: bool = true;
+        const LAYOUT: &'static [&'static str] = &["pairs", "pairs"];
         const ENERGIES_IN_LANES: bool = true;
         fn admissible(
             &self,

@@ -79,6 +79,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 6018378315042962994;
         const LARGE_FLOWS: bool = true;
+        const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
         fn admissible(
             &self,

@@ -103,6 +103,7 @@ const _: () = {
         const AUTONOMOUS: bool = true;
         const FINGERPRINT: u64 = 1135840327974662239;
         const WIDE: bool = true;
+        const LAYOUT: &'static [&'static str] = &["row", "row"];
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: ::core::array::from_fn(|i: usize| {

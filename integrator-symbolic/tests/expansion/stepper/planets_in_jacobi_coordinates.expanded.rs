@@ -121,6 +121,7 @@ const _: () = {
         const FINGERPRINT: u64 = 4265528796467257173;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
+        const LAYOUT: &'static [&'static str] = &["row", "row"];
         fn admissible(
             &self,
             length: usize,

@@ -88,6 +88,7 @@ const _: () = {
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
         );
+        const LAYOUT: &'static [&'static str] = &["plane", "plane"];
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: runtime::table(

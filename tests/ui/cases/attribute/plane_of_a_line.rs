@@ -1,0 +1,20 @@
+//! A plane, for sites with one index.
+
+use integrator_core::prelude::*;
+
+struct Chain;
+
+#[hamiltonian(layout = plane)]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        (1..q.len()).map(|i| (q[i] - q[i - 1]).powi(4)).sum()
+    }
+}
+
+fn main() {
+    // The stepper is still there, so that nothing else is reported.
+    let _ = Chain.run(Phase::new(vec![0.0; 64], vec![0.0; 64]), 0.1);
+}
