@@ -273,7 +273,7 @@ pub mod __private {
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
             shared_table::{SharedTable, table},
-            sites::{Boundary, Flow, MovedSites, Sites, StencilRadii},
+            sites::{Boundary, Flow, MovedSites, Sites, StencilRadii, columns},
         },
         trajectory::{
             sensitive::Sensitive,

@@ -31,7 +31,7 @@ pub(crate) use cutoff::{Cutoff, cutoff};
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
 use order::Order;
-pub(crate) use order::with_numbers_of_each;
+pub(crate) use order::{rewritten, with_numbers_of_each};
 use terms::{Terms, addends};
 pub(crate) use terms::{Visited, acting, moving};
 

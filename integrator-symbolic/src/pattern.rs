@@ -7,6 +7,7 @@
 
 pub(crate) mod all_pairs;
 pub(crate) mod bodies;
+mod flat;
 mod ragged;
 pub(crate) mod sites;
 pub(crate) mod stores;
@@ -53,6 +54,9 @@ pub(crate) fn recognise(model: &mut Model, [kinetic, potential]: [&[Contribution
         return Pattern::AllPairs(Box::new(pairs));
     }
     let folded = [kinetic, potential].map(|gradient| fold_branches(&mut model.graph, gradient));
+    if let Some(stencils) = flat::stencils(model, &folded) {
+        return Pattern::Sites(stencils);
+    }
     let components = sites::components(model, &folded[1]);
     Pattern::Sites(folded.map(|gradient| sites::stencil_of(model, &gradient, components).ok()))
 }
@@ -92,10 +96,10 @@ impl Pattern {
         }
     }
 
-    /// The stencil of the gradient of `V`.
+    /// The stencil of the gradient of `V`, whose indices are those of the user's coordinates.
     pub(crate) fn stencil_of_potential(&self) -> Option<&Stencil> {
         match self {
-            Self::Sites([_, potential]) => potential.as_ref(),
+            Self::Sites([_, potential]) => potential.as_ref().filter(|stencil| stencil.flat.is_none()),
             Self::AllPairs(_) => None,
         }
     }

@@ -38,6 +38,8 @@ pub(crate) struct Stencil {
     /// From plane to plane and from row to row, where there are any, and from site to site.
     pub(crate) directions: Vec<Direction>,
     pub(crate) contributions: Vec<SiteContribution>,
+    /// The numbers of rows and of sites in a row, where coordinates are flat.
+    pub(crate) flat: Option<[IndexId; 2]>,
 }
 
 /// What sites make up.
@@ -133,6 +135,8 @@ pub(crate) enum Components {
     Sites,
     /// They may be the few components of points, too.
     Unknown,
+    /// The sites of rows, where coordinates are flat: a number beyond the end of a row is that of a site in the next one.
+    Flat,
 }
 
 /// The stencil of `gradient`, where all of it has that form, on a line or a plane of such lengths; `leaf` decides which
@@ -188,7 +192,9 @@ fn stencil_of(
         };
         directions.push(Direction::new(graph, parent, *length, farthest, apart).ok_or(Reason::Unrecognised)?);
     }
-    let mut gathering = Gathering { leaf, graph, stencil: Stencil { directions, contributions: Vec::new() } };
+    let is_flat = components == Components::Flat;
+    let stencil = Stencil { directions, contributions: Vec::new(), flat: None };
+    let mut gathering = Gathering { leaf, graph, stencil, is_flat };
     let mut made = Vec::new();
     for piece in pieces {
         made.extend(gathering.iterations(piece)?.map(|iterations| (&piece.contribution, iterations)));
@@ -247,6 +253,8 @@ struct Gathering<'g, L> {
     graph: &'g mut Graph,
     leaf: &'g L,
     stencil: Stencil,
+    /// Whether an index has to be checked to stay within its row.
+    is_flat: bool,
 }
 
 impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
@@ -266,12 +274,21 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
                 return Ok(None);
             }
         }
+        self.are_within(&iterations, contribution.element)?;
         // Every loop around it runs in one direction, and nothing else is around it.
         let by: BTreeSet<LoopId> = iterations.iter().filter_map(|iterations| iterations.by).collect();
         let around: BTreeSet<LoopId> = contribution.loops().collect();
         let running = iterations.iter().filter(|iterations| iterations.by.is_some()).count();
         let is_alone = by == around && running == by.len() && running == contribution.context.len();
         if is_alone { Ok(Some(iterations)) } else { Err(Reason::SiteScope) }
+    }
+
+    /// Nothing if the indices of a flat coordinate may lie beyond its row or the last row.
+    fn are_within(&self, iterations: &[Iterations], element: Element) -> Result<(), Reason> {
+        let directions = self.stencil.directions.iter().zip(iterations);
+        let mut indices = directions.zip(self.graph.loops.of_coordinate(element));
+        let are_within = indices.all(|((direction, own), index)| direction.is_within(self.graph, own, index));
+        if self.is_flat && !are_within { Err(Reason::SiteFar) } else { Ok(()) }
     }
 
     /// Whether a value reads prepared constants by the index of an iteration.
@@ -336,6 +353,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// A coordinate as seen from a site.
     fn neighbour(&mut self, iterations: &[Iterations], begins: &[i64], element: Element) -> Result<NodeId, Reason> {
+        self.are_within(iterations, element)?;
         let indices: Vec<_> = self.graph.loops.of_coordinate(element).collect();
         let directions = self.stencil.directions.iter_mut().zip(iterations.iter().zip(begins)).zip(indices);
         let seen = directions
@@ -356,7 +374,7 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
 
     /// All contributions, where no loop runs in one direction for one of them and in the other for another.
     fn finished(self) -> Option<Stencil> {
-        let Stencil { directions, mut contributions } = self.stencil;
+        let Stencil { directions, mut contributions, flat } = self.stencil;
         let mut loops = directions.iter().flat_map(|direction| direction.begins.keys());
         let mut seen = BTreeSet::new();
         if !loops.all(|by| seen.insert(*by)) {
@@ -365,6 +383,6 @@ impl<L: Fn(&Graph, NodeId) -> bool> Gathering<'_, L> {
         // What most sites have comes first, so that a sum begins with it.
         let is_few = |along: &Along| matches!(along.places, Extent::Few(..));
         contributions.sort_by_key(|contribution| (contribution.onward(), contribution.along.iter().any(is_few)));
-        Some(Stencil { directions, contributions })
+        Some(Stencil { directions, contributions, flat })
     }
 }

@@ -112,6 +112,83 @@ fn rows_with_bonds_along_them_are_sites() {
     }
 }
 
+/// Loops over flat coordinates as rows of `self.w` sites, and whether these are moved as a plane. `LOOPS` are loops over all sites.
+const FLAT_PLANES: [(&str, &str, bool); 19] = [
+    (
+        "a torus",
+        "LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]) + b(q[(y + 1) % h * w + x] - q[y * w + x]); }",
+        true,
+    ),
+    ("factors exchanged", "LOOPS { v += b(q[x + w * y] - q[w * y + (x + 1) % w]); }", true),
+    ("the site before", "LOOPS { v += b(q[y * w + x] - q[y * w + (x + w - 1) % w]); }", true),
+    ("open rows", "for y in 0..h { for x in 0..w - 1 { v += b(q[y * w + x + 1] - q[y * w + x]); } }", true),
+    (
+        "rows from the second site on",
+        "for y in 0..h { for x in 1..w { v += b(q[y * w + x] - q[y * w + x - 1]); } }",
+        true,
+    ),
+    (
+        "a condition, which is a number of each site",
+        "LOOPS { if x + 1 < w { v += b(q[y * w + x + 1] - q[y * w + x]); } }",
+        false,
+    ),
+    (
+        "open columns",
+        "LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]); }
+         for y in 0..h - 1 { for x in 0..w { v += b(q[y * w + w + x] - q[y * w + x]); } }",
+        true,
+    ),
+    (
+        "rows counted by the coordinates",
+        "for y in 0..q.len() / w { for x in 0..w { v += b(q[y * w + (x + 1) % w] - q[y * w + x]); } }",
+        true,
+    ),
+    ("a method", "LOOPS { v += b(q[self.at(x + 1, y)] - q[self.at(x, y)]); }", true),
+    (
+        "a sum over all coordinates",
+        "for i in 0..q.len() { v += b(q[i]); } LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]); }",
+        true,
+    ),
+    ("a number of each site", "LOOPS { v += self.k[y * w + x] * b(q[y * w + (x + 1) % w] - q[y * w + x]); }", true),
+    ("rows that continue in the next one", "LOOPS { v += b(q[(y * w + x + 1) % q.len()] - q[y * w + x]); }", false),
+    ("a site after the row", "for y in 0..h - 1 { for x in 0..w { v += b(q[y * w + x + 1] - q[y * w + x]); } }", false),
+    ("a site before the row", "for y in 1..h { for x in 0..w { v += b(q[y * w + x - 1] - q[y * w + x]); } }", false),
+    ("a third site", "LOOPS { v += b(q[y * w + 2] - q[y * w + x]); }", false),
+    ("another width", "LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * h + x]); }", false),
+    ("points", "LOOPS { v += b(q[y * w + x]); }", false),
+    (
+        "a number of each coordinate",
+        "for i in 0..q.len() { v += self.k[i] * b(q[i]); } LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]); }",
+        false,
+    ),
+    ("a site far away", "LOOPS { v += b(q[y * w + (x + 3) % w] - q[y * w + x]); }", false),
+];
+
+#[test]
+fn flat_coordinates_whose_indices_stay_in_their_rows_are_planes() {
+    for (name, potential, holds) in FLAT_PLANES {
+        let potential = potential.replace("LOOPS", "for y in 0..h { for x in 0..w").replace("; }\n", "; } }\n");
+        let opened = potential.matches('{').count() - potential.matches('}').count();
+        let potential = format!("{potential}{}", "}".repeat(opened));
+        let text = format!(
+            "impl Plane {{
+                fn at(&self, x: usize, y: usize) -> usize {{ y * self.w + x % self.w }}
+                fn kinetic(&self, p: &[f64]) -> f64 {{ {SQUARES} }}
+                fn potential(&self, q: &[f64]) -> f64 {{
+                    let b = |r: f64| r * r / 2.0 + r.powi(4) / 4.0;
+                    let (w, h) = (self.w, self.h);
+                    let mut v = 0.0;
+                    {potential}
+                    v
+                }}
+            }}"
+        );
+        let text = hamiltonian(Default::default(), text.parse().expect("tokens")).to_string();
+        assert!(!text.contains("compile_error"), "{name}: {text}");
+        assert_eq!(text.contains("FLAT_ROWS"), holds, "{name}");
+    }
+}
+
 /// Whether sites of a chain of any length are moved as a lattice.
 fn is_lattice(potential: &str) -> bool {
     let text = format!(

@@ -5,6 +5,7 @@
 //! process for each of the others.
 
 mod every_length;
+mod flat_planes;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 mod lists;

@@ -109,6 +109,8 @@ pub trait System: Sized {
     const INVARIANTS: &'static [&'static str] = &[];
     /// The stencil radii of the flows of a lattice, if its sites can be updated in segments.
     const STENCIL_RADII: Option<StencilRadii> = None;
+    /// Whether the coordinates of a plane are flat, so that the parameters determine how many sites a row has.
+    const FLAT_ROWS: bool = false;
 
     /// Checks that the system can be integrated from a start with `length` numbers or points.
     ///
@@ -162,6 +164,11 @@ pub trait System: Sized {
         f64::NAN
     }
 
+    /// Returns the number of coordinates in a layer of a lattice; `None` if flat coordinates are no rows.
+    #[inline(always)]
+    fn columns<R: Real>(_parameters: &Self::Parameters<R>, _length: usize) -> Option<usize> {
+        Some(<Self::Coords as Coords>::COMPONENTS)
+    }
     /// Returns the sites of a lattice, if they can be updated in segments.
     fn sites<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>) -> Option<Sites<'_, R, K, Self::Parameters<R>>> {
         None

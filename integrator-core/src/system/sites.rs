@@ -17,6 +17,14 @@ pub struct Sites<'m, R: Real, K: Precision, P> {
     pub(crate) columns: usize,
 }
 
+/// Returns the number of sites in a row of flat coordinates; `None` if the rows are not all of these.
+///
+/// `width` and `rows` are what the parameters say; without a width there is no number of rows.
+#[inline(always)]
+pub fn columns(width: usize, length: usize, rows: impl FnOnce() -> usize) -> Option<usize> {
+    (width > 0 && rows().checked_mul(width) == Some(length)).then_some(width)
+}
+
 /// The half of the sites that a flow moves, and the half that it reads.
 pub struct MovedSites<'m, R: Real, K: Precision, P> {
     pub(crate) read: &'m [K::Slot<R>],

@@ -36,7 +36,7 @@ pub(crate) struct Reach {
 impl Reach {
     /// That of a system whose sites are moved alike; nothing for all others.
     pub(crate) fn of<H: Hamiltonian, X: Composition<H>>() -> Option<Self> {
-        let radii = H::STENCIL_RADII.filter(|_| H::SEPARABLE && H::PARTS.len() == 2)?;
+        let radii = H::STENCIL_RADII.filter(|_| H::SEPARABLE && H::PARTS.len() == 2 && !H::FLAT_ROWS)?;
         let (stages, processor) = (X::STAGES, X::PROCESSOR);
         let of = |stages: &[Stage]| stages.iter().map(|stage| of_stage(&radii, stage)).sum::<usize>();
         let of_rows = |rows: &Rows| of(rows.rows);

@@ -294,7 +294,7 @@ fn is_total(graph: &Graph, index: IndexId) -> bool {
 }
 
 /// Rebuilds a node with the replacements that `replaced` returns for nodes inside of it. Replacements are kept as they are.
-pub(super) fn rewritten(
+pub(crate) fn rewritten(
     graph: &mut Graph,
     root: NodeId,
     mut replaced: impl FnMut(&mut Graph, NodeId) -> Option<NodeId>,

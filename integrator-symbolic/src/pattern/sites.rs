@@ -3,7 +3,7 @@
 use super::stores::lower_roots;
 use crate::{
     differentiate::Contribution,
-    graph::Graph,
+    graph::{Graph, index::IndexId},
     model::{Model, is_leaf},
     reason::Reason,
     stencil::{Components, Direction, Stencil, stencil},
@@ -27,8 +27,19 @@ pub(crate) fn stencil_of(
     gradient: &[Contribution],
     components: Components,
 ) -> Result<Stencil, Reason> {
-    let Model { graph, parameters, extents, running, .. } = model;
-    let stencil = stencil(graph, gradient, extents, components, |graph, id| is_leaf(graph, parameters, id))?;
+    let extents = model.extents.clone();
+    stencil_on(model, gradient, &extents, components)
+}
+
+/// The stencil of a gradient on a lattice of these lengths, if all sites take part alike.
+pub(super) fn stencil_on(
+    model: &mut Model,
+    gradient: &[Contribution],
+    lengths: &[IndexId],
+    components: Components,
+) -> Result<Stencil, Reason> {
+    let Model { graph, parameters, running, .. } = model;
+    let stencil = stencil(graph, gradient, lengths, components, |graph, id| is_leaf(graph, parameters, id))?;
     for Direction { place, begins, .. } in &stencil.directions {
         let first = gradient.iter().flat_map(Contribution::loops).find(|by| begins.contains_key(by));
         let index = first.and_then(|first| running.get(&first)).ok_or(Reason::Unrecognised)?.clone();

@@ -226,7 +226,7 @@ impl Direction {
     }
 
     /// Whether coordinates are read beside the place itself.
-    pub(super) fn has_neighbours(&self) -> bool {
+    pub(crate) fn has_neighbours(&self) -> bool {
         self.behind > 0 || self.ahead > 0
     }
 
@@ -374,6 +374,26 @@ impl Direction {
             self.ahead = self.ahead.max(far);
             graph.loops.intern(Index::Add(here, distance))
         })
+    }
+
+    /// Whether an index is the number of a place in each of some iterations, on a lattice of any length.
+    pub(super) fn is_within(&self, graph: &Graph, own: &Iterations, index: IndexId) -> bool {
+        let Some(linear) = self.linear(graph, index) else { return false };
+        let (first, behind) = match (linear.running, self.place(linear)) {
+            (Some(_), _) => (own.from.further(linear.constant), own.to.further(linear.constant)),
+            (None, Some(place)) => (place, place.further(1)),
+            (None, None) => return false,
+        };
+        let smallest = self.number.unwrap_or(SMALLEST);
+        let is_after_first = match first {
+            Place::FromBegin(place) => place >= 0,
+            Place::FromEnd(place) => place <= smallest,
+        };
+        let is_before_end = match behind {
+            Place::FromBegin(place) => place <= smallest,
+            Place::FromEnd(place) => place >= 0,
+        };
+        linear.wraps || is_after_first && is_before_end
     }
 
     fn linear(&self, graph: &Graph, index: IndexId) -> Option<Linear> {

@@ -20,6 +20,7 @@ use crate::{
         precision::{Precision, Slot},
     },
     system::{
+        System,
         motion::Plain,
         sites::{Boundary, Flow, MovedSites, RowCarries, Sites},
     },
@@ -31,7 +32,8 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `T` of a plane or a volume.
     #[inline(always)]
     pub fn drift_layers<H: Stencil<Drift, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let layers = self.layers().moved_by(true);
+        let Some(layers) = self.layers::<H>() else { return };
+        let layers = layers.moved_by(true);
         let range = 0..layers.length;
         layers.move_layers::<H, Drift>(R::of(duration), time, range);
     }
@@ -39,16 +41,18 @@ impl<R: Real, C: Coords, P> Plain<R, C, P> {
     /// The flow of `V` of a plane or a volume.
     #[inline(always)]
     pub fn kick_layers<H: Stencil<Kick, Parameters<R> = P>>(&mut self, duration: f64, time: f64) {
-        let layers = self.layers().moved_by(false);
+        let Some(layers) = self.layers::<H>() else { return };
+        let layers = layers.moved_by(false);
         let range = 0..layers.length;
         layers.move_layers::<H, Kick>(R::of(-duration), time, range);
     }
 
-    /// All layers: the rows of a plane, or the planes of a volume.
+    /// All layers: the rows of a plane, or the planes of a volume; `None` if flat coordinates are no rows.
     #[inline(always)]
-    pub fn layers(&mut self) -> Sites<'_, R, C::Leaf, P> {
+    pub fn layers<H: System<Parameters<R> = P>>(&mut self) -> Option<Sites<'_, R, C::Leaf, P>> {
         let sites = self.sites();
-        Sites { columns: C::COMPONENTS, length: sites.length.checked_div(C::COMPONENTS).unwrap_or(0), ..sites }
+        let columns = H::columns::<R>(sites.parameters, sites.length)?;
+        Some(Sites { columns, length: sites.length.checked_div(columns).unwrap_or(0), ..sites })
     }
 }
 

@@ -96,7 +96,8 @@ impl<'m, H: System, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
 
     /// Applies the collected flows.
     pub(crate) fn finish(&mut self) {
-        if let (Some(radii), Some(mut sites)) = (H::STENCIL_RADII, H::sites::<R, K>(self.motion)) {
+        let Some(radii) = H::STENCIL_RADII else { return };
+        if let Some(mut sites) = H::sites::<R, K>(self.motion) {
             if sites.length * sites.columns < CACHED {
                 for flow in &self.flows {
                     let all = 0..sites.length;
@@ -105,6 +106,14 @@ impl<'m, H: System, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
             } else {
                 let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
                 advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
+            }
+        } else {
+            for Flow { drifts, duration, time } in self.flows.iter().copied() {
+                if drifts {
+                    H::drift::<R, K>(self.motion, duration, time);
+                } else {
+                    H::kick::<R, K>(self.motion, duration, time);
+                }
             }
         }
         self.flows.clear();

@@ -255,7 +255,7 @@ fn separable(
     let flows = [("drift", kinetic, Part::Momentum), ("kick", potential, Part::Position)];
     let written = flows.into_iter().zip(stencils).map(|((name, gradient, part), stencil)| {
         let apart = gradient.iter().any(|contribution| is_protected(&mut emitter.model.graph, contribution));
-        match stencil.as_ref().filter(|_| !apart) {
+        match stencil.as_ref().filter(|stencil| !apart && stencil.flat.is_none()) {
             Some(stencil) => {
                 let stencil = lowered(emitter.model, stencil);
                 line::flow(emitter, reads, shape, name, &stencil, part)

@@ -1,10 +1,10 @@
 //! Rust code for flows of lattices: the computation of each site from its neighbourhood, over which the runtime sweeps.
 
 use crate::{
-    emit::printer::{block::Emitter, frame::Frame, function::Body, sites::contributions},
-    graph::{Part, Scope},
+    emit::printer::{block::Emitter, expression::Printer, frame::Frame, function::Body, sites::contributions},
+    graph::{Part, Scope, index::IndexId},
     pattern::lowered,
-    program::{Sink, Store},
+    program::{Program, Sink, Store},
     stencil::{Direction, Lattice, Stencil},
     syntax::names::Names,
 };
@@ -17,6 +17,8 @@ pub(crate) struct Sweep {
     flow: Ident,
     body: Body,
     stencil: Stencil,
+    /// Where coordinates are flat, the number of sites in a row if rows are all of them.
+    columns: Option<TokenStream>,
 }
 
 /// The flow along a gradient with this stencil.
@@ -31,15 +33,49 @@ pub(crate) fn sweep(emitter: &mut Emitter<'_>, stencil: &Stencil, part: Part) ->
         Part::Momentum => format_ident!("Drift"),
         Part::Position => format_ident!("Kick"),
     };
-    Sweep { flow, body, stencil }
+    let columns = stencil.flat.map(|lengths| columns(emitter, lengths));
+    Sweep { flow, body, stencil, columns }
+}
+
+/// The function that returns the number of sites in a row of flat coordinates.
+fn columns(emitter: &mut Emitter<'_>, lengths: [IndexId; 2]) -> TokenStream {
+    let Emitter { model, names, fields } = emitter;
+    let Names { runtime, scalar, .. } = names;
+    let program = Program::default();
+    let printer = Printer::new(model, names, &program, &Frame::Constants);
+    let [rows, width] = lengths.map(|number| printer.index(fields, number));
+    let body = Body::new(quote!(#runtime::columns(#width, length, || #rows)));
+    let (parameters, body) = (body.argument("parameters"), &body.0);
+    quote! {
+        const FLAT_ROWS: bool = true;
+        #[inline(always)]
+        fn columns<#scalar: #runtime::Real>(#parameters: &Self::Parameters<#scalar>, length: usize) -> ::core::option::Option<usize> {
+            #body
+        }
+    }
 }
 
 impl Sweep {
     /// The flow, as the runtime goes about it.
-    pub(crate) fn flow(&self) -> TokenStream {
+    fn flow(&self) -> TokenStream {
         let layers = if self.lattice() == Lattice::Line { "" } else { "_layers" };
         let method = format_ident!("{}{layers}", self.flow.to_string().to_lowercase());
         quote!(motion.#method::<Self>(duration, time);)
+    }
+
+    /// The flow, or other lines where flat coordinates are no rows of sites.
+    pub(crate) fn flow_or(&self, otherwise: impl FnOnce() -> TokenStream) -> TokenStream {
+        let flow = self.flow();
+        if self.columns.is_none() {
+            return flow;
+        }
+        let otherwise = otherwise();
+        quote!(if motion.layers::<Self>().is_some() { #flow } else { #otherwise })
+    }
+
+    /// What the runtime is told about rows of flat coordinates.
+    pub(super) fn columns(&self) -> Option<&TokenStream> {
+        self.columns.as_ref()
     }
 
     /// What the runtime calls at every site.
@@ -112,12 +148,11 @@ fn boundary_of(direction: &Direction, onward: usize, runtime: &Ident) -> TokenSt
 
 /// What lets the runtime move a lattice a segment at a time: the stencil radii of its flows, and its sites.
 pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStream) {
-    let [all, apply] = match lattice {
-        Lattice::Line => ["sites", "apply"],
-        Lattice::Plane | Lattice::Volume => ["layers", "apply_to_layers"],
-    };
-    let [all, apply] = [all, apply].map(|name| format_ident!("{name}"));
     let Names { runtime, scalar, leaf, .. } = names;
+    let (all, apply) = match lattice {
+        Lattice::Line => (quote!(::core::option::Option::Some(motion.sites())), format_ident!("apply")),
+        Lattice::Plane | Lattice::Volume => (quote!(motion.layers::<Self>()), format_ident!("apply_to_layers")),
+    };
     let radii = quote! {
         const STENCIL_RADII: ::core::option::Option<#runtime::StencilRadii> =
             ::core::option::Option::Some(#runtime::StencilRadii::of::<Self>());
@@ -131,7 +166,7 @@ pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStrea
         fn sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
             motion: &mut Self::Motion<#scalar, #leaf>,
         ) -> ::core::option::Option<#sites> {
-            ::core::option::Option::Some(motion.#all())
+            #all
         }
         #[inline(always)]
         fn apply_to_sites<#scalar: #runtime::Real, #leaf: #runtime::Precision>(

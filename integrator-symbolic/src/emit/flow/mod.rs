@@ -164,7 +164,8 @@ impl Flows {
                 const LAYOUT: &'static [&'static str] = &[#(#words),*];
             )
         });
-        (quote!(#wide #large #radii #layout), sites)
+        let columns = [kick, drift].into_iter().find_map(|flow| flow.sweep.as_ref()?.columns());
+        (quote!(#wide #large #radii #columns #layout), sites)
     }
 
     /// The function that compares the number of bodies that act with the least number whose neighbours are listed.
@@ -354,7 +355,8 @@ impl Flow {
             Some(stencil) => {
                 let sweep = lattice::sweep(emitter, stencil, part);
                 let form = sweep.lattice().into();
-                Self { body: Body::new(sweep.flow()), sweep: Some(sweep), form, ..Self::default() }
+                let body = sweep.flow_or(|| Self::along(emitter, gradient, part, &Frame::Motion).body.0);
+                Self { body: Body::new(body), sweep: Some(sweep), form, ..Self::default() }
             }
             None if gradient.is_empty() => Self::default(),
             None => Self::along(emitter, gradient, part, &Frame::Motion),

@@ -5,7 +5,7 @@ use super::{
     fields::Fields,
     frame::Frame,
 };
-use crate::stencil::Lattice;
+use crate::stencil::{Lattice, Stencil};
 use crate::{
     graph::{
         Element, Part,
@@ -116,6 +116,14 @@ impl Printer<'_> {
                 return quote!(#wrapped as usize);
             }
             _ => {}
+        }
+        if let Frame::Sites(Stencil { flat: Some([rows, width]), .. }) = self.frame {
+            match known {
+                _ if id == *rows => return quote!(window.rows()),
+                _ if id == *width => return quote!(window.length()),
+                Index::Length => return quote!((window.rows() * window.length())),
+                _ => {}
+            }
         }
         if let Index::InPlane(row, site) = known {
             let sites = self.graph.loops.sites_of_row().map(|sites| self.inner_index(fields, sites));

@@ -12,10 +12,7 @@ use crate::model::{
         flatten::nested_loop,
     },
     loops::{fill::indexed_loop, sequence::FEW},
-    values::{
-        range::indexes,
-        value::{Sequence, Value},
-    },
+    values::value::{Sequence, Value},
 };
 use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
@@ -62,7 +59,7 @@ impl Reader<'_> {
         if let Some(loops) = self.gathered(repeat) {
             return loops.iter().try_fold(Value::Unit, |_, own| self.repeat(own));
         }
-        self.items_are_indices = indexes(&repeat.pat, &repeat.body);
+        self.items_are_indices = self.indexes(&repeat.pat, &repeat.body);
         let sequence = self.sequence_of(&repeat.expr, Some(&repeat.pat))?;
         if sequence.literal {
             let sequence = self.with_conditions(sequence);

@@ -12,7 +12,7 @@ use crate::model::{
     code::assigned::Assigned,
     parameters::text::{self, referent},
     values::{
-        range::{indexes, keeps_items},
+        range::keeps_items,
         value::{Item, Opaque, Sequence, Value, View},
     },
 };
@@ -104,7 +104,7 @@ impl Reader<'_> {
             {
                 self.items_are_indices = match call.args.first() {
                     Some(Expr::Closure(closure))
-                        if closure.inputs.first().is_some_and(|item| indexes(item, &closure.body)) =>
+                        if closure.inputs.first().is_some_and(|item| self.indexes(item, &closure.body)) =>
                     {
                         true
                     }

@@ -144,6 +144,15 @@ pub(crate) fn identifiers(text: TokenStream, found: &mut Vec<Ident>) {
     }
 }
 
+/// Text without parentheses around all of it, as those of the value of a variable.
+pub(crate) fn bare(text: TokenStream) -> TokenStream {
+    let mut tokens = text.clone().into_iter();
+    match (tokens.next(), tokens.next()) {
+        (Some(TokenTree::Group(group)), None) if group.delimiter() == Delimiter::Parenthesis => bare(group.stream()),
+        _ => text,
+    }
+}
+
 /// Text that stands for one operand wherever it is put.
 pub(crate) fn operand(text: TokenStream) -> TokenStream {
     let mut tokens = text.clone().into_iter();

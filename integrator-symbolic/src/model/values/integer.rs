@@ -9,7 +9,10 @@ use crate::graph::{
 };
 use crate::model::{
     Reader,
-    parameters::{running_index::running_index, text::place},
+    parameters::{
+        running_index::running_index,
+        text::{bare, place},
+    },
     values::value::{Opaque, Value, View},
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -58,7 +61,7 @@ impl Reader<'_> {
         match value {
             Value::Integer(index) => Some(*index),
             Value::Opaque(Opaque { text, loops }) => {
-                let parameter = self.parameter(place(text.clone()), "integer", *loops);
+                let parameter = self.parameter(bare(place(text.clone())), "integer", *loops);
                 Some(self.graph.loops.intern(Index::Parameter(parameter)))
             }
             _ => None,

@@ -4,19 +4,37 @@
 use crate::graph::index::{Index, IndexId, IntegerType, LoopSet};
 use crate::model::{
     Reader,
+    expressions::call::is_index,
     values::{
         integer::Own,
         value::{Opaque, Sequence, Value},
     },
 };
+use crate::syntax::Input;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote};
 use syn::{
     Expr, ExprIndex, ExprLit, ExprMethodCall, ExprRange, Lit, Pat, RangeLimits,
-    visit::{Visit, visit_expr_index},
+    visit::{Visit, visit_expr_index, visit_expr_method_call},
 };
 
 impl Reader<'_> {
+    /// Whether a body reads lists by the name of a pattern, or by what is added to it: then its type is `usize`.
+    pub(crate) fn indexes(&self, pattern: &Pat, body: &impl ToTokens) -> bool {
+        let name = match pattern {
+            Pat::Ident(name) if name.subpat.is_none() => &name.ident,
+            Pat::Reference(inner) => return self.indexes(&inner.pat, body),
+            Pat::Paren(inner) => return self.indexes(&inner.pat, body),
+            _ => return false,
+        };
+        let mut search = Search { name: name.to_string(), found: false, input: self.input };
+        match syn::parse2::<Expr>(body.to_token_stream()) {
+            Ok(body) => search.visit_expr(&body),
+            Err(_) => return false,
+        }
+        search.found
+    }
+
     /// The integers of a range; `is_indexed` where they are known to be indices, whose type is `usize`.
     pub(crate) fn range(&mut self, range: &ExprRange, is_indexed: bool) -> Option<Sequence> {
         let (Some(start), Some(end)) = (&range.start, &range.end) else {
@@ -157,34 +175,19 @@ fn suffix(bound: &Expr) -> Option<IntegerType> {
     }
 }
 
-/// Whether a body reads lists by the name of a pattern, or by what is added to it: then its type is `usize`.
-pub(crate) fn indexes(pattern: &Pat, body: &impl ToTokens) -> bool {
-    let name = match pattern {
-        Pat::Ident(name) if name.subpat.is_none() => &name.ident,
-        Pat::Reference(inner) => return indexes(&inner.pat, body),
-        Pat::Paren(inner) => return indexes(&inner.pat, body),
-        _ => return false,
-    };
-    let mut search = Search { name: name.to_string(), found: false };
-    match syn::parse2::<Expr>(body.to_token_stream()) {
-        Ok(body) => search.visit_expr(&body),
-        Err(_) => return false,
-    }
-    search.found
-}
-
 /// Whether an adaptor hands on the items of a range as they are.
 pub(crate) fn keeps_items(call: &ExprMethodCall) -> bool {
     const KEEPS: [&str; 8] = ["by_ref", "cloned", "copied", "filter", "into_iter", "rev", "skip", "step_by"];
     KEEPS.iter().any(|name| call.method == name) || call.method == "take"
 }
 
-struct Search {
+struct Search<'i> {
     name: String,
     found: bool,
+    input: &'i Input,
 }
 
-impl Search {
+impl Search<'_> {
     /// Whether an index is made of the name by arithmetic alone.
     fn is_made_of_it(&self, index: &Expr) -> bool {
         match index {
@@ -196,7 +199,14 @@ impl Search {
     }
 }
 
-impl Visit<'_> for Search {
+impl Visit<'_> for Search<'_> {
+    /// The arguments of a method that computes an index are `usize`.
+    fn visit_expr_method_call(&mut self, call: &ExprMethodCall) {
+        let is_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
+        let helper = self.input.function(&call.method.to_string()).filter(|_| is_self);
+        self.found |= helper.is_some_and(is_index) && call.args.iter().any(|argument| self.is_made_of_it(argument));
+        visit_expr_method_call(self, call);
+    }
     fn visit_expr_index(&mut self, index: &ExprIndex) {
         self.found |= self.is_made_of_it(&index.index);
         visit_expr_index(self, index);

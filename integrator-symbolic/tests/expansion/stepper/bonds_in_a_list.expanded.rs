@@ -12,7 +12,7 @@ const _: () = {
         prepared_3: runtime::SharedTable<usize>,
         prepared_4: runtime::SharedTable<usize>,
         prepared_5: usize,
-        prepared_6: runtime::SharedTable<usize>,
+        held: runtime::SharedTable<usize>,
         /// `stiffness[k] / 2`
         prepared_7: runtime::SharedTable<Scalar>,
     }
@@ -38,7 +38,7 @@ const _: () = {
                 prepared_3: ::core::clone::Clone::clone(&members[0].prepared_3),
                 prepared_4: ::core::clone::Clone::clone(&members[0].prepared_4),
                 prepared_5: ::core::clone::Clone::clone(&members[0].prepared_5),
-                prepared_6: ::core::clone::Clone::clone(&members[0].prepared_6),
+                held: ::core::clone::Clone::clone(&members[0].held),
                 prepared_7: runtime::in_lanes(members, Parameters::prepared_7),
             }
         }
@@ -46,7 +46,7 @@ const _: () = {
         fn alike(a: &Self::Single, b: &Self::Single) -> bool {
             a.prepared_0 == b.prepared_0 && a.prepared_1.len() == b.prepared_1.len()
                 && a.prepared_3 == b.prepared_3 && a.prepared_4 == b.prepared_4
-                && a.prepared_5 == b.prepared_5 && a.prepared_6 == b.prepared_6
+                && a.prepared_5 == b.prepared_5 && a.held == b.held
                 && a.prepared_7.len() == b.prepared_7.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
@@ -65,7 +65,7 @@ const _: () = {
             digest.add(&single.prepared_3);
             digest.add(&single.prepared_4);
             digest.add(&single.prepared_5);
-            digest.add(&single.prepared_6);
+            digest.add(&single.held);
             digest.add(&single.prepared_7);
         }
     }
@@ -74,14 +74,14 @@ const _: () = {
     /// ```text
     /// dq[k][0]/dt = p[k][0]   for k in 0..n
     /// dq[k][1]/dt = p[k][1]   for k in 0..n
-    /// dp[(bonds[k].0)][0]/dt += {-u2_k if u1_k < reach, else 0}   for k in 0..bonds.len()
-    /// dp[(bonds[k].1)][0]/dt += {u2_k if u1_k < reach, else 0}   for k in 0..bonds.len()
-    /// dp[(bonds[k].0)][1]/dt += {-u3_k if u1_k < reach, else 0}   for k in 0..bonds.len()
-    /// dp[(bonds[k].1)][1]/dt += {u3_k if u1_k < reach, else 0}   for k in 0..bonds.len()
-    /// dp[(held[k])][1]/dt += sin(q[(held[k])][1])   for k in 0..held.len()
-    /// where u1_k = hypot(q[(bonds[k].0)][0] - q[(bonds[k].1)][0], q[(bonds[k].0)][1] - q[(bonds[k].1)][1])
-    /// where u2_k = stiffness[k] (u1_k - 1) (q[(bonds[k].0)][0] - q[(bonds[k].1)][0]) / u1_k
-    /// where u3_k = stiffness[k] (u1_k - 1) (q[(bonds[k].0)][1] - q[(bonds[k].1)][1]) / u1_k
+    /// dp[bonds[k].0][0]/dt += {-u2_k if u1_k < reach, else 0}   for k in 0..bonds.len()
+    /// dp[bonds[k].1][0]/dt += {u2_k if u1_k < reach, else 0}   for k in 0..bonds.len()
+    /// dp[bonds[k].0][1]/dt += {-u3_k if u1_k < reach, else 0}   for k in 0..bonds.len()
+    /// dp[bonds[k].1][1]/dt += {u3_k if u1_k < reach, else 0}   for k in 0..bonds.len()
+    /// dp[held[k]][1]/dt += sin(q[held[k]][1])   for k in 0..held.len()
+    /// where u1_k = hypot(q[bonds[k].0][0] - q[bonds[k].1][0], q[bonds[k].0][1] - q[bonds[k].1][1])
+    /// where u2_k = stiffness[k] (u1_k - 1) (q[bonds[k].0][0] - q[bonds[k].1][0]) / u1_k
+    /// where u3_k = stiffness[k] (u1_k - 1) (q[bonds[k].0][1] - q[bonds[k].1][1]) / u1_k
     /// ```
     ///
     /// `T` is quadratic in the momenta, with a constant mass matrix.
@@ -102,7 +102,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14541274103500244151;
+        const FINGERPRINT: u64 = 334652571030831504;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["plain", "terms"];
@@ -117,17 +117,14 @@ const _: () = {
                 reach: self.reach,
                 prepared_3: runtime::table(
                     (self.bonds.len()),
-                    &|k: usize| (self.bonds[k].0),
+                    &|k: usize| self.bonds[k].0,
                 ),
                 prepared_4: runtime::table(
                     (self.bonds.len()),
-                    &|k: usize| (self.bonds[k].1),
+                    &|k: usize| self.bonds[k].1,
                 ),
                 prepared_5: self.held.len(),
-                prepared_6: runtime::table(
-                    (self.held.len()),
-                    &|k: usize| (self.held[k]),
-                ),
+                held: runtime::table((self.held.len()), &|k: usize| self.held[k]),
                 prepared_7: runtime::table(
                     (self.bonds.len()),
                     &|k: usize| 0.5 * self.stiffness[k],
@@ -277,7 +274,7 @@ const _: () = {
                 }
                 runtime::Terms {
                     range: 0..motion.parameters.prepared_5,
-                    lists: [&motion.parameters.prepared_6[..]],
+                    lists: [&motion.parameters.held[..]],
                     parts: [&motion.q[..]],
                     constants: [],
                     common: [],
@@ -358,7 +355,7 @@ const _: () = {
             }
             let mut sum_0 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_5 {
-                sum_0 += motion.q[motion.parameters.prepared_6[k]][1].value().cos();
+                sum_0 += motion.q[motion.parameters.held[k]][1].value().cos();
             }
             sum_1 + sum_0
         }
@@ -531,7 +528,7 @@ const _: () = {
                 }
                 runtime::Terms {
                     range: 0..motion.parameters.prepared_5,
-                    lists: [&motion.parameters.prepared_6[..]],
+                    lists: [&motion.parameters.held[..]],
                     parts: [&motion.q[..], &motion.p[..]],
                     constants: [],
                     common: [],
@@ -658,9 +655,9 @@ const _: () = {
                 }
                 let mut sum_0 = Scalar::of(0.0);
                 for k in 0..motion.parameters.prepared_5 {
-                    let shared_4 = motion.q[motion.parameters.prepared_6[k]][1].value();
+                    let shared_4 = motion.q[motion.parameters.held[k]][1].value();
                     let (shared_6, shared_5) = shared_4.sin_cos();
-                    gradient[motion.parameters.prepared_6[k]][1] -= shared_6;
+                    gradient[motion.parameters.held[k]][1] -= shared_6;
                     sum_0 += shared_5;
                 }
                 sum_1 + sum_0

@@ -172,7 +172,7 @@ const _: () = {
         ) -> ::core::option::Option<
             runtime::Sites<'_, Scalar, Leaf, Self::Parameters<Scalar>>,
         > {
-            ::core::option::Option::Some(motion.layers())
+            motion.layers::<Self>()
         }
         #[inline(always)]
         fn apply_to_sites<Scalar: runtime::Real, Leaf: runtime::Precision>(
