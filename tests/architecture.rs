@@ -151,8 +151,10 @@ const CHECK: MayKnow = (
 );
 
 /// The folders of `layout`.
-const LAYOUT: MayKnow =
-    ("integrator-core/src/layout", &[("lattice", &[]), ("lists", &[]), ("loops", &[]), ("bodies", &["lattice"])]);
+const LAYOUT: MayKnow = (
+    "integrator-core/src/layout",
+    &[("lists", &[]), ("loops", &[]), ("lattice", &["loops"]), ("bodies", &["lattice"])],
+);
 
 /// The folders of `methods`.
 const METHODS: MayKnow = ("integrator-core/src/methods", &[("implicit", &[]), ("pace", &[]), ("taylor", &[])]);

@@ -217,6 +217,7 @@ pub mod __private {
                 pair_sums::{BodyConstants, ManyBody, Unpacked},
             },
             lattice::{
+                energy::{KineticEnergy, PotentialEnergy},
                 stencil::{Drift, Kick, Stencil},
                 window::Window,
             },

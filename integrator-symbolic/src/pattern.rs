@@ -7,6 +7,7 @@
 
 pub(crate) mod all_pairs;
 pub(crate) mod bodies;
+mod energy;
 mod flat;
 mod ragged;
 pub(crate) mod sites;
@@ -21,6 +22,7 @@ use crate::{
     stencil::Stencil,
 };
 use all_pairs::AllPairs;
+pub(crate) use energy::stencil_of_energy;
 pub(crate) use sites::lowered;
 
 /// The gradient of H by the momenta and by the positions.

@@ -133,6 +133,15 @@ fn assert_near(run: &Phase<Vec<f64>>, expected: &Phase<Vec<f64>>, label: &str) {
     }
 }
 
+/// Compares energies whose terms are summed in lanes with the functions themselves: each addition rounds once.
+fn assert_energies(run: &Run<Vec<f64>>, system: &Torus) {
+    let state = run.state();
+    let near = f64::EPSILON * state.q.len() as f64;
+    for (a, b) in [(run.kinetic(), system.kinetic(&state.p)), (run.potential(), system.potential(&state.q))] {
+        assert!((a - b).abs() <= near * b.max(1.0), "{} x {}: {a} for {b}", system.width, system.height);
+    }
+}
+
 fn slope_on_torus([width, height]: [usize; 2], q: &[f64]) -> Vec<f64> {
     let mut slope = vec![0.0; q.len()];
     for y in 0..height {
@@ -195,6 +204,7 @@ fn a_torus_moves_as_by_hand() -> Result<(), Error> {
             run.advance(STEPS)?;
             assert_near(&run.state(), &expected, &format!("{width} x {height}"));
             ends.push(run.state());
+            assert_energies(&run, &Torus { width, height, coupling: 0.4 });
         }
         assert_eq!(ends[0], ends[1], "{width} x {height}");
     }
@@ -208,6 +218,9 @@ fn a_membrane_moves_as_by_hand() -> Result<(), Error> {
         let weights: Vec<_> = weights.collect();
         let expected = by_hand(start.clone(), STEPS, |q| slope_of_membrane(width, &weights, q));
         let mut run = Membrane { width, weights: weights.clone() }.run(start, STEP)?;
+        let potential = Membrane { width, weights: weights.clone() }.potential(&run.state().q);
+        let near = f64::EPSILON * (width * height) as f64;
+        assert!((run.potential() - potential).abs() <= near * potential.max(1.0), "{width} x {height}");
         run.advance(STEPS)?;
         assert_near(&run.state(), &expected, &format!("{width} x {height}"));
     }
@@ -221,6 +234,7 @@ fn assert_as_rows<const W: usize>(height: usize) -> Result<(), Error> {
     let mut of_rows = Rows::<W> { coupling: 0.4 }.run_with(Yoshida4, Phase::new(rows(&flat.q), rows(&flat.p)), STEP)?;
     run.advance(STEPS)?;
     of_rows.advance(STEPS)?;
+    assert_eq!([run.kinetic(), run.potential()], [of_rows.kinetic(), of_rows.potential()], "{W} x {height}");
     let (end, of_rows) = (run.state(), of_rows.state());
     assert_eq!([rows(&end.q), rows(&end.p)], [of_rows.q, of_rows.p], "{W} x {height}");
     Ok(())
@@ -265,6 +279,7 @@ fn coordinates_after_all_rows_move_freely() -> Result<(), Error> {
         let mut run = Torus { width, height, coupling: 0.4 }.run(start(length), STEP)?;
         run.advance(STEPS)?;
         assert_near(&run.state(), &expected, &format!("{width} x {height} of {length}"));
+        assert_energies(&run, &Torus { width, height, coupling: 0.4 });
     }
     Ok(())
 }

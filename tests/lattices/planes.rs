@@ -1,6 +1,6 @@
 //! Planes of rows, in blocks of neighbouring sites, against plain loops by hand, at every small size.
 
-use integrator_core::{InstructionSet, prelude::*};
+use integrator_core::{Coords, InstructionSet, prelude::*};
 
 /// Rows of sites.
 type Rows<const W: usize> = Vec<[f64; W]>;
@@ -143,6 +143,8 @@ trait ByHand<const W: usize>: Hamiltonian<Coords = Rows<W>> {
         1.0
     }
     fn gradient(&self, q: &[[f64; W]]) -> Rows<W>;
+    /// `T` and `V` by the functions themselves.
+    fn energies(&self, state: &Phase<Rows<W>>) -> [f64; 2];
 }
 
 /// Adds the slope of a bond at its ends.
@@ -152,6 +154,9 @@ fn pull<const W: usize>(gradient: &mut [[f64; W]], from: [usize; 2], to: [usize;
 }
 
 impl<const W: usize> ByHand<W> for Torus<W> {
+    fn energies(&self, state: &Phase<Rows<W>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "torus";
 
     fn example(rows: usize) -> Self {
@@ -174,6 +179,9 @@ impl<const W: usize> ByHand<W> for Torus<W> {
 }
 
 impl<const W: usize> ByHand<W> for Sheet<W> {
+    fn energies(&self, state: &Phase<Rows<W>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "sheet";
 
     fn example(_rows: usize) -> Self {
@@ -206,6 +214,9 @@ impl<const W: usize> ByHand<W> for Sheet<W> {
 }
 
 impl<const W: usize> ByHand<W> for Tube<W> {
+    fn energies(&self, state: &Phase<Rows<W>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "tube";
 
     fn example(_rows: usize) -> Self {
@@ -228,6 +239,9 @@ impl<const W: usize> ByHand<W> for Tube<W> {
 }
 
 impl ByHand<21> for Cross {
+    fn energies(&self, state: &Phase<Rows<21>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "cross";
 
     fn example(_rows: usize) -> Self {
@@ -284,6 +298,13 @@ fn by_hand<const W: usize, H: ByHand<W>>(system: &H, Phase { mut q, mut p }: Pha
     Phase::new(q, p)
 }
 
+/// Compares energies whose terms are summed in lanes with sums in the order of the loops: a few hundred terms of the order ten.
+pub(super) fn hold_energies<C: Coords>(run: &Run<C>, [kinetic, potential]: [f64; 2]) {
+    for (a, b) in [(run.kinetic(), kinetic), (run.potential(), potential)] {
+        assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{a} for {b}");
+    }
+}
+
 fn followed<H: Hamiltonian>(system: &H, start: Phase<H::Coords>) -> Phase<H::Coords> {
     let mut run = system.run_with::<f64, Verlet>(Verlet, start, STEP).expect("a start");
     run.advance(STEPS).expect("finite states");
@@ -295,6 +316,7 @@ fn any_height<const W: usize, H: ByHand<W>>() {
     for rows in [1, 2, 3, 4, 7] {
         let system = H::example(rows);
         let (state, expected) = (followed(&system, start(rows)), by_hand(&system, start(rows)));
+        hold_energies(&system.run(start(rows), STEP).expect("a start"), system.energies(&start(rows)));
         // As in `every_length`: less than 40 · 20 · 20 · e · 1.1e-16 = 5e-12 with the operations of twice the bonds.
         for (i, j) in sites::<W>(rows) {
             for (a, b) in [(state.q[i][j], expected.q[i][j]), (state.p[i][j], expected.p[i][j])] {
@@ -324,6 +346,8 @@ fn planes_have_the_same_bits_in_lanes() {
     together.advance(STEPS).expect("finite states");
     let alone = followed(&Torus::<19>::example(4), start(4));
     assert!((0..9).all(|member| together.state(member) == Some(alone.clone())));
+    let alone = Torus::<19>::example(4).run(alone, STEP).expect("a start").energy();
+    assert!((0..9).all(|member| together.energy(member) == Some(alone)));
 }
 
 /// A closed plane.

@@ -1,5 +1,6 @@
 //! Volumes, planes of rows one behind the other, against plain loops by hand.
 
+use super::planes::hold_energies;
 use integrator_core::{Coords, Error, prelude::*};
 
 /// Planes of rows of sites.
@@ -120,6 +121,8 @@ trait ByHand<const L: usize, const M: usize>: Hamiltonian<Coords = Planes<L, M>>
     const NAME: &'static str;
     fn example() -> Self;
     fn gradient(&self, q: &[[[f64; L]; M]]) -> Planes<L, M>;
+    /// `T` and `V` by the functions themselves.
+    fn energies(&self, state: &Phase<Planes<L, M>>) -> [f64; 2];
 }
 
 /// The indices of a site: plane, row, and place in it.
@@ -136,6 +139,9 @@ fn sites<const L: usize, const M: usize>(planes: usize) -> impl Iterator<Item = 
 }
 
 impl<const L: usize, const M: usize> ByHand<L, M> for Torus<L, M> {
+    fn energies(&self, state: &Phase<Planes<L, M>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "torus";
 
     fn example() -> Self {
@@ -164,6 +170,9 @@ impl<const L: usize, const M: usize> ByHand<L, M> for Torus<L, M> {
 }
 
 impl<const L: usize, const M: usize> ByHand<L, M> for Block<L, M> {
+    fn energies(&self, state: &Phase<Planes<L, M>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "block";
 
     fn example() -> Self {
@@ -193,6 +202,9 @@ impl<const L: usize, const M: usize> ByHand<L, M> for Block<L, M> {
 }
 
 impl ByHand<8, 3> for Stack {
+    fn energies(&self, state: &Phase<Planes<8, 3>>) -> [f64; 2] {
+        [self.kinetic(&state.p), self.potential(&state.q)]
+    }
     const NAME: &'static str = "stack";
 
     fn example() -> Self {
@@ -277,6 +289,9 @@ fn any_depth<const L: usize, const M: usize, H: ByHand<L, M>>() {
     for planes in [1, 2, 3, MOST] {
         let (state, expected) = (followed(&system, start::<L, M>(planes)), by_hand(&system, planes));
         hold(H::NAME, &state, &expected);
+        let start = start::<L, M>(planes);
+        let energies = system.energies(&start);
+        hold_energies(&system.run(start, STEP).expect("a start"), energies);
     }
 }
 

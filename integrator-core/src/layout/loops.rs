@@ -200,6 +200,22 @@ fn write<R: Real, W: Block<R>, const D: usize>(points: [W; D], to: &mut [[R; D]]
     }
 }
 
+/// The sum of `count` numbers, which come in blocks or one by one: number `n` adds to partial sum `n` modulo [`PARTIAL`].
+#[inline(always)]
+pub(super) fn sum<R: Real>(count: usize, block: impl Fn(usize) -> R::Block, number: impl Fn(usize) -> R) -> R {
+    let (mut partial, mut next) = ([R::of(0.0); PARTIAL], 0);
+    while next + <R::Block as Block<R>>::WIDTH <= count {
+        let to = &mut partial[next & (PARTIAL - <R::Block as Block<R>>::WIDTH)..];
+        let sum = <R::Block as Block<R>>::read(to) + block(next);
+        sum.write(to);
+        next += <R::Block as Block<R>>::WIDTH;
+    }
+    for next in next..count {
+        partial[next & (PARTIAL - 1)] += number(next);
+    }
+    total::<R, R::Block>(partial)
+}
+
 /// The sum of partial sums: each of the second half is added to one of the first half, and so on.
 #[inline(always)]
 fn total<R: Real, W: Block<R>>(mut partial: [R; PARTIAL]) -> R {

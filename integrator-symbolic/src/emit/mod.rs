@@ -112,7 +112,7 @@ impl<'i> Stepper<'i> {
         };
         let count = pairs.and_then(|pairs| flow::pairs::count(pairs, &model));
         let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
-        let flows = match emitter.model.split {
+        let mut flows = match emitter.model.split {
             Split::Copies(coupling) => Flows::of_copies(&mut emitter, coupling),
             Split::Whole => Flows::none(),
             _ if emitter.model.is_separable() => Flows::of(&mut emitter, &kinetic, &potential, &pattern),

@@ -33,6 +33,16 @@ pub(super) fn stencils(
     Some([velocity.or_else(|| stencil_of(model, kinetic, Components::Unknown).ok()), Some(force)])
 }
 
+/// The stencil of contributions to flat coordinates on a plane of these numbers of rows and of sites in a row.
+pub(super) fn stencil_on_rows(
+    model: &mut Model,
+    contributions: &[Contribution],
+    [rows, width]: [IndexId; 2],
+) -> Option<Stencil> {
+    let length = *model.lengths.first()?;
+    Plane { rows, width, length }.stencil(model, contributions)
+}
+
 /// A plane whose sites are flat coordinates.
 struct Plane {
     rows: IndexId,
@@ -138,6 +148,9 @@ impl Plane {
 
     /// The site that a flat coordinate is.
     fn element(&self, graph: &mut Graph, element: Element) -> Option<Element> {
+        if element.component.is_some() {
+            return Some(element);
+        }
         if let Index::Running(by) = graph.loops.index(element.index)
             && let Some(both) = self.loops(graph, by)
         {

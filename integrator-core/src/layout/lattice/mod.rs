@@ -1,6 +1,7 @@
-//! Flows of lattices: a site and its neighbours.
+//! Flows and energies of lattices: a site and its neighbours.
 
 pub(crate) mod carried;
+pub(crate) mod energy;
 pub(crate) mod plane;
 mod segment;
 pub(crate) mod sites;

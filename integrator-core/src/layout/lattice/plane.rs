@@ -98,7 +98,7 @@ pub(super) struct AdjacentPlanes<'m, S> {
 impl<S> AdjacentPlanes<'_, S> {
     /// A plane that is no volume's has none.
     #[inline(always)]
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         Self { plane: [0, 1], at_boundary: false, read: [&[]; 2] }
     }
 }
@@ -160,16 +160,27 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
     /// Moves a row, and leaves in `carry` its contributions to the next one.
     #[inline(always)]
     fn pass(&self, row: usize, moved: &mut [S], carry: &mut [R]) {
-        let Some(boundary) = H::ROW_BOUNDARY else { return };
-        let ([above, below], differs) = self.beside(row, boundary);
+        if let Some(pass) = self.along(row, moved, carry) {
+            pass.apply(0..self.columns);
+        }
+    }
+
+    /// The pass along a row.
+    #[inline(always)]
+    pub(super) fn along<'p>(
+        &'p self,
+        row: usize,
+        moved: &'p mut [S],
+        carry: &'p mut [R],
+    ) -> Option<StencilPass<'p, H, F, R, S>> {
+        let ([above, below], differs) = self.beside(row, H::ROW_BOUNDARY?);
         let AdjacentPlanes { plane, at_boundary, read: [before, behind] } = self.around;
         let at_boundary = at_boundary || differs;
         let read = [self.at(above), self.at(below), self.row_of(before, row), self.row_of(behind, row)];
         let adjacent = AdjacentRows { row, rows: self.rows, plane, at_boundary, read, carry };
         let (read, first, length, flow) = (self.at(Some(row)), 0, self.columns, PhantomData::<F>);
         let Self { parameters, step, time, .. } = *self;
-        StencilPass::<H, F, R, S> { read, moved, first, length, adjacent, parameters, step, time, flow }
-            .apply(0..self.columns);
+        Some(StencilPass { read, moved, first, length, adjacent, parameters, step, time, flow })
     }
 
     /// The row whose contributions arrive at the first one that is moved, where it is not moved itself: the one before, or the

@@ -345,14 +345,28 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> StencilPass<'_, H, F, R, S> {
         [H::Contributions::<W>::filled(W::of(0.0)); MAX_RADIUS]
     }
 
+    /// The contributions of a block, at the boundary or not.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn contributions<W: Block<R>>(&self, site: usize) -> H::Contributions<W> {
+        let boundary = H::BOUNDARY;
+        let is_inside = site >= boundary.first.max(boundary.behind)
+            && site + W::WIDTH + boundary.last.max(boundary.ahead) <= self.length;
+        self.contributions_at(site, self.adjacent.at_boundary || !is_inside)
+    }
+
     /// The contributions of a block that may have sites of the boundary.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn boundary_contributions<W: Block<R>>(&self, site: usize) -> H::Contributions<W> {
+        self.contributions_at(site, true)
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn contributions_at<W: Block<R>>(&self, site: usize, at_boundary: bool) -> H::Contributions<W> {
         let blocks = self.blocks_around(self.read, site as isize);
         let is_plane = const { H::ROW_BOUNDARY.is_some() };
         let adjacent = if is_plane { self.adjacent_blocks(blocks, site as isize) } else { [blocks; ADJACENT] };
         let row = self.row();
-        let window = Window { blocks, adjacent, site, row, at_boundary: true, scalar: PhantomData };
+        let window = Window { blocks, adjacent, site, row, at_boundary, scalar: PhantomData };
         H::contributions::<R, W>(&window, self.parameters, self.time)
     }
 

@@ -10,6 +10,7 @@ use crate::{
     },
     scalar::real::{Kernel, Real},
     state::{coords::Coords, precision::Slot},
+    system::sites::RowCarries,
 };
 
 /// A flow of some planes of a volume, which are the rows here.
@@ -21,28 +22,45 @@ impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Kernel for Volume<'_, H, F, R, S> {
     #[inline(always)]
     fn call(self) {
         let Self(mut planes) = self;
-        let (Some(rows), Some(boundary)) = (H::Coords::ROWS, H::PLANE_BOUNDARY) else { return };
-        let (sites, columns) = (planes.columns, planes.columns.checked_div(rows).unwrap_or(0));
+        let sites = planes.columns;
         let (moved, mut carries) = (core::mem::take(&mut planes.moved), core::mem::take(planes.carries));
         for (number, moved) in planes.range.clone().zip(moved.chunks_exact_mut(sites.max(1))) {
-            let ([before, behind], at_boundary) = planes.beside(number, boundary);
-            let read = [planes.at(before), planes.at(behind)];
-            Plane {
-                columns,
-                rows,
-                first: 0,
-                range: 0..rows,
-                around: AdjacentPlanes { plane: [number, planes.rows], at_boundary, read },
-                read: planes.at(Some(number)),
-                moved,
-                carries: &mut carries,
-                parameters: planes.parameters,
-                step: planes.step,
-                time: planes.time,
-                flow: planes.flow,
+            if let Some(plane) = planes.plane(number, moved, &mut carries) {
+                plane.call();
             }
-            .call();
         }
         *planes.carries = carries;
+    }
+}
+
+impl<H: Stencil<F>, F, R: Real, S: Slot<R>> Plane<'_, H, F, R, S> {
+    /// A plane of a volume, whose planes are the rows here.
+    #[inline(always)]
+    pub(super) fn plane<'p>(
+        &'p self,
+        number: usize,
+        moved: &'p mut [S],
+        carries: &'p mut RowCarries<R>,
+    ) -> Option<Plane<'p, H, F, R, S>> {
+        let (rows, boundary) = (H::Coords::ROWS?, H::PLANE_BOUNDARY?);
+        let ([before, behind], at_boundary) = self.beside(number, boundary);
+        Some(Plane {
+            columns: self.columns.checked_div(rows).unwrap_or(0),
+            rows,
+            first: 0,
+            range: 0..rows,
+            around: AdjacentPlanes {
+                plane: [number, self.rows],
+                at_boundary,
+                read: [self.at(before), self.at(behind)],
+            },
+            read: self.at(Some(number)),
+            moved,
+            carries,
+            parameters: self.parameters,
+            step: self.step,
+            time: self.time,
+            flow: self.flow,
+        })
     }
 }

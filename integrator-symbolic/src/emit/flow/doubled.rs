@@ -21,6 +21,14 @@ impl Flows {
         let coupling = emitter.value(&Frame::Motion, coupling).tokens;
         let kick = Body::new(quote!(let coupling = #coupling; motion.rotate(coupling, duration);));
         let kick = Flow { body: kick, ..Flow::default() };
-        Self { drift, middle: vec![middle], kick, many_body: None, in_jacobi: false, copies: true }
+        Self {
+            drift,
+            middle: vec![middle],
+            kick,
+            many_body: None,
+            in_jacobi: false,
+            copies: true,
+            energies: Vec::new(),
+        }
     }
 }

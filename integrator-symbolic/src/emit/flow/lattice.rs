@@ -11,7 +11,7 @@ use crate::{
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// A flow that all sites take part in alike.
+/// A flow or an energy that all sites take part in alike.
 pub(crate) struct Sweep {
     /// Its type in the runtime.
     flow: Ident,
@@ -23,16 +23,27 @@ pub(crate) struct Sweep {
 
 /// The flow along a gradient with this stencil.
 pub(crate) fn sweep(emitter: &mut Emitter<'_>, stencil: &Stencil, part: Part) -> Sweep {
+    let flow = match part {
+        Part::Momentum => format_ident!("Drift"),
+        Part::Position => format_ident!("Kick"),
+    };
+    of_sites(emitter, stencil, flow)
+}
+
+/// An energy, `kinetic` or `potential`, whose terms have this stencil.
+pub(crate) fn energy(emitter: &mut Emitter<'_>, stencil: &Stencil, name: &str) -> Sweep {
+    let energy = if name == "kinetic" { "KineticEnergy" } else { "PotentialEnergy" };
+    of_sites(emitter, stencil, format_ident!("{energy}"))
+}
+
+/// What sites compute from their neighbourhoods.
+fn of_sites(emitter: &mut Emitter<'_>, stencil: &Stencil, flow: Ident) -> Sweep {
     let stencil = lowered(emitter.model, stencil);
     // The runtime goes from site to site.
     let sites: Vec<_> = stencil.directions.iter().map(|along| along.place).collect();
     let lines = emitter.evaluate(&Frame::Sites(&stencil), &sites, &stores(&stencil));
     let contributions = contributions(&stencil, emitter.names);
     let body = lines.map(|lines| quote!(#lines [#(#contributions),*])).body(&emitter.names.wide);
-    let flow = match part {
-        Part::Momentum => format_ident!("Drift"),
-        Part::Position => format_ident!("Kick"),
-    };
     let columns = stencil.flat.map(|lengths| columns(emitter, lengths));
     Sweep { flow, body, stencil, columns }
 }
@@ -71,6 +82,24 @@ impl Sweep {
         }
         let otherwise = otherwise();
         quote!(if motion.layers::<Self>().is_some() { #flow } else { #otherwise })
+    }
+
+    /// The lines that return an energy; other lines where flat coordinates are no rows of sites.
+    pub(crate) fn energy_or(&self, name: &str, otherwise: impl FnOnce() -> TokenStream, names: &Names) -> TokenStream {
+        let (method, scalar) = (format_ident!("{name}_of_layers"), &names.scalar);
+        let energy = quote!(motion.#method::<Self>(time));
+        if self.columns.is_none() {
+            return energy;
+        }
+        let otherwise = otherwise();
+        quote! {
+            if Self::columns::<#scalar>(&motion.parameters, motion.q.len()).is_some() { #energy } else { #otherwise }
+        }
+    }
+
+    /// The stencil of the sites.
+    pub(crate) fn stencil(&self) -> &Stencil {
+        &self.stencil
     }
 
     /// What the runtime is told about rows of flat coordinates.

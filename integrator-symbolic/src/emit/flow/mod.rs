@@ -31,6 +31,7 @@ use crate::{
     pattern::{
         Pattern,
         all_pairs::LISTED_FROM,
+        stencil_of_energy,
         stores::{Pass, lower_roots, passes},
     },
     program::Store,
@@ -57,6 +58,8 @@ pub(crate) struct Flows {
     in_jacobi: bool,
     /// Whether they move two copies of the state.
     copies: bool,
+    /// The energies that the sites of a lattice compute.
+    energies: Vec<Sweep>,
 }
 
 impl Flows {
@@ -83,13 +86,21 @@ impl Flows {
         if in_jacobi {
             (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
         }
-        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi, copies: false }
+        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi, copies: false, energies: Vec::new() }
     }
 
     /// None, where H stays in one piece.
     pub(crate) fn none() -> Self {
         let none = Flow::default;
-        Self { drift: none(), middle: Vec::new(), kick: none(), many_body: None, in_jacobi: false, copies: false }
+        Self {
+            drift: none(),
+            middle: Vec::new(),
+            kick: none(),
+            many_body: None,
+            in_jacobi: false,
+            copies: false,
+            energies: Vec::new(),
+        }
     }
 
     /// Those of the parts that are named, in their order.
@@ -105,7 +116,15 @@ impl Flows {
         }
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
-        Self { drift: flows.pop().unwrap_or_default(), middle, kick, many_body: None, in_jacobi: false, copies: false }
+        Self {
+            drift: flows.pop().unwrap_or_default(),
+            middle,
+            kick,
+            many_body: None,
+            in_jacobi: false,
+            copies: false,
+            energies: Vec::new(),
+        }
     }
 
     /// Whether bodies act on each other in pairs.
@@ -216,11 +235,19 @@ impl Flows {
     }
 
     /// The function that returns an energy; `true` if terms are in lanes.
-    pub(crate) fn energy(&self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> (TokenStream, bool) {
+    pub(crate) fn energy(&mut self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> (TokenStream, bool) {
         if let Some((true, beside)) = self.many_body.as_ref().map(|bodies| bodies.energy(name)) {
             return (Self::energy_of_bodies(emitter, name, beside), true);
         }
+        let of_flow = self.kick.sweep.as_ref().map(Sweep::stencil);
+        let sites = of_flow.and_then(|of_flow| stencil_of_energy(emitter.model, energy, of_flow));
         let energy = lower_roots(emitter.model, &[energy])[0];
+        if let Some(sites) = sites {
+            let (sweep, names) = (lattice::energy(emitter, &sites, name), emitter.names);
+            let lines = sweep.energy_or(name, || emitter.value_in_lanes(energy).0.tokens, names);
+            self.energies.push(sweep);
+            return (Body::new(lines).energy(name, names), true);
+        }
         let ((lines, has_lanes), names) = (emitter.value_in_lanes(energy), emitter.names);
         let around = |energy| match self.in_jacobi {
             true => jacobi::energy(name, &energy),
@@ -284,7 +311,7 @@ impl Flows {
         implementation: impl Fn(TokenStream, &TokenStream) -> TokenStream,
         names: &Names,
     ) -> TokenStream {
-        let sweeps = [&self.drift, &self.kick].into_iter().filter_map(|flow| flow.sweep.as_ref());
+        let sweeps = [&self.drift, &self.kick].into_iter().filter_map(|flow| flow.sweep.as_ref()).chain(&self.energies);
         sweeps.map(|sweep| sweep.implementation(&implementation, names)).collect()
     }
 }

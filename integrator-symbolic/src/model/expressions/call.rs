@@ -2,7 +2,7 @@
 
 use crate::model::{
     Reader,
-    code::{assigned::simple_name, shape::typed_arguments},
+    code::{assigned::simple_name, index_method::is_index, shape::typed_arguments},
     control::early_return::where_there,
     expressions::{
         cure::{in_rust, is_elsewhere, no_function},
@@ -23,10 +23,7 @@ use crate::{
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::{collections::HashMap, rc::Rc};
-use syn::{
-    BinOp, Expr, ExprCall, ExprLet, ExprMethodCall, ImplItemFn, Pat, ReturnType, Stmt, Type, parse_quote,
-    parse_quote_spanned,
-};
+use syn::{Expr, ExprCall, ExprLet, ExprMethodCall, ImplItemFn, Pat, parse_quote, parse_quote_spanned};
 
 impl Reader<'_> {
     /// `receiver.name(arguments)`
@@ -389,28 +386,6 @@ impl Reader<'_> {
 /// Whether a method has parameters of its own, which mean nothing outside of it.
 fn is_generic(helper: &ImplItemFn) -> bool {
     !helper.sig.generics.params.is_empty()
-}
-
-/// Whether a method computes an index in one expression of arithmetic.
-pub(crate) fn is_index(helper: &ImplItemFn) -> bool {
-    fn is_arithmetic(expression: &Expr) -> bool {
-        match expression {
-            Expr::Binary(binary) => {
-                let is_operation =
-                    matches!(binary.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_));
-                is_operation && is_arithmetic(&binary.left) && is_arithmetic(&binary.right)
-            }
-            Expr::Paren(inner) => is_arithmetic(&inner.expr),
-            Expr::Group(inner) => is_arithmetic(&inner.expr),
-            Expr::Field(field) => matches!(&*field.base, Expr::Path(_)),
-            Expr::Path(_) | Expr::Lit(_) => true,
-            _ => false,
-        }
-    }
-    let is_usize = |ty: &Type| matches!(ty, Type::Path(path) if path.path.is_ident("usize"));
-    let are_all = typed_arguments(helper).all(|argument| is_usize(&argument.ty))
-        && matches!(&helper.sig.output, ReturnType::Type(_, ty) if is_usize(ty));
-    are_all && matches!(&helper.block.stmts[..], [Stmt::Expr(expression, None)] if is_arithmetic(expression))
 }
 
 /// Whether a call is `array.map(...)`, an array, and not `array.iter().map(...)`, a sequence.

@@ -4,7 +4,7 @@
 use crate::graph::index::{Index, IndexId, IntegerType, LoopSet};
 use crate::model::{
     Reader,
-    expressions::call::is_index,
+    code::index_method::is_index,
     values::{
         integer::Own,
         value::{Opaque, Sequence, Value},

@@ -67,12 +67,13 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 9174092298400689459;
+        const FINGERPRINT: u64 = 10406371251343990419;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
         );
         const LAYOUT: &'static [&'static str] = &["volume", "volume"];
+        const ENERGIES_IN_LANES: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 field: runtime::table(
@@ -102,58 +103,16 @@ const _: () = {
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let mut sum_2 = Scalar::of(0.0);
-            for k in 0..motion.q.len() {
-                let mut sum_1 = Scalar::of(0.0);
-                for k_2 in 0..16 {
-                    let mut sum_0 = Scalar::of(0.0);
-                    for k_3 in 0..32 {
-                        let p_k_k_2_k_3 = motion.p[k][k_2][k_3].value();
-                        sum_0 = Scalar::of(0.5).scale_add(p_k_k_2_k_3.square(), sum_0);
-                    }
-                    sum_1 += sum_0;
-                }
-                sum_2 += sum_1;
-            }
-            sum_2
+            motion.kinetic_of_layers::<Self>(time)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let mut sum_3 = Scalar::of(0.0);
-            for k in 0..motion.q.len() {
-                let mut sum_2 = Scalar::of(0.0);
-                for k_2 in 0..16 {
-                    let mut sum_1 = Scalar::of(0.0);
-                    for i in 1..32 {
-                        let shared_1 = motion.q[k][k_2][i].value()
-                            - motion.q[k][k_2][i - 1].value();
-                        sum_1 = Scalar::of(0.5).scale_add(shared_1.square(), sum_1);
-                    }
-                    let mut sum_0 = Scalar::of(0.0);
-                    for k_3 in 0..32 {
-                        let q_k_k_2_k_3 = motion.q[k][k_2][k_3].value();
-                        let shared_0 = motion
-                            .q[(k + 1) % motion.q.len()][k_2][k_3]
-                            .value() - q_k_k_2_k_3;
-                        sum_0
-                            += motion
-                                .parameters
-                                .field[k][k_2][k_3]
-                                .scale_add(
-                                    q_k_k_2_k_3,
-                                    Scalar::of(0.5).scale(shared_0.square()),
-                                );
-                    }
-                    sum_2 += sum_0 + sum_1;
-                }
-                sum_3 += sum_2;
-            }
-            sum_3
+            motion.potential_of_layers::<Self>(time)
         }
         fn stated(
             &self,
@@ -428,6 +387,90 @@ const _: () = {
                 + window.masked(0..31, -shared_0);
             let contribution_0_0_1 = window.masked(0..31, shared_0);
             [contribution_0_0_0, contribution_0_0_1]
+        }
+    }
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
+    #[automatically_derived]
+    impl runtime::Stencil<runtime::KineticEnergy> for Field {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        };
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        });
+        const PLANE_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        });
+        #[inline(always)]
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
+            _parameters: &Self::Parameters<Scalar>,
+            _time: f64,
+        ) -> [Wide; 1] {
+            let p_k_k_2_k_3 = window.at(0);
+            let contribution_0_0_0 = Wide::of(0.5).scale(p_k_k_2_k_3.square());
+            [contribution_0_0_0]
+        }
+    }
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
+    #[automatically_derived]
+    impl runtime::Stencil<runtime::PotentialEnergy> for Field {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
+            first: 1,
+            last: 0,
+            forward: 0,
+            behind: 1,
+            ahead: 0,
+            periodic: false,
+        };
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        });
+        const PLANE_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 1,
+            periodic: true,
+        });
+        #[inline(always)]
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
+            parameters: &Self::Parameters<Scalar>,
+            _time: f64,
+        ) -> [Wide; 1] {
+            let q_k_k_2_k_3 = window.at(0);
+            let shared_0 = window.next_plane(0) - q_k_k_2_k_3;
+            let shared_1 = q_k_k_2_k_3 - window.at(-1);
+            let contribution_0_0_0 = window
+                .table_of_planes(&parameters.field, [0, 0], 0)
+                .scale_add(q_k_k_2_k_3, Wide::of(0.5).scale(shared_0.square()));
+            let contribution_0_0_0 = contribution_0_0_0
+                + window.masked(1..32, Wide::of(0.5).scale(shared_1.square()));
+            [contribution_0_0_0]
         }
     }
 };

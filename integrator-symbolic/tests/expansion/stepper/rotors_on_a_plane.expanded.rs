@@ -83,12 +83,13 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4389937044021781657;
+        const FINGERPRINT: u64 = 16051510220927354858;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
         );
         const LAYOUT: &'static [&'static str] = &["plane", "plane"];
+        const ENERGIES_IN_LANES: bool = true;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: runtime::table(
@@ -123,54 +124,16 @@ const _: () = {
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let mut sum_1 = Scalar::of(0.0);
-            for i in 0..motion.q.len() {
-                let mut sum_0 = Scalar::of(0.0);
-                for j in 0..64 {
-                    let p_i_j = motion.p[i][j].value();
-                    sum_0 += p_i_j.square() / motion.parameters.prepared_0[i][j];
-                }
-                sum_1 += sum_0;
-            }
-            sum_1
+            motion.kinetic_of_layers::<Self>(time)
         }
         #[inline(always)]
         fn potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
-            _time: f64,
+            time: f64,
         ) -> Scalar {
-            let mut sum_3 = Scalar::of(0.0);
-            for i in 0..motion.q.len().saturating_sub(1) {
-                let mut sum_2 = Scalar::of(0.0);
-                for j in 0..64 {
-                    sum_2 = motion
-                        .parameters
-                        .across[i]
-                        .scale_add(
-                            (motion.q[i + 1][j].value() - motion.q[i][j].value()).cos(),
-                            sum_2,
-                        );
-                }
-                sum_3 += sum_2;
-            }
-            let mut sum_1 = Scalar::of(0.0);
-            for i in 0..motion.q.len() {
-                let mut sum_0 = Scalar::of(0.0);
-                for j in 0..64 {
-                    sum_0 = motion
-                        .parameters
-                        .along[j]
-                        .scale_add(
-                            (motion.q[i][(j + 1) % 64].value() - motion.q[i][j].value())
-                                .cos(),
-                            sum_0,
-                        );
-                }
-                sum_1 += sum_0;
-            }
-            -(sum_1 + sum_3)
+            motion.potential_of_layers::<Self>(time)
         }
         fn stated(
             &self,
@@ -428,6 +391,79 @@ const _: () = {
             let contribution_1_0 = window
                 .row_masked(0..window.rows().saturating_sub(1), shared_1);
             [contribution_0_0, contribution_0_1, contribution_1_0]
+        }
+    }
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
+    #[automatically_derived]
+    impl runtime::Stencil<runtime::KineticEnergy> for Rotors {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        };
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 0,
+            periodic: false,
+        });
+        #[inline(always)]
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
+            parameters: &Self::Parameters<Scalar>,
+            _time: f64,
+        ) -> [Wide; 1] {
+            let p_i_j = window.at(0);
+            let contribution_0_0 = p_i_j.square()
+                / window.table_of_rows(&parameters.prepared_0, 0, 0);
+            [contribution_0_0]
+        }
+    }
+    /// What every site computes from its neighbourhood, for itself and for the sites ahead.
+    #[automatically_derived]
+    impl runtime::Stencil<runtime::PotentialEnergy> for Rotors {
+        type Contributions<Wide: ::core::marker::Copy> = [Wide; 1];
+        const BOUNDARY: runtime::Boundary = runtime::Boundary {
+            first: 0,
+            last: 0,
+            forward: 0,
+            behind: 0,
+            ahead: 1,
+            periodic: true,
+        };
+        const ROW_BOUNDARY: ::core::option::Option<runtime::Boundary> = ::core::option::Option::Some(runtime::Boundary {
+            first: 0,
+            last: 1,
+            forward: 0,
+            behind: 0,
+            ahead: 1,
+            periodic: false,
+        });
+        #[inline(always)]
+        fn contributions<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+            window: &runtime::Window<Scalar, Wide>,
+            parameters: &Self::Parameters<Scalar>,
+            _time: f64,
+        ) -> [Wide; 1] {
+            let q_i_j = window.at(0);
+            let contribution_0_0 = -window
+                .table(&parameters.along, 0)
+                .scale((window.at(1) - q_i_j).cos());
+            let contribution_0_0 = contribution_0_0
+                + window
+                    .row_masked(
+                        0..window.rows().saturating_sub(1),
+                        -window
+                            .table_over_rows(&parameters.across, 0)
+                            .scale((window.below(0) - q_i_j).cos()),
+                    );
+            [contribution_0_0]
         }
     }
 };
