@@ -159,7 +159,8 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
         errors
             .at(&input.item.self_ty, "the macro failed on this impl without a reason\nhelp: please report it as a bug");
     }
-    let model = judge::judged(input, model?, errors);
+    let mut model = judge::judged(input, model?, errors);
+    model.replace_series_by_loops();
     Some(model).filter(|_| errors.is_empty())
 }
 

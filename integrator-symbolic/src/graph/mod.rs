@@ -35,6 +35,7 @@ pub(crate) mod rename;
 mod root_factors;
 pub(crate) mod same_product;
 mod separate;
+pub(crate) mod series;
 pub(crate) mod unroll;
 
 pub(crate) use access::Access;

@@ -195,7 +195,7 @@ impl Graph {
     }
 
     /// A product as a number times the rest; `1` and the node itself where there is no number.
-    fn strip(&mut self, id: NodeId) -> (f64, Option<NodeId>) {
+    pub(super) fn strip(&mut self, id: NodeId) -> (f64, Option<NodeId>) {
         match self.node(id) {
             Node::Constant(bits) => (f64::from_bits(bits), None),
             Node::Mul(a, b) => match self.strip(a) {

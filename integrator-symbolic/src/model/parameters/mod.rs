@@ -6,6 +6,7 @@ mod extremes;
 pub(crate) mod factors;
 mod flags;
 mod membership;
+pub(crate) mod numbers;
 pub(crate) mod parameter_text;
 pub(crate) mod prepared;
 pub(crate) mod presence;

@@ -325,14 +325,24 @@ impl<'m> Texts<'m> {
         self.running.insert(by, name);
     }
 
+    /// Names the index of a new loop as no text and no other index is called.
+    pub(super) fn name_apart(&mut self, by: LoopId) {
+        if !self.running.contains_key(&by) {
+            let base = format_ident!("k");
+            let name = if self.is_taken(&base) { self.free(&base) } else { base };
+            self.running.insert(by, name);
+        }
+    }
+
     /// A name like another one that no index of a loop has and no text mentions.
     fn free(&self, base: &Ident) -> Ident {
-        let is_taken = |name: &Ident| {
-            let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
-            self.running.values().any(|known| known == name) || texts.any(|text| mentions_name(text, name))
-        };
-        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !is_taken(name));
+        let free = (2_u32..).map(|count| format_ident!("{base}_{count}")).find(|name| !self.is_taken(name));
         free.unwrap_or_else(|| base.clone())
+    }
+
+    fn is_taken(&self, name: &Ident) -> bool {
+        let mut texts = self.parameters.iter().map(|parameter| &parameter.text);
+        self.running.values().any(|known| known == name) || texts.any(|text| mentions_name(text, name))
     }
 
     /// Whether a number is an expression of each body, without closures and blocks.
@@ -402,6 +412,13 @@ impl<'m> Texts<'m> {
     /// Shows a parameter of the macro's own to people as this text of the user.
     pub(super) fn show(&mut self, id: ParameterId, text: &TokenStream) {
         self.parameters[id.0 as usize].own = text.clone();
+    }
+
+    /// Whether another parameter is shown to people as this text.
+    pub(super) fn is_shown(&self, text: &TokenStream, id: ParameterId) -> bool {
+        let text = text.to_string();
+        let mut others = (0..).map(ParameterId).zip(self.parameters.iter());
+        others.any(|(other, parameter)| other != id && parameter.own.to_string() == text)
     }
 
     /// Shows a parameter of the macro's own to people as if the system had a field of this name.

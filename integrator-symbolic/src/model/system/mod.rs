@@ -9,5 +9,6 @@ pub(crate) mod own_flow;
 pub(crate) mod parts;
 pub(crate) mod passed_over;
 pub(crate) mod sensitive;
+pub(crate) mod series;
 pub(crate) mod sorted_parts;
 pub(crate) mod unsplit;

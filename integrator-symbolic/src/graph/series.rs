@@ -1,0 +1,288 @@
+//! Series that are written out, as loops over tables of numbers.
+//!
+//! In: energies. Out: the same energies, in which terms that differ in their numbers alone are one loop, as if the user had
+//! written it over tables. So generated code does not grow with the number of terms.
+//!
+//! - A sum first adds its other terms, then the loops in the order of their first terms. A loop adds its terms in the order
+//!   in which they are first written.
+//! - A series has at least [`FEWEST`] terms. All other sums remain as they are, with the same rounding.
+//! - Terms that differ in a factor alone are left to the collection of like terms.
+//! - Values that conditions compare do not change.
+
+use super::{
+    Graph, Node, NodeId, ParameterId,
+    index::{Index, Loop, LoopId, LoopSet},
+};
+use std::collections::{HashMap, HashSet};
+
+/// The fewest terms of a series. Straight-line code of fewer compiles as fast as a loop.
+pub(crate) const FEWEST: usize = 32;
+
+/// The most nodes of a term, counted as often as they occur, and the most tables of a loop.
+const LARGEST: usize = 200;
+const MOST_TABLES: usize = 16;
+
+/// Makes the parameter whose values in the iterations of a loop are these numbers.
+pub(crate) type MakeTable<'t> = &'t mut dyn FnMut(&mut Graph, LoopId, &[f64]) -> ParameterId;
+
+/// A term without its sign and its number, which are `factor`.
+struct Term {
+    factor: f64,
+    rest: NodeId,
+}
+
+/// What all terms of a loop have in common: a node of shapes instead of children, and a number for every number.
+#[derive(Clone, Copy)]
+struct Shape {
+    id: NodeId,
+    nodes: usize,
+    numbers: usize,
+}
+
+impl Graph {
+    /// The values that `roots` and what they are made of become, but for those in `kept`; empty where there is no series.
+    pub(crate) fn with_series_as_loops(
+        &mut self,
+        roots: &[NodeId],
+        kept: &[NodeId],
+        table: MakeTable<'_>,
+    ) -> HashMap<NodeId, NodeId> {
+        let nodes = self.reachable(roots.iter().copied());
+        let sums = self.long_sums(&nodes, roots);
+        if sums.is_empty() {
+            return HashMap::new();
+        }
+        let mut stays = self.compared(roots.iter().copied());
+        stays.extend(self.reachable(kept.iter().copied()));
+        let mut shapes = Shapes::default();
+        nodes.iter().for_each(|id| shapes.note(self, *id));
+        let (mut known, mut changed): (HashMap<NodeId, NodeId>, bool) = (HashMap::new(), false);
+        for id in nodes {
+            let series = match sums.get(&id) {
+                Some(addends) if !stays.contains(&id) => self.series(addends, &mut shapes),
+                _ => Vec::new(),
+            };
+            let new = match series.is_empty() {
+                true if stays.contains(&id) || self.node(id).children().all(|child| known[&child] == child) => id,
+                true => self.rebuilt(self.node(id).map(|child| known[&child])),
+                false => self.with_loops(&sums[&id], &series, &known, &shapes, &mut *table),
+            };
+            changed |= new != id;
+            known.insert(id, new);
+        }
+        if changed { known } else { HashMap::new() }
+    }
+
+    /// The addends of each sum of many terms that is no part of another one, and whether they are subtracted: in the order in
+    /// which they are first written.
+    fn long_sums(&self, nodes: &[NodeId], roots: &[NodeId]) -> HashMap<NodeId, Vec<(bool, NodeId)>> {
+        let mut uses: HashMap<NodeId, usize> = HashMap::new();
+        for id in nodes.iter().flat_map(|id| self.node(*id).children()).chain(roots.iter().copied()) {
+            *uses.entry(id).or_default() += 1;
+        }
+        let (mut sums, mut inner) = (HashMap::new(), HashSet::new());
+        for sum in nodes.iter().rev().copied() {
+            if !matches!(self.node(sum), Node::Add(..)) || self.is_prepared(sum) || inner.contains(&sum) {
+                continue;
+            }
+            let (mut addends, mut open) = (Vec::new(), vec![(false, sum)]);
+            while let Some((negative, id)) = open.pop() {
+                let is_part = id == sum || uses[&id] == 1;
+                match self.node(id) {
+                    Node::Add(a, b) if is_part => open.extend([(negative, b), (negative, a)]),
+                    Node::Neg(a) if is_part => open.push((!negative, a)),
+                    _ => {
+                        addends.push((negative, id));
+                        continue;
+                    }
+                }
+                inner.insert(id);
+            }
+            if addends.len() >= FEWEST {
+                addends.sort_by_key(|(_, id)| *id);
+                sums.insert(sum, addends);
+            }
+        }
+        sums
+    }
+
+    /// The series among the addends of a sum, each with the numbers of its addends and its terms.
+    fn series(&mut self, addends: &[(bool, NodeId)], shapes: &mut Shapes) -> Vec<Vec<(usize, Term)>> {
+        let (mut groups, mut of_shape): (Vec<Vec<(usize, Term)>>, HashMap<NodeId, usize>) = Default::default();
+        for (number, (negative, id)) in addends.iter().enumerate() {
+            let (is_negative, value) = self.signed(*id);
+            let (factor, Some(rest)) = self.strip(value) else { continue };
+            let factor = if *negative == is_negative { factor } else { -factor };
+            // Without its number, a product may be a new node.
+            self.reachable([rest]).into_iter().for_each(|id| shapes.note(self, id));
+            match shapes.known[&rest] {
+                Some(shape) if shape.numbers > 0 && self.loops_of(rest).is_empty() => {
+                    let group = *of_shape.entry(shape.id).or_insert(groups.len());
+                    if group == groups.len() {
+                        groups.push(Vec::new());
+                    }
+                    groups[group].push((number, Term { factor, rest }));
+                }
+                _ => {}
+            }
+        }
+        groups.retain(|terms| terms.len() >= FEWEST && self.makes_a_loop(terms, shapes));
+        groups
+    }
+
+    /// Whether terms differ, in few enough and finite numbers.
+    fn makes_a_loop(&self, terms: &[(usize, Term)], shapes: &Shapes) -> bool {
+        let numbers: Vec<_> = terms.iter().map(|(_, term)| shapes.numbers(self, term.rest)).collect();
+        let differ = |at: usize| numbers.iter().any(|of_term| of_term[at].to_bits() != numbers[0][at].to_bits());
+        let tables = (0..numbers[0].len()).filter(|at| differ(*at)).count();
+        let factors = terms.iter().map(|(_, term)| &term.factor);
+        (1..MOST_TABLES).contains(&tables) && numbers.iter().flatten().chain(factors).all(|number| number.is_finite())
+    }
+
+    /// A sum with loops in place of its series.
+    fn with_loops(
+        &mut self,
+        addends: &[(bool, NodeId)],
+        series: &[Vec<(usize, Term)>],
+        known: &HashMap<NodeId, NodeId>,
+        shapes: &Shapes,
+        table: MakeTable<'_>,
+    ) -> NodeId {
+        let (mut sum, mut in_loops) = (self.constant(0.0), HashSet::new());
+        let mut loops = Vec::new();
+        for terms in series {
+            if let Some(value) = self.looped(terms, shapes, &mut *table) {
+                in_loops.extend(terms.iter().map(|(number, _)| *number));
+                loops.push(value);
+            }
+        }
+        for (number, (negative, id)) in addends.iter().enumerate() {
+            if !in_loops.contains(&number) {
+                let addend = known[id];
+                sum = if *negative { self.sub(sum, addend) } else { self.add(sum, addend) };
+            }
+        }
+        loops.into_iter().fold(sum, |sum, value| self.add(sum, value))
+    }
+
+    /// A series as a loop; `None` where there are as many loops as there may be.
+    fn looped(&mut self, terms: &[(usize, Term)], shapes: &Shapes, table: MakeTable<'_>) -> Option<NodeId> {
+        let [from, to] = [0, terms.len() as u64].map(|bound| self.loops.intern(Index::Literal(bound)));
+        let range = Loop { parent: None, from, to };
+        if self.loops.count() >= LoopSet::CAPACITY {
+            return None;
+        }
+        let by = self.loops.range(range);
+        let mut read = |graph: &mut Graph, numbers: Vec<f64>| match numbers.iter().all(|number| *number == numbers[0]) {
+            true => graph.constant(numbers[0]),
+            false => {
+                let id = table(graph, by, &numbers);
+                if numbers.iter().all(|number| *number >= 0.0) {
+                    graph.declare_never_negative(id);
+                }
+                graph.parameter(id)
+            }
+        };
+        let of_terms: Vec<_> = terms.iter().map(|(_, term)| shapes.numbers(self, term.rest)).collect();
+        let columns = (0..of_terms[0].len()).map(|at| of_terms.iter().map(|numbers| numbers[at]).collect());
+        let columns: Vec<NodeId> = columns.map(|numbers| read(self, numbers)).collect();
+        let factor = read(self, terms.iter().map(|(_, term)| term.factor).collect());
+        let body = self.with_numbers(terms[0].1.rest, shapes, &mut columns.into_iter());
+        let body = self.mul(factor, body);
+        Some(self.sum(by, body))
+    }
+
+    /// A term with other values in place of its numbers.
+    fn with_numbers(&mut self, id: NodeId, shapes: &Shapes, numbers: &mut impl Iterator<Item = NodeId>) -> NodeId {
+        if shapes.known[&id].is_none_or(|shape| shape.numbers == 0) {
+            return id;
+        }
+        let node = shapes.ordered(self.node(id));
+        let children: Vec<_> = node.children().map(|child| self.with_numbers(child, shapes, numbers)).collect();
+        match (node, &children[..]) {
+            (Node::Constant(_), _) => numbers.next().unwrap_or(id),
+            (Node::Neg(_), [a]) => self.neg(*a),
+            (Node::Add(..), [a, b]) => self.add(*a, *b),
+            (Node::Mul(..), [a, b]) => self.mul(*a, *b),
+            (Node::Div(..), [a, b]) => self.div(*a, *b),
+            (Node::Power(_, halves), [a]) => self.power(*a, halves),
+            (Node::Unary(function, _), [a]) => self.unary(function, *a),
+            (Node::Binary(function, ..), [a, b]) => self.binary(function, *a, *b),
+            _ => id,
+        }
+    }
+}
+
+/// The shapes of nodes; `None` of those that no loop has in its body.
+#[derive(Default)]
+struct Shapes {
+    known: HashMap<NodeId, Option<Shape>>,
+    ids: HashMap<Node, NodeId>,
+}
+
+impl Shapes {
+    /// Notes a node whose children are noted.
+    fn note(&mut self, graph: &Graph, id: NodeId) {
+        if self.known.contains_key(&id) {
+            return;
+        }
+        let shape = self.of(graph.node(id));
+        self.known.insert(id, shape);
+    }
+
+    fn of(&mut self, node: Node) -> Option<Shape> {
+        let is_term = matches!(
+            node,
+            Node::Constant(_)
+                | Node::Parameter(_)
+                | Node::Coordinate(_)
+                | Node::Time
+                | Node::Neg(_)
+                | Node::Add(..)
+                | Node::Mul(..)
+                | Node::Div(..)
+                | Node::Power(..)
+                | Node::Unary(..)
+                | Node::Binary(..)
+        );
+        let children = node.children().map(|child| self.known[&child]).collect::<Option<Vec<_>>>();
+        let children = children.filter(|_| is_term)?;
+        let nodes = children.iter().fold(1_usize, |sum, child| sum.saturating_add(child.nodes));
+        let (key, numbers) = match node {
+            Node::Constant(_) => (Node::Constant(0), 1),
+            _ => {
+                let of = |child| self.known[&child].map_or(child, |shape: Shape| shape.id);
+                (self.ordered(node).map(of), children.iter().map(|child| child.numbers).sum())
+            }
+        };
+        let free = NodeId(self.ids.len() as u32);
+        let id = *self.ids.entry(key).or_insert(free);
+        (nodes <= LARGEST).then_some(Shape { id, nodes, numbers })
+    }
+
+    /// A node with operands that may be exchanged in the order of their shapes.
+    fn ordered(&self, node: Node) -> Node {
+        let place = |id: NodeId| self.known[&id].map(|shape| shape.id);
+        match node {
+            Node::Add(a, b) if place(b) < place(a) => Node::Add(b, a),
+            Node::Mul(a, b) if place(b) < place(a) => Node::Mul(b, a),
+            _ => node,
+        }
+    }
+
+    /// The numbers of a term.
+    fn numbers(&self, graph: &Graph, term: NodeId) -> Vec<f64> {
+        let (mut numbers, mut open) = (Vec::new(), vec![term]);
+        while let Some(id) = open.pop() {
+            let node = self.ordered(graph.node(id));
+            match node {
+                Node::Constant(bits) => numbers.push(f64::from_bits(bits)),
+                _ => {
+                    let children: Vec<_> = node.children().collect();
+                    open.extend(children.into_iter().rev());
+                }
+            }
+        }
+        numbers
+    }
+}

@@ -1,0 +1,36 @@
+//! Tables of numbers that the user wrote in the terms of a series.
+
+use super::parameter_text::Texts;
+use crate::{
+    graph::{Graph, ParameterId, index::LoopId},
+    model::{parameters::running_index::running_index, values::integer::number_literal},
+};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// How many numbers at the beginning of a table are shown to people; more where two tables would look the same.
+const SHOWN: usize = 2;
+
+impl Texts<'_> {
+    /// The parameter with these numbers in the iterations of a loop. People see the first numbers and the last one.
+    pub(crate) fn of_numbers(&mut self, graph: &mut Graph, by: LoopId, numbers: &[f64]) -> ParameterId {
+        self.name_apart(by);
+        let index = running_index(by);
+        let literals: Vec<TokenStream> = numbers.iter().map(|number| signed_literal(*number)).collect();
+        let id = self.of_index(graph, by, |index| quote!([#(#literals),*][#index]));
+        let Some((last, first)) = literals.split_last() else { return id };
+        let mut shown = (SHOWN..first.len()).map(|count| {
+            let first = &first[..count];
+            quote!([#(#first,)* .., #last][#index])
+        });
+        let text = shown.find(|text| !self.is_shown(text, id)).unwrap_or_else(|| self.text(id));
+        self.show(id, &text);
+        id
+    }
+}
+
+/// A finite number with its sign.
+fn signed_literal(number: f64) -> TokenStream {
+    let literal = number_literal(number.abs());
+    if number.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
+}

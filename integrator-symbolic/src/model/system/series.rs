@@ -1,0 +1,38 @@
+//! Series that are written out: a model with loops over tables in their place.
+
+use crate::{
+    graph::{Graph, NodeId, exact::Exact, index::LoopId},
+    model::{Model, Texts},
+};
+
+impl Model {
+    /// Replaces terms that differ in their numbers alone by loops over tables. What exact flows are solved with remains as it
+    /// is.
+    pub(crate) fn replace_series_by_loops(&mut self) {
+        if self.jacobi().is_some() {
+            return;
+        }
+        let is_solved = |form: &Exact| !matches!(form, Exact::OfPositions | Exact::OfMomenta);
+        let solved = self.parts.iter().filter(|part| is_solved(&part.form)).map(|part| part.energy);
+        let kept: Vec<NodeId> = self.quadratic.then_some(self.kinetic).into_iter().chain(solved).collect();
+        let roots: Vec<NodeId> = self.values().map(|value| *value).collect();
+        let Self { graph, parameters, running, root, .. } = &mut *self;
+        let mut texts = Texts::new(parameters, running, root);
+        let mut table = |graph: &mut Graph, by: LoopId, numbers: &[f64]| texts.of_numbers(graph, by, numbers);
+        let known = graph.with_series_as_loops(&roots, &kept, &mut table);
+        if !known.is_empty() {
+            self.values().for_each(|value| *value = known[value]);
+        }
+    }
+
+    /// The energies, and what else is computed from coordinates.
+    fn values(&mut self) -> impl Iterator<Item = &mut NodeId> {
+        let parts = self.parts.iter_mut().flat_map(|part| {
+            let functions = part.functions.iter_mut().map(|function| &mut function.energy);
+            functions.chain([&mut part.energy])
+        });
+        let rate = self.rate.iter_mut().map(|(rate, _)| rate);
+        let invariants = self.invariants.iter_mut().map(|invariant| &mut invariant.value);
+        [&mut self.kinetic, &mut self.potential].into_iter().chain(parts).chain(rate).chain(invariants)
+    }
+}
