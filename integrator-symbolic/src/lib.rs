@@ -159,8 +159,7 @@ fn valid_model(input: &Input, errors: &mut Errors) -> Option<Model> {
         errors
             .at(&input.item.self_ty, "the macro failed on this impl without a reason\nhelp: please report it as a bug");
     }
-    let mut model = judge::judged(input, model?, errors);
-    model.replace_series_by_loops();
+    let model = judge::judged(input, model?, errors);
     Some(model).filter(|_| errors.is_empty())
 }
 

@@ -17,6 +17,10 @@ pub(crate) const OPERATIONS: usize = 100_000;
 /// How many expressions may be read, those of helper methods as often as they are called.
 pub(crate) const READINGS: u32 = 1_000_000;
 
+/// How many operations the energies and their derivatives may have together, loops counted once: rustc takes about a minute for
+/// as many.
+pub(crate) const COMPILED: usize = 15_000;
+
 /// Notes the place where the nesting goes too deep, if there is one. Works on tokens, before anything recurses.
 pub(crate) fn check_depth(tokens: &TokenStream, errors: &mut Errors) -> bool {
     let Some(span) = too_deep(tokens.clone()) else { return true };

@@ -114,7 +114,7 @@ impl Graph {
             let (factor, Some(rest)) = self.strip(value) else { continue };
             let factor = if *negative == is_negative { factor } else { -factor };
             // Without its number, a product may be a new node.
-            self.reachable([rest]).into_iter().for_each(|id| shapes.note(self, id));
+            shapes.note(self, rest);
             match shapes.known[&rest] {
                 Some(shape) if shape.numbers > 0 && self.loops_of(rest).is_empty() => {
                     let group = *of_shape.entry(shape.id).or_insert(groups.len());
@@ -221,13 +221,13 @@ struct Shapes {
 }
 
 impl Shapes {
-    /// Notes a node whose children are noted.
+    /// Notes a node, and its children if they are new.
     fn note(&mut self, graph: &Graph, id: NodeId) {
-        if self.known.contains_key(&id) {
-            return;
+        if !self.known.contains_key(&id) {
+            graph.node(id).children().for_each(|child| self.note(graph, child));
+            let shape = self.of(graph.node(id));
+            self.known.insert(id, shape);
         }
-        let shape = self.of(graph.node(id));
-        self.known.insert(id, shape);
     }
 
     fn of(&mut self, node: Node) -> Option<Shape> {

@@ -6,17 +6,21 @@
 mod composition;
 pub(crate) mod coordinates;
 mod layout;
+mod size;
 
 use crate::{errors::Errors, graph::exact::Exact, model::Model, syntax::Input};
 pub(crate) use layout::check_layout;
 
-/// Returns the model in the requested coordinates, and reports what the annotation requests and the model does not support.
+/// Returns the model in the requested coordinates, with loops in place of series that are written out, and reports what the
+/// annotation requests and the model does not support.
 pub(crate) fn judged(input: &Input, mut model: Model, errors: &mut Errors) -> Model {
     coordinates::check_coordinates(input, &mut model, errors);
     composition::check_composition(input, &model, errors);
     check_taylor(input, &model, errors);
     check_taylor_of_folds(input, &model, errors);
     check_sensitive(input, &model, errors);
+    model.replace_series_by_loops();
+    size::check_size(input, &mut model, errors);
     model
 }
 

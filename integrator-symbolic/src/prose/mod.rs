@@ -450,7 +450,7 @@ fn readable(text: &TokenStream) -> String {
     for word in text.split_whitespace() {
         // A call has no space in front of its arguments, and a sign none after it; an operator has both.
         let call = word.starts_with('(') && tight.ends_with(|last: char| last.is_alphanumeric() || last == '_');
-        let sign = tight == "-" || tight.ends_with("(-") || tight.ends_with("+ -") || tight.ends_with("* -");
+        let sign = tight == "-" || ["(-", "[-", ", -", "+ -", "* -"].iter().any(|end| tight.ends_with(end));
         if !(tight.is_empty() || call || sign) {
             tight.push(' ');
         }

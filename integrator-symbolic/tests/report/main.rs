@@ -526,11 +526,28 @@ fn equations_match_hand_written_ones() {
 
 /// Long systems: what follows each other, with `I` for its number.
 const LONG: &[(&str, &str)] = &[
-    ("terms", "v += (I.5 * q[0]).sin() * (q[1] - I.25).powi(2);"),
+    ("terms", "v += (I.5 * q[0]).sin() * (q[1] - I.25).powi(I);"),
     ("nested", "v = (v * q[1] + I.5).sin();"),
     ("pieces", "if q[0] * q[1] > I.5 { v = (I.25 * q[0]).exp(); }"),
-    ("roots", "v += 1.0 / (q[0] * q[0] + (q[1] - I.5).powi(2)).sqrt();"),
+    ("roots", "v += 1.0 / (q[0] * q[0] + (q[1] - I.5).powi(I)).sqrt();"),
 ];
+
+/// A series is shown as a sum, with the first numbers and the last one of each table; an index of a loop is called apart from
+/// the names in texts.
+#[test]
+fn series_are_shown_as_sums() {
+    let terms: String = (2..=33).map(|k| format!("- 0.{k}5 * ({k}.0 * q[0] - {k}.5).exp()")).collect();
+    let item = format!(
+        "impl Series {{
+            fn kinetic(&self, p: [f64; 1]) -> f64 {{ p[0] * p[0] / 2.0 }}
+            fn potential(&self, q: [f64; 1]) -> f64 {{ self.k * q[0] {terms} }}
+        }}"
+    );
+    let equations = report(TokenStream::new(), tokens(&item)).expect("no mistake").equations;
+    let force = "dp[0]/dt = -Σ_{k_2 in 0..32} exp(q[0] ([2.0, 3.0, .., 33.0][k_2]) + [-2.5, -3.5, .., -33.5][k_2]) \
+                 ([2.0, 3.0, .., 33.0][k_2]) ([-0.25, -0.35, .., -0.335][k_2]) - k";
+    assert_eq!(equations, ["dq[0]/dt = p[0]", force]);
+}
 
 #[test]
 fn every_system_is_shown_whole_in_lines_that_can_be_read() {

@@ -17,7 +17,12 @@ impl Texts<'_> {
         self.name_apart(by);
         let index = running_index(by);
         let literals: Vec<TokenStream> = numbers.iter().map(|number| signed_literal(*number)).collect();
-        let id = self.of_index(graph, by, |index| quote!([#(#literals),*][#index]));
+        // Methods are called on the items, which requires their type.
+        let typed = literals.iter().enumerate().map(|(at, literal)| match at {
+            0 => quote!((#literal as f64)),
+            _ => literal.clone(),
+        });
+        let id = self.of_index(graph, by, |index| quote!([#(#typed),*][#index]));
         let Some((last, first)) = literals.split_last() else { return id };
         let mut shown = (SHOWN..first.len()).map(|count| {
             let first = &first[..count];
