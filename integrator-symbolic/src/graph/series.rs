@@ -286,3 +286,6 @@ impl Shapes {
         numbers
     }
 }
+
+#[cfg(test)]
+mod tests;
