@@ -7,6 +7,7 @@ mod layout;
 mod mutate;
 mod robustness;
 mod sensitive;
+mod size;
 mod table;
 
 use integrator_symbolic::{hamiltonian, known_functions};

@@ -84,9 +84,9 @@ fn a_series_is_a_loop_with_the_same_value_and_gradient() {
         assert!((written - looped).abs() <= bound, "{written} and {looped}");
         for position in 0..2 {
             let slopes = gradients.each_ref().map(|contributions| {
-                let own = contributions.iter().filter(|contribution| {
-                    graph.loops.literal(contribution.element.index) == Some(position as u64)
-                });
+                let own = contributions
+                    .iter()
+                    .filter(|contribution| graph.loops.literal(contribution.element.index) == Some(position as u64));
                 own.map(|contribution| at(&graph, contribution.value)).sum::<f64>()
             });
             assert!((slopes[0] - slopes[1]).abs() <= bound, "{slopes:?}");
