@@ -116,7 +116,7 @@ impl Graph {
             // Without its number, a product may be a new node.
             shapes.note(self, rest);
             match shapes.known[&rest] {
-                Some(shape) if shape.numbers > 0 && self.loops_of(rest).is_empty() => {
+                Some(shape) if !self.is_prepared(rest) && self.loops_of(rest).is_empty() => {
                     let group = *of_shape.entry(shape.id).or_insert(groups.len());
                     if group == groups.len() {
                         groups.push(Vec::new());
@@ -197,8 +197,13 @@ impl Graph {
         if shapes.known[&id].is_none_or(|shape| shape.numbers == 0) {
             return id;
         }
-        let node = shapes.ordered(self.node(id));
-        let children: Vec<_> = node.children().map(|child| self.with_numbers(child, shapes, numbers)).collect();
+        let node = self.node(id);
+        let mut children = Vec::new();
+        for (factor, child) in shapes.operands(self, node) {
+            let factor = factor.and_then(|_| numbers.next());
+            let child = self.with_numbers(child, shapes, numbers);
+            children.push(factor.map_or(child, |factor| self.mul(factor, child)));
+        }
         match (node, &children[..]) {
             (Node::Constant(_), _) => numbers.next().unwrap_or(id),
             (Node::Neg(_), [a]) => self.neg(*a),
@@ -210,6 +215,16 @@ impl Graph {
             (Node::Binary(function, ..), [a, b]) => self.binary(function, *a, *b),
             _ => id,
         }
+    }
+
+    /// A value as a number times another one; `1` and the value itself where it has no number.
+    fn factored(&self, id: NodeId) -> (f64, NodeId) {
+        let (is_negative, value) = self.signed(id);
+        let (factor, rest) = match self.node(value) {
+            Node::Mul(a, b) => self.as_constant(a).map_or((1.0, value), |factor| (factor, b)),
+            _ => (1.0, value),
+        };
+        (if is_negative { -factor } else { factor }, rest)
     }
 }
 
@@ -225,12 +240,12 @@ impl Shapes {
     fn note(&mut self, graph: &Graph, id: NodeId) {
         if !self.known.contains_key(&id) {
             graph.node(id).children().for_each(|child| self.note(graph, child));
-            let shape = self.of(graph.node(id));
+            let shape = self.of(graph, graph.node(id));
             self.known.insert(id, shape);
         }
     }
 
-    fn of(&mut self, node: Node) -> Option<Shape> {
+    fn of(&mut self, graph: &Graph, node: Node) -> Option<Shape> {
         let is_term = matches!(
             node,
             Node::Constant(_)
@@ -245,45 +260,57 @@ impl Shapes {
                 | Node::Unary(..)
                 | Node::Binary(..)
         );
-        let children = node.children().map(|child| self.known[&child]).collect::<Option<Vec<_>>>();
-        let children = children.filter(|_| is_term)?;
-        let nodes = children.iter().fold(1_usize, |sum, child| sum.saturating_add(child.nodes));
-        let (key, numbers) = match node {
-            Node::Constant(_) => (Node::Constant(0), 1),
-            _ => {
-                let of = |child| self.known[&child].map_or(child, |shape: Shape| shape.id);
-                (self.ordered(node).map(of), children.iter().map(|child| child.numbers).sum())
-            }
+        if !is_term || node.children().any(|child| self.known[&child].is_none()) {
+            return None;
+        }
+        let (mut nodes, mut numbers, mut shapes) =
+            (1_usize, usize::from(matches!(node, Node::Constant(_))), Vec::new());
+        for (factor, child) in self.operands(graph, node) {
+            let shape = self.known[&child]?;
+            nodes = nodes.saturating_add(shape.nodes).saturating_add(usize::from(factor.is_some()));
+            numbers += shape.numbers + usize::from(factor.is_some());
+            shapes.push(shape.id);
+        }
+        let key = match (node, &shapes[..]) {
+            (Node::Constant(_), _) => Node::Constant(0),
+            (Node::Add(..), [a, b]) => Node::Add(*a, *b),
+            (Node::Mul(..), [a, b]) => Node::Mul(*a, *b),
+            (Node::Unary(function, _), [a]) => Node::Unary(function, *a),
+            _ => node.map(|child| self.known[&child].map_or(child, |shape| shape.id)),
         };
         let free = NodeId(self.ids.len() as u32);
         let id = *self.ids.entry(key).or_insert(free);
         (nodes <= LARGEST).then_some(Shape { id, nodes, numbers })
     }
 
-    /// A node with operands that may be exchanged in the order of their shapes.
-    fn ordered(&self, node: Node) -> Node {
-        let place = |id: NodeId| self.known[&id].map(|shape| shape.id);
-        match node {
-            Node::Add(a, b) if place(b) < place(a) => Node::Add(b, a),
-            Node::Mul(a, b) if place(b) < place(a) => Node::Mul(b, a),
-            _ => node,
+    /// What a node is computed from. Addends and arguments of functions have a factor, so that `x`, `2 x` and `-x` have one
+    /// shape. Operands that may be exchanged have the order of their shapes.
+    fn operands(&self, graph: &Graph, node: Node) -> Vec<(Option<f64>, NodeId)> {
+        let has_factors = matches!(node, Node::Add(..) | Node::Unary(..));
+        let operand = |id| match graph.factored(id) {
+            (factor, rest) if has_factors && graph.as_constant(id).is_none() => (Some(factor), rest),
+            _ => (None, id),
+        };
+        let mut operands: Vec<_> = node.children().map(operand).collect();
+        if matches!(node, Node::Add(..) | Node::Mul(..)) {
+            operands.sort_by_key(|(_, id)| self.known[id].map(|shape| shape.id));
         }
+        operands
     }
 
     /// The numbers of a term.
     fn numbers(&self, graph: &Graph, term: NodeId) -> Vec<f64> {
-        let (mut numbers, mut open) = (Vec::new(), vec![term]);
-        while let Some(id) = open.pop() {
-            let node = self.ordered(graph.node(id));
-            match node {
-                Node::Constant(bits) => numbers.push(f64::from_bits(bits)),
-                _ => {
-                    let children: Vec<_> = node.children().collect();
-                    open.extend(children.into_iter().rev());
-                }
-            }
-        }
+        let mut numbers = Vec::new();
+        self.add_numbers(graph, term, &mut numbers);
         numbers
+    }
+
+    fn add_numbers(&self, graph: &Graph, id: NodeId, numbers: &mut Vec<f64>) {
+        numbers.extend(graph.as_constant(id));
+        for (factor, child) in self.operands(graph, graph.node(id)) {
+            numbers.extend(factor);
+            self.add_numbers(graph, child, numbers);
+        }
     }
 }
 
