@@ -31,6 +31,9 @@ struct Term {
     rest: NodeId,
 }
 
+/// The terms of a loop, each with the number of its addend in the sum.
+type Series = Vec<(usize, Term)>;
+
 /// What all terms of a loop have in common: a node of shapes instead of children, and a number for every number.
 #[derive(Clone, Copy)]
 struct Shape {
@@ -107,8 +110,9 @@ impl Graph {
     }
 
     /// The series among the addends of a sum, each with the numbers of its addends and its terms.
-    fn series(&mut self, addends: &[(bool, NodeId)], shapes: &mut Shapes) -> Vec<Vec<(usize, Term)>> {
-        let (mut groups, mut of_shape): (Vec<Vec<(usize, Term)>>, HashMap<NodeId, usize>) = Default::default();
+    fn series(&mut self, addends: &[(bool, NodeId)], shapes: &mut Shapes) -> Vec<Series> {
+        let mut groups: Vec<Series> = Vec::new();
+        let mut of_shape: HashMap<NodeId, usize> = HashMap::new();
         for (number, (negative, id)) in addends.iter().enumerate() {
             let (is_negative, value) = self.signed(*id);
             let (factor, Some(rest)) = self.strip(value) else { continue };
@@ -143,7 +147,7 @@ impl Graph {
     fn with_loops(
         &mut self,
         addends: &[(bool, NodeId)],
-        series: &[Vec<(usize, Term)>],
+        series: &[Series],
         known: &HashMap<NodeId, NodeId>,
         shapes: &Shapes,
         table: MakeTable<'_>,

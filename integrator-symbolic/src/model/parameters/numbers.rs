@@ -3,7 +3,7 @@
 use super::parameter_text::Texts;
 use crate::{
     graph::{Graph, ParameterId, index::LoopId},
-    model::{parameters::running_index::running_index, values::integer::number_literal},
+    model::parameters::running_index::running_index,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -13,10 +13,9 @@ const SHOWN: usize = 2;
 
 impl Texts<'_> {
     /// The parameter with these numbers in the iterations of a loop. People see the first numbers and the last one.
-    pub(crate) fn of_numbers(&mut self, graph: &mut Graph, by: LoopId, numbers: &[f64]) -> ParameterId {
+    pub(crate) fn of_numbers(&mut self, graph: &mut Graph, by: LoopId, literals: &[TokenStream]) -> ParameterId {
         self.name_apart(by);
         let index = running_index(by);
-        let literals: Vec<TokenStream> = numbers.iter().map(|number| signed_literal(*number)).collect();
         // Methods are called on the items, which requires their type.
         let typed = literals.iter().enumerate().map(|(at, literal)| match at {
             0 => quote!((#literal as f64)),
@@ -32,10 +31,4 @@ impl Texts<'_> {
         self.show(id, &text);
         id
     }
-}
-
-/// A finite number with its sign.
-fn signed_literal(number: f64) -> TokenStream {
-    let literal = number_literal(number.abs());
-    if number.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
 }

@@ -2,8 +2,10 @@
 
 use crate::{
     graph::{Graph, NodeId, exact::Exact, index::LoopId},
-    model::{Model, Texts},
+    model::{Model, Texts, values::integer::number_literal},
 };
+use proc_macro2::TokenStream;
+use quote::quote;
 
 impl Model {
     /// Replaces terms that differ in their numbers alone by loops over tables. What exact flows are solved with remains as it
@@ -18,7 +20,10 @@ impl Model {
         let roots: Vec<NodeId> = self.values().map(|value| *value).collect();
         let Self { graph, parameters, running, root, .. } = &mut *self;
         let mut texts = Texts::new(parameters, running, root);
-        let mut table = |graph: &mut Graph, by: LoopId, numbers: &[f64]| texts.of_numbers(graph, by, numbers);
+        let mut table = |graph: &mut Graph, by: LoopId, numbers: &[f64]| {
+            let literals: Vec<TokenStream> = numbers.iter().map(|number| signed_literal(*number)).collect();
+            texts.of_numbers(graph, by, &literals)
+        };
         let known = graph.with_series_as_loops(&roots, &kept, &mut table);
         if !known.is_empty() {
             self.values().for_each(|value| *value = known[value]);
@@ -35,4 +40,10 @@ impl Model {
         let invariants = self.invariants.iter_mut().map(|invariant| &mut invariant.value);
         [&mut self.kinetic, &mut self.potential].into_iter().chain(parts).chain(rate).chain(invariants)
     }
+}
+
+/// A finite number with its sign.
+fn signed_literal(number: f64) -> TokenStream {
+    let literal = number_literal(number.abs());
+    if number.is_sign_negative() { quote!(-#literal) } else { quote!(#literal) }
 }
