@@ -2,8 +2,8 @@
 
 use integrator_core::{check::certify, prelude::*, taylor::Taylor};
 
-/// Defines one potential twice, and its table: as a sum that is written out, and as a loop. Both have further terms, and a factor
-/// that depends on the time or a parameter.
+/// Defines the tables of a potential, and the potential as sums that are written out: one times a parameter, one times a function
+/// of the time.
 macro_rules! series {
     ($($c:literal $w:literal $a:literal),*) => {
         const TABLE: &[[f64; 3]] = &[$([$c, $w, $a]),*];
@@ -79,7 +79,8 @@ fn start() -> Phase<[f64; 2]> {
     Phase::new([0.3, -0.2], [0.1, 0.4])
 }
 
-/// How far apart two sums may be whose terms are `size` in all: each addition of either order rounds once, and each term a few times.
+/// How far apart two sums may be whose terms are `size` in all: each addition of either order rounds once, and each term a few times
+/// its size.
 fn bound(size: f64) -> f64 {
     (2.0 * TABLE.len() as f64 + 20.0) * f64::EPSILON * size
 }
@@ -91,8 +92,9 @@ fn force(q: [f64; 2], t: f64) -> ([f64; 2], f64) {
     for [c, w, a] in TABLE {
         let terms = [STRENGTH * c * w * (w * x - a).cos(), 0.1 * t.cos() * w * (w * x).sin() / a];
         slope += terms[0] + terms[1];
-        // The sine and the cosine are as uncertain as their argument.
-        size += (STRENGTH * c * w).abs().mul_add(w.abs() + a, (w / a).abs() * (1.0 + w.abs()));
+        // A cosine or a sine errs with its argument, by a rounding of each part of that.
+        let phase = 1.0 + (w * x).abs() + a;
+        size += ((STRENGTH * c * w).abs() + 0.1 * w / a) * phase;
     }
     ([-slope, -0.5 * slope - 2.0 * q[1]], size)
 }
@@ -143,6 +145,18 @@ fn a_series_moves_like_the_loop_that_a_user_would_write() {
     (tangents.0.advance(50).expect("finite"), tangents.1.advance(50).expect("finite"));
     assert_eq!(tangents.0.vectors(), tangents.1.vectors());
     assert_ne!(tangents.0.vectors()[0].q[0], 0.0);
+}
+
+#[test]
+fn members_of_an_ensemble_move_like_runs() {
+    let members = (0..11).map(|number| (Written { strength: 0.1 * f64::from(number) }, start()));
+    let mut ensemble = Ensemble::new(Yoshida4, members.clone(), 0.05).expect("members");
+    ensemble.advance(60).expect("finite");
+    for (number, (system, start)) in members.enumerate() {
+        let mut run = system.run(start, 0.05).expect("a run");
+        run.advance(60).expect("finite");
+        assert_eq!(ensemble.state(number), Some(run.state()), "member {number}");
+    }
 }
 
 #[test]
