@@ -1,4 +1,10 @@
 //! Series that are written out term by term: they move as the loop over tables that a user could have written.
+//!
+//! All of it holds on every instruction set. A process uses one, so [`instruction_sets`] runs these tests again in a
+//! process for each of the others.
+
+#[path = "support/instruction_sets.rs"]
+mod instruction_sets;
 
 use integrator_core::{check::certify, prelude::*, taylor::Taylor};
 
@@ -116,35 +122,48 @@ fn forces_and_energies_are_those_of_a_plain_loop() {
     }
 }
 
+/// A value that is bitwise identical for both systems.
+macro_rules! same {
+    ($system:ident, $value:expr) => {{
+        let (written, looped) = systems();
+        let of_written = {
+            let $system = &written;
+            $value
+        };
+        let of_looped = {
+            let $system = &looped;
+            $value
+        };
+        assert_eq!(of_written, of_looped);
+        of_written
+    }};
+}
+
 #[test]
 fn a_series_moves_like_the_loop_that_a_user_would_write() {
-    let (written, looped) = systems();
-    let mut runs = (written.run(start(), 0.05).expect("a run"), looped.run(start(), 0.05).expect("a run"));
-    (runs.0.advance(200).expect("finite"), runs.1.advance(200).expect("finite"));
-    assert_eq!((runs.0.state(), runs.0.energy()), (runs.1.state(), runs.1.energy()));
-    assert_ne!(runs.0.state(), start());
-
-    let taylor = Taylor::tolerance(1e-12);
-    let mut runs =
-        (written.run_with(taylor, start(), 0.2).expect("a run"), looped.run_with(taylor, start(), 0.2).expect("a run"));
-    (runs.0.advance(20).expect("finite"), runs.1.advance(20).expect("finite"));
-    assert_eq!(runs.0.state(), runs.1.state());
-
     let vectors = [Phase::new([1.0, 0.0], [0.0; 2]), Phase::new([0.0; 2], [0.0, 1.0])];
-    let mut tangents = (
-        written.tangent(Yoshida4, start(), vectors, 0.05).expect("vectors"),
-        looped.tangent(Yoshida4, start(), vectors, 0.05).expect("vectors"),
-    );
-    (tangents.0.advance(50).expect("finite"), tangents.1.advance(50).expect("finite"));
-    assert_eq!(tangents.0.vectors(), tangents.1.vectors());
-
-    let mut tangents = (
-        written.sensitivities(Yoshida4, start(), [], 0.05).expect("no vectors"),
-        looped.sensitivities(Yoshida4, start(), [], 0.05).expect("no vectors"),
-    );
-    (tangents.0.advance(50).expect("finite"), tangents.1.advance(50).expect("finite"));
-    assert_eq!(tangents.0.vectors(), tangents.1.vectors());
-    assert_ne!(tangents.0.vectors()[0].q[0], 0.0);
+    let (end, _) = same!(system, {
+        let mut run = system.run(start(), 0.05).expect("a run");
+        run.advance(200).expect("finite");
+        (run.state(), run.energy())
+    });
+    assert_ne!(end, start());
+    same!(system, {
+        let mut run = system.run_with(Taylor::tolerance(1e-12), start(), 0.2).expect("a run");
+        run.advance(20).expect("finite");
+        run.state()
+    });
+    same!(system, {
+        let mut tangent = system.tangent(Yoshida4, start(), vectors, 0.05).expect("vectors");
+        tangent.advance(50).expect("finite");
+        tangent.vectors().to_vec()
+    });
+    let slopes = same!(system, {
+        let mut tangent = system.sensitivities(Yoshida4, start(), [], 0.05).expect("no vectors");
+        tangent.advance(50).expect("finite");
+        tangent.vectors().to_vec()
+    });
+    assert_ne!(slopes[0].q[0], 0.0);
 }
 
 #[test]
