@@ -20,7 +20,7 @@ pub(crate) const FEWEST: usize = 32;
 
 /// The most nodes of a term, counted as often as they occur, and the most tables of a loop.
 const LARGEST: usize = 200;
-const MOST_TABLES: usize = 16;
+const MOST_TABLES: usize = 64;
 
 /// Makes the parameter whose values in the iterations of a loop are these numbers.
 pub(crate) type MakeTable<'t> = &'t mut dyn FnMut(&mut Graph, LoopId, &[f64]) -> ParameterId;

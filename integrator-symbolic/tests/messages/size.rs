@@ -7,7 +7,7 @@ use integrator_symbolic::report;
 fn item(levels: usize, functions: &str) -> String {
     let helpers = (1..=levels).map(|level| {
         let last = level - 1;
-        format!("fn h{level}(&self, x: f64) -> f64 {{ self.h{last}(x + 0.{level}) + self.h{last}(0.9 * x) }} ")
+        format!("fn h{level}(&self, x: f64) -> f64 {{ self.h{last}(x + 0.{level}) * self.h{last}(0.9 * x) }} ")
     });
     let helpers: String = helpers.collect();
     format!("impl System {{ fn h0(&self, x: f64) -> f64 {{ x.sin() + 0.1 * x * x }} {helpers}{functions} }}")
@@ -47,8 +47,8 @@ fn too_many_operations_are_an_error_at_the_largest_function() {
         let start = format!("1:{column} H and its derivatives have more than 15000 operations, here about ");
         assert!(found.len() == 1 && found[0].starts_with(&start), "{found:#?}");
         assert!(found[0].contains("help: write terms") && found[0].contains("`#[derivative(slope)]`"), "{found:#?}");
-        // Half as many compile.
-        assert!(report(tokens(arguments), tokens(&of(10))).is_ok(), "{arguments} {name}");
+        // A quarter of them compile.
+        assert!(report(tokens(arguments), tokens(&of(9))).is_ok(), "{arguments} {name}");
     }
 }
 
