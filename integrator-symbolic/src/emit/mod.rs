@@ -56,6 +56,8 @@ struct Stepper<'i> {
     /// Its type, and its declaration where it was written in place.
     composition: (TokenStream, Option<TokenStream>),
     constants: Constants,
+    /// The tables of numbers that constants are prepared from.
+    tables: Vec<TokenStream>,
     /// The text of methods that are called as they are.
     called: Option<TokenStream>,
     flows: Flows,
@@ -144,6 +146,7 @@ impl<'i> Stepper<'i> {
             Some(Err(obstacle)) => (None, Some(obstacle)),
         };
         let read = ReadByMethods::of(input, emitter.model, &names);
+        let tables = std::mem::take(&mut emitter.model.tables);
         let constants = Constants::of(emitter).with_read(read.as_ref(), &names);
         let stepper = Self {
             called: read.map(|read| read.text),
@@ -152,6 +155,7 @@ impl<'i> Stepper<'i> {
             coordinates,
             composition,
             constants,
+            tables,
             flows,
             field,
             energies: (energies, in_lanes),
@@ -174,7 +178,7 @@ impl<'i> Stepper<'i> {
     }
 
     fn tokens(&self) -> TokenStream {
-        let Self { input, names, documentation, composition: (_, composition), constants, flows, .. } = self;
+        let Self { input, names, documentation, composition: (_, composition), constants, tables, flows, .. } = self;
         let (root, Names { runtime, .. }) = (&input.root, names);
         let declaration = constants.declaration(names);
         let implementation = |of, items: &TokenStream| self.implementation(of, items);
@@ -207,6 +211,7 @@ impl<'i> Stepper<'i> {
                 use #root::__private::{self as #runtime, Mask as _, Slot as _};
 
                 #composition
+                #(#tables)*
                 #declaration
                 #documentation
                 #hamiltonian

@@ -103,6 +103,8 @@ pub(crate) struct Model {
     pub(crate) parameters: Vec<Parameter>,
     /// What the index of each loop is called.
     pub(crate) running: HashMap<LoopId, Ident>,
+    /// The tables that parameters read, as items.
+    pub(crate) tables: Vec<TokenStream>,
     /// The runtime crate.
     pub(crate) root: syn::Path,
     /// The user's methods that are called as they are, by their ids.
@@ -305,6 +307,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         extents,
         parameters,
         running,
+        tables: Vec::new(),
         root: input.root.clone(),
         externals,
         sensitive,
@@ -346,6 +349,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         extents,
         parameters: Vec::new(),
         running: HashMap::new(),
+        tables: Vec::new(),
         root: input.root.clone(),
         externals: Vec::new(),
         sensitive: Vec::new(),

@@ -5,23 +5,24 @@ use crate::{
     graph::{Graph, ParameterId, index::LoopId},
     model::parameters::running_index::running_index,
 };
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 /// How many numbers at the beginning of a table are shown to people; more where two tables would look the same.
 const SHOWN: usize = 2;
 
 impl Texts<'_> {
-    /// The parameter with these numbers in the iterations of a loop. People see the first numbers and the last one.
-    pub(crate) fn of_numbers(&mut self, graph: &mut Graph, by: LoopId, literals: &[TokenStream]) -> ParameterId {
+    /// The parameter with the numbers of a table in the iterations of a loop. People see the first numbers and the last one.
+    pub(crate) fn of_numbers(
+        &mut self,
+        graph: &mut Graph,
+        by: LoopId,
+        table: &Ident,
+        literals: &[TokenStream],
+    ) -> ParameterId {
         self.name_apart(by);
         let index = running_index(by);
-        // Methods are called on the items, which requires their type.
-        let typed = literals.iter().enumerate().map(|(at, literal)| match at {
-            0 => quote!((#literal as f64)),
-            _ => literal.clone(),
-        });
-        let id = self.of_index(graph, by, |index| quote!([#(#typed),*][#index]));
+        let id = self.of_index(graph, by, |index| quote!(#table[#index]));
         let Some((last, first)) = literals.split_last() else { return id };
         let mut shown = (SHOWN..first.len()).map(|count| {
             let first = &first[..count];

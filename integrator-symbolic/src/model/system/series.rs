@@ -4,8 +4,9 @@ use crate::{
     graph::{Graph, NodeId, exact::Exact, index::LoopId},
     model::{Model, Texts, values::integer::number_literal},
 };
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use std::collections::HashMap;
 
 impl Model {
     /// Replaces terms that differ in their numbers alone by loops over tables. What exact flows are solved with remains as it
@@ -18,11 +19,18 @@ impl Model {
         let solved = self.parts.iter().filter(|part| is_solved(&part.form)).map(|part| part.energy);
         let kept: Vec<NodeId> = self.quadratic.then_some(self.kinetic).into_iter().chain(solved).collect();
         let roots: Vec<NodeId> = self.values().map(|value| *value).collect();
-        let Self { graph, parameters, running, root, .. } = &mut *self;
+        let Self { graph, parameters, running, root, tables, .. } = &mut *self;
         let mut texts = Texts::new(parameters, running, root);
+        let mut names: HashMap<String, Ident> = HashMap::new();
         let mut table = |graph: &mut Graph, by: LoopId, numbers: &[f64]| {
             let literals: Vec<TokenStream> = numbers.iter().map(|number| signed_literal(*number)).collect();
-            texts.of_numbers(graph, by, &literals)
+            let (values, length) = (quote!([#(#literals),*]), Literal::usize_unsuffixed(numbers.len()));
+            let name = names.entry(values.to_string()).or_insert_with(|| {
+                let name = format_ident!("__TABLE_{}", tables.len());
+                tables.push(quote!(static #name: [f64; #length] = #values;));
+                name
+            });
+            texts.of_numbers(graph, by, name, &literals)
         };
         let known = graph.with_series_as_loops(&roots, &kept, &mut table);
         if !known.is_empty() {
