@@ -12,6 +12,7 @@ mod embedded;
 mod exchange;
 mod extremes;
 mod order;
+mod partners;
 pub(crate) mod points;
 mod terms;
 
@@ -32,8 +33,9 @@ pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
 use order::Order;
 pub(crate) use order::{rewritten, with_numbers_of_each};
+pub(crate) use partners::Visited;
 use terms::{Terms, addends};
-pub(crate) use terms::{Visited, acting, moving};
+pub(crate) use terms::{acting, moving};
 
 /// A potential of pairs.
 pub(crate) struct Pairs {

@@ -7,8 +7,8 @@
 use super::{
     exchange::Forms,
     order::{rewritten, with_numbers},
+    partners::{addend_of_distinct_pair, is_partner},
     reads_only,
-    terms::{addend_of_distinct_pair, is_partner},
 };
 use crate::graph::{
     Comparison, Graph, Node, NodeId, Part,

@@ -6,7 +6,7 @@
 
 use super::{
     exchange::Forms,
-    terms::{Visited, addend_of_distinct_pair},
+    partners::{Visited, addend_of_distinct_pair},
 };
 use crate::graph::{
     Comparison, Element, Graph, Node, NodeId, ParameterId, Part,

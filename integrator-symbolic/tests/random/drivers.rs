@@ -45,6 +45,8 @@ pub(crate) struct Bodies<'t> {
 pub(crate) struct Driven<'t> {
     pub(crate) drift: Option<Lattice<'t>>,
     pub(crate) kick: Option<Lattice<'t>>,
+    pub(crate) kinetic: Option<Lattice<'t>>,
+    pub(crate) potential: Option<Lattice<'t>>,
     pub(crate) bodies: Option<Bodies<'t>>,
 }
 
@@ -131,6 +133,8 @@ impl Machine<'_> {
         match name {
             "plain" => Some(self.expression(&call.receiver)),
             "kinetic" | "potential" => Some(self.energy_of_bodies(call, name)),
+            "kinetic_of_layers" => Some(self.energy_of_layers(call, "p")),
+            "potential_of_layers" => Some(self.energy_of_layers(call, "q")),
             "drift" | "kick" | "drift_layers" | "kick_layers" => {
                 Some(self.driven_flow(call, name.starts_with("drift")))
             }
@@ -246,6 +250,21 @@ impl Machine<'_> {
             }
         }
         Ok(sum)
+    }
+
+    /// The sum of the terms of all sites of a plane.
+    fn energy_of_layers(&mut self, call: &syn::ExprMethodCall, half: &str) -> Outcome<Value> {
+        let (arguments, motion) = (self.all(call.args.iter())?, self.expression(&call.receiver)?);
+        let time = argument(&arguments, 0)?.number()?;
+        let read = motion.field(half)?.items()?.iter().map(components).collect::<Outcome<Vec<_>>>()?;
+        let driven = std::mem::take(&mut self.driven);
+        let terms = match if half == "p" { &driven.kinetic } else { &driven.potential } {
+            Some(lattice) => self.swept(lattice, &read, &motion, time),
+            None => foreign("an energy of sites, of which there are none"),
+        };
+        self.driven = driven;
+        let sum = |sum: Number, term: Number| sum.add(&term);
+        Ok(terms?.into_iter().flatten().fold(Number::plain(0.0).of_kind(Kind::Wide), sum).of_kind(Kind::Scalar).into())
     }
 
     /// What every site of a lattice gets from all shares.

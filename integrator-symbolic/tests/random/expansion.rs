@@ -85,8 +85,9 @@ impl Expansion {
     pub(crate) fn teach<'t>(&'t self, machine: &mut Machine<'t>) {
         machine.is_generated = true;
         machine.structs = self.structs.iter().map(|item| (item.ident.to_string(), item)).collect();
-        let [drift, kick] = ["Drift", "Kick"].map(|flow| lattice(self.implementation("Stencil", flow)?));
-        machine.driven = Driven { drift, kick, bodies: self.bodies() };
+        let [drift, kick, kinetic, potential] = ["Drift", "Kick", "KineticEnergy", "PotentialEnergy"]
+            .map(|flow| lattice(self.implementation("Stencil", flow)?));
+        machine.driven = Driven { drift, kick, kinetic, potential, bodies: self.bodies() };
     }
 
     fn bodies(&self) -> Option<Bodies<'_>> {

@@ -6,8 +6,7 @@
 
 use crate::{
     layout::bodies::{
-        load_store::values,
-        many_rows::{WIDTH, active_in_last, zeros},
+        load_store::{WIDTH, active_in_last, values, zeros},
         neighbours::{Cutoffs, Neighbours, Sum},
         pair_sums::{ActiveMask, Bodies, ManyBody, add, masked, pair_densities},
     },

@@ -1,7 +1,7 @@
 //! Loads of rows of bodies from states, and stores back to them.
 
 use crate::{
-    layout::bodies::pair_sums::BodyConstants,
+    layout::bodies::pair_sums::{ActiveMask, BodyConstants},
     scalar::{
         real::Real,
         simd::{block::WIDEST, row::Row},
@@ -12,7 +12,27 @@ use crate::{
         precision::{Precision, Slot},
     },
 };
+use alloc::vec::Vec;
 use core::ops::Range;
+
+/// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
+pub(crate) const WIDTH: usize = 8;
+
+/// Rows of zeros.
+pub(crate) fn zeros<W: Real, const D: usize>(rows: usize) -> Vec<[W; D]> {
+    let mut zeros = Vec::with_capacity(rows);
+    for _ in 0..rows {
+        zeros.push([W::of(0.0); D]);
+    }
+    zeros
+}
+
+/// The active lanes of the last row of these bodies, if it has fewer bodies than lanes.
+#[inline(always)]
+pub(crate) fn active_in_last<R: Real>(bodies: usize) -> ActiveMask<R::Row<WIDTH>> {
+    let rest = bodies % WIDTH;
+    (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
+}
 
 /// The body that a lane of a row belongs to, and the lane of its state, for a row of the bodies of a range.
 #[inline(always)]

@@ -3,12 +3,11 @@
 use crate::{
     layout::bodies::{
         densities::densities,
-        load_store::{load_constants, pack, row_of, unpack, values},
+        load_store::{WIDTH, active_in_last, load_constants, pack, row_of, unpack, values, zeros},
         neighbours::{Cutoffs, Neighbours, Sum},
         other_terms::OtherTerms,
         pair_sums::{
-            ActiveMask, Bodies, BodyConstants, ManyBody, add, add_active, inter_energies, inter_row, intra_energies,
-            intra_row,
+            Bodies, BodyConstants, ManyBody, add, add_active, inter_energies, inter_row, intra_energies, intra_row,
         },
     },
     scalar::{
@@ -25,9 +24,6 @@ use crate::{
 };
 use alloc::{boxed::Box, vec::Vec};
 use core::{marker::PhantomData, ops::Range};
-
-/// The number of bodies in a row, whatever the hardware: the order of sums depends on it.
-pub(crate) const WIDTH: usize = 8;
 
 /// The smallest numbers of rows for a number of chunks in which pairs are summed. Fewer rows are done before another
 /// thread has started, and for many rows the sums of chunks take little time to add up. The order of sums depends on
@@ -96,15 +92,6 @@ fn copied<T: Copy>(rows: &[T]) -> Vec<T> {
         copied.push(*row);
     }
     copied
-}
-
-/// Rows of zeros.
-pub(crate) fn zeros<W: Real, const D: usize>(rows: usize) -> Vec<[W; D]> {
-    let mut zeros = Vec::with_capacity(rows);
-    for _ in 0..rows {
-        zeros.push([W::of(0.0); D]);
-    }
-    zeros
 }
 
 /// The values of slots, row by row.
@@ -463,13 +450,6 @@ fn in_chunks<T: Send>(results: &mut [T], count: usize, threads: usize, compute: 
         }));
     }
     at_once(jobs);
-}
-
-/// The active lanes of the last row of these bodies, if it has fewer bodies than lanes.
-#[inline(always)]
-pub(crate) fn active_in_last<R: Real>(bodies: usize) -> ActiveMask<R::Row<WIDTH>> {
-    let rest = bodies % WIDTH;
-    (rest > 0).then(|| Real::parameter(&|lane| if lane / R::LANES < rest { 1.0 } else { 0.0 }))
 }
 
 /// The sum of the energies of the bodies of a row, one after the other.

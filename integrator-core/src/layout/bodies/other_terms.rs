@@ -2,7 +2,7 @@
 
 use crate::{
     layout::bodies::{
-        many_rows::WIDTH,
+        load_store::WIDTH,
         pair_sums::{ManyBody, Unpacked},
     },
     scalar::{

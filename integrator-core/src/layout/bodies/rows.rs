@@ -2,8 +2,8 @@
 
 use crate::{
     layout::bodies::{
-        load_store::body_and_lane,
-        many_rows::{ManyRows, WIDTH},
+        load_store::{WIDTH, body_and_lane},
+        many_rows::ManyRows,
         one_row::OneRow,
     },
     scalar::{real::Real, simd::row::Row},

@@ -6,7 +6,7 @@ use super::{
     lists::Lists,
 };
 use crate::{
-    layout::bodies::many_rows::WIDTH,
+    layout::bodies::load_store::WIDTH,
     scalar::{real::Real, simd::row::Row},
     system::motion::Found,
 };

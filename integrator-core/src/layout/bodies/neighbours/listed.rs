@@ -2,7 +2,7 @@
 
 use super::{Cutoffs, cells::Cells, lists::Lists};
 use crate::{
-    layout::bodies::{load_store::values, many_rows::WIDTH},
+    layout::bodies::load_store::{WIDTH, values},
     scalar::{
         real::{Mask, Real},
         simd::row::Row,

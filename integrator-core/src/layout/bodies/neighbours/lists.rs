@@ -6,7 +6,7 @@
 
 use super::{candidates::Candidates, cells::Cells};
 use crate::{
-    layout::bodies::many_rows::WIDTH,
+    layout::bodies::load_store::WIDTH,
     scalar::{
         fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,

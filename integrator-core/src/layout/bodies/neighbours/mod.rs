@@ -19,8 +19,7 @@ mod tests;
 
 use crate::{
     layout::bodies::{
-        load_store::values,
-        many_rows::WIDTH,
+        load_store::{WIDTH, values},
         pair_sums::{ManyBody, add},
     },
     scalar::{

@@ -44,7 +44,9 @@ mod tests {
         let skin = |sums| next_skin(2.5, FIRST_SKIN * 2.5, sums, 3);
         let skins = [5, 10, 100, 1000].map(skin);
         assert!(skins.is_sorted_by(|wide, narrow| wide > narrow), "{skins:?}");
-        // What moves too far for any list has short ones.
-        assert!([0, 1, u32::MAX].map(skin).iter().all(|skin| (0.04..0.1).contains(skin)));
+        // What moves too far for any list has short ones, and so has what does not move.
+        let too_far = next_skin(2.5, 1.0, 1, 3);
+        assert!([too_far, skin(u32::MAX)].iter().all(|skin| (0.04..0.1).contains(skin)));
+        assert_eq!(skin(0), skin(1));
     }
 }

@@ -3,7 +3,7 @@
 use super::{constant, lists::Portion, numbers, quads};
 use crate::{
     layout::bodies::{
-        many_rows::WIDTH,
+        load_store::WIDTH,
         pair_sums::{Bodies, ManyBody, components, displacement, pair_densities, pair_energies, pair_forces},
     },
     scalar::{

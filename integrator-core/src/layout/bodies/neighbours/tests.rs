@@ -3,7 +3,7 @@
 use super::{Arc, Cutoffs, Neighbours, Sum, cells::Cells, listed::Listed, lists::Lists};
 use crate::{
     hamiltonian,
-    layout::bodies::{many_rows::WIDTH, pair_sums::ManyBody},
+    layout::bodies::{load_store::WIDTH, pair_sums::ManyBody},
     scalar::{
         dual::Dual,
         fma::{Avx512, Fma, Fused},
