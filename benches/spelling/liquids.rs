@@ -44,7 +44,13 @@ fn atoms() -> Atoms {
     }
 }
 
-fn start() -> Phase<Vec<[f64; 3]>> {
+/// The side of the box, and the kind of each atom.
+pub(crate) fn box_and_kinds() -> (f64, Vec<usize>) {
+    let Atoms { side, kinds, .. } = atoms();
+    (side, kinds)
+}
+
+pub(crate) fn start() -> Phase<Vec<[f64; 3]>> {
     let spacing = atoms().side / CELLS as f64;
     let site = |i: usize| [i % CELLS, i / CELLS % CELLS, i / CELLS / CELLS].map(|at| (at as f64 + 0.5) * spacing);
     let going = |i: usize| [0, 1, 2].map(|d| ((i * 13 + d * 7) as f64 * 0.77).sin());

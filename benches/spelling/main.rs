@@ -6,6 +6,7 @@
 
 mod bodies;
 mod liquids;
+mod pairs;
 mod sums;
 
 use integrator_bench::{
@@ -50,7 +51,7 @@ pub(crate) use spellings;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut table, mut lines) = (Table::new("spelling", &["group", "spelling", "us/step", "to fastest"]), Vec::new());
-    for group in liquids::groups().into_iter().chain(bodies::groups()).chain(sums::groups()) {
+    for group in liquids::groups().into_iter().chain(pairs::groups()).chain(bodies::groups()).chain(sums::groups()) {
         let Group { name, steps, racers, energies } = group;
         // Sums of up to a million terms in different orders.
         let differ = |energy: &f64| (energy - energies[0]).abs() > 1e-9 * energies[0].abs();
