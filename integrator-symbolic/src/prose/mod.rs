@@ -443,7 +443,9 @@ fn of_expression(expression: &Expr) -> Formula {
 /// Tokens with the spaces that a person would leave, and without `self.`.
 fn readable(text: &TokenStream) -> String {
     let mut text = text.to_string().replace("self .", "").replace("self.", "");
-    for (spaced, tight) in [(" . ", "."), (" :: ", "::"), (" [", "["), ("( ", "("), (" )", ")"), (" ,", ",")] {
+    for (spaced, tight) in
+        [(" . ", "."), (" :: ", "::"), (" [", "["), ("[ ", "["), ("( ", "("), (" )", ")"), (" ,", ",")]
+    {
         text = text.replace(spaced, tight);
     }
     let mut tight = String::new();

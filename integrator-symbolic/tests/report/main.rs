@@ -28,6 +28,20 @@ fn a_pendulum_is_two_equations_and_few_operations() {
 }
 
 #[test]
+fn elements_of_lists_have_no_spaces_in_their_brackets() {
+    let system = "impl Chain {
+        fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
+        fn potential(&self, q: &[f64]) -> f64 {
+            let mut v = 0.0;
+            for i in 0..q.len() { v += self.depths[self.kinds[i]] * q[i]; }
+            v
+        }
+    }";
+    let equations = report(TokenStream::new(), tokens(system)).expect("no mistake").equations;
+    assert!(equations.contains(&"dp[k]/dt = -depths[kinds[k]]   for k in 0..n".to_owned()), "{equations:#?}");
+}
+
+#[test]
 fn sharing_is_counted() {
     let system = "impl Driven {
         fn kinetic(&self, p: [f64; 2]) -> f64 { (1.0 + p[0] * p[0] + p[1] * p[1]).sqrt() }
