@@ -347,11 +347,6 @@ impl Loops {
         self.parameter_ranges.get(&id).copied()
     }
 
-    /// Whether a loop is inside of another one.
-    pub(crate) fn is_inside(&self, by: LoopId, around: LoopId) -> bool {
-        std::iter::successors(self.get(by).parent, |by| self.get(*by).parent).any(|outer| outer == around)
-    }
-
     /// Some loops, and those that their bounds depend on.
     pub(crate) fn with_outer(&self, loops: LoopSet) -> LoopSet {
         let more = loops.iter().fold(loops, |all, by| all.union(self.of_range(by)));

@@ -37,7 +37,7 @@ use parameters::text::standing_alone;
 pub(crate) use parameters::text::with_own_self;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 pub(crate) use system::external::{Method, strip};
 pub(crate) use system::invariant::Invariant;
@@ -431,8 +431,6 @@ pub(crate) struct Reader<'i> {
     /// Whether the items of the sequence that is read next are indices.
     items_are_indices: bool,
     running: HashMap<LoopId, Ident>,
-    /// The loops whose indices the user has not named.
-    unnamed: HashSet<LoopId>,
     externals: Vec<Method>,
     /// The parameters that derivatives are taken by, by their names, as far as they were read.
     sensitive: HashMap<String, ParameterId>,
@@ -479,7 +477,6 @@ impl<'i> Reader<'i> {
             types: Vec::new(),
             items_are_indices: false,
             running: HashMap::new(),
-            unnamed: HashSet::new(),
             externals: Vec::new(),
             sensitive: HashMap::new(),
             bindings: Vec::new(),

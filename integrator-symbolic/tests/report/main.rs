@@ -38,7 +38,7 @@ fn elements_of_lists_have_no_spaces_in_their_brackets() {
         }
     }";
     let equations = report(TokenStream::new(), tokens(system)).expect("no mistake").equations;
-    assert!(equations.contains(&"dp[i]/dt = -depths[kinds[i]]   for i in 0..n".to_owned()), "{equations:#?}");
+    assert!(equations.contains(&"dp[k]/dt = -depths[kinds[k]]   for k in 0..n".to_owned()), "{equations:#?}");
 }
 
 #[test]
@@ -67,8 +67,8 @@ fn conditions_around_loops_are_shown() {
     }";
     let equations = report(TokenStream::new(), tokens(bodies)).expect("no mistake").equations;
     let expected = [
-        "dp[i][k]/dt += -q[i][k]   for i in 0..n, k in 0..2, if q[i][0] > edge",
-        "dp[i][0]/dt += {0 if q[i][0] > edge, else -1}   for i in 0..n",
+        "dp[k][k_2]/dt += -q[k][k_2]   for k in 0..n, k_2 in 0..2, if q[k][0] > edge",
+        "dp[k][0]/dt += {0 if q[k][0] > edge, else -1}   for k in 0..n",
     ];
     assert!(expected.iter().all(|line| equations.iter().any(|shown| shown == line)), "{equations:#?}");
 }
@@ -277,7 +277,7 @@ fn slower_kicks_have_reasons_and_fast_ones_have_none() {
         ),
         (
             numbers("for i in 0..q.len() { for &j in &self.near[i] { if j > i { v += q[i] * q[j].powi(2); } } }"),
-            &["not `terms` over k in 0..near[i].len(): iterations depend on each other, or a branch reads"],
+            &["not `terms` over k_2 in 0..near[k].len(): iterations depend on each other, or a branch reads"],
         ),
         (
             "fn kinetic(&self, p: [f64; 20]) -> f64 { p.iter().map(|p| p * p).sum() }

@@ -278,34 +278,20 @@ impl Reader<'_> {
         }
         let parent = self.frames.last().map(|frame| frame.by);
         let by = self.graph.loops.range(Loop { parent, from, to });
-        self.name_loop(by, name.filter(|name| *name != "_"));
+        if !self.running.contains_key(&by) {
+            // Loops beside each other are never nested in what is written, so they may share a name.
+            let around: Vec<&Ident> = self.frames.iter().filter_map(|frame| self.running.get(&frame.by)).collect();
+            let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || around.contains(&name);
+            let base = match name {
+                Some(name) if name != "_" => name.clone(),
+                _ => format_ident!("k"),
+            };
+            let mut free = std::iter::once(base.clone()).chain((2..).map(|count| format_ident!("{base}_{count}")));
+            let free = free.find(|name| !taken(name)).unwrap_or(base);
+            self.running.insert(by, free);
+        }
         self.frames.push(Frame { by, sums: Vec::new() });
         Some(by)
-    }
-
-    /// Names the index of a loop: as the user does, or `k`. A name of the user's takes the place of such a `k`.
-    fn name_loop(&mut self, by: LoopId, name: Option<&Ident>) {
-        let is_known = self.running.contains_key(&by);
-        if is_known && (name.is_none() || !self.unnamed.contains(&by)) {
-            return;
-        }
-        // Loops beside each other are never nested in what is written, so they may share a name.
-        let mut others: Vec<&Ident> = self.frames.iter().filter_map(|frame| self.running.get(&frame.by)).collect();
-        let inside = self.running.iter().filter(|(inner, _)| self.graph.loops.is_inside(**inner, by));
-        others.extend(inside.map(|(_, name)| name));
-        let taken = |name: &Ident| RESERVED.iter().any(|word| name == word) || others.contains(&name);
-        let base = name.cloned().unwrap_or_else(|| format_ident!("k"));
-        let mut free = std::iter::once(base.clone()).chain((2..).map(|count| format_ident!("{base}_{count}")));
-        let free = free.find(|name| !taken(name)).unwrap_or(base);
-        if is_known && Some(&free) != name {
-            return;
-        }
-        if name.is_some() {
-            self.unnamed.remove(&by);
-        } else {
-            self.unnamed.insert(by);
-        }
-        self.running.insert(by, free);
     }
 
     /// Closes the innermost loop and returns what an iteration of it adds.

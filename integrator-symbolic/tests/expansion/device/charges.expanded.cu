@@ -46,23 +46,23 @@ struct System {
 
     template <class R, class K> DEVICE static void drift(Motion<R, K>& motion, double duration, double at) {
         const R step = R(duration);
-        for (long long i = 0; i < 4; ++i) {
-            motion.q[i].fma(step, motion.p[i].value());
+        for (long long k = 0; k < 4; ++k) {
+            motion.q[k].fma(step, motion.p[k].value());
         }
     }
 
-    template <class R, class K> DEVICE static void force(Motion<R, K>& motion, int i, int j, double at, R (&gradient)[1]) {
-        const R q_i = motion.q[i].value();
+    template <class R, class K> DEVICE static void force(Motion<R, K>& motion, int k, int j, double at, R (&gradient)[1]) {
+        const R q_k = motion.q[k].value();
         const R q_j = motion.q[j].value();
-        const R shared_0 = q_i - q_j;
+        const R shared_0 = q_k - q_j;
         const R shared_1 = fma(shared_0, shared_0, R(1.0));
-        gradient[0] = fma(-(motion.parameters.prepared_1[i] * motion.parameters.charge[j] / (shared_1 * shared_1)), shared_0, q_j * cos(q_i * q_j));
+        gradient[0] = fma(-(motion.parameters.prepared_1[k] * motion.parameters.charge[j] / (shared_1 * shared_1)), shared_0, q_j * cos(q_k * q_j));
     }
 
-    template <class R, class K> DEVICE static void force_alone(Motion<R, K>& motion, int i, double at, R (&gradient)[1]) {
+    template <class R, class K> DEVICE static void force_alone(Motion<R, K>& motion, int k, double at, R (&gradient)[1]) {
         const R time = R(at);
         const R shared_0 = cos(time);
-        gradient[0] = motion.parameters.prepared_2[i] * motion.q[i].value() * shared_0;
+        gradient[0] = motion.parameters.prepared_2[k] * motion.q[k].value() * shared_0;
     }
 
     template <class R, class K> DEVICE static void kick(Motion<R, K>& motion, double duration, double at) {
@@ -76,30 +76,30 @@ struct System {
         const R time = R(at);
         R gradient[4] = {};
         const R shared_0 = cos(time);
-        for (long long i = 0; i < 4; ++i) {
-            const R p_i = motion.p[i].value();
-            const R q_i = motion.q[i].value();
+        for (long long k = 0; k < 4; ++k) {
+            const R p_k = motion.p[k].value();
+            const R q_k = motion.q[k].value();
             R sum_0 = R(0.0);
             R sum_1 = R(0.0);
             R sum_2 = R(0.0);
-            for (long long j = 0; j < i; ++j) {
+            for (long long j = 0; j < k; ++j) {
                 const R q_j = motion.q[j].value();
-                const R shared_1 = q_i - q_j;
-                const R shared_2 = q_i * q_j;
+                const R shared_1 = q_k - q_j;
+                const R shared_2 = q_k * q_j;
                 R shared_3, shared_4;
                 sin_cos(shared_2, shared_3, shared_4);
                 const R p_j = motion.p[j].value();
-                const R shared_5 = p_j - p_i;
-                const R shared_6 = shared_3 * fma(p_i, q_j, q_i * p_j);
+                const R shared_5 = p_j - p_k;
+                const R shared_6 = shared_3 * fma(p_k, q_j, q_k * p_j);
                 const R shared_7 = R(1.0) / fma(shared_1, shared_1, R(1.0));
                 const R shared_8 = shared_7 * shared_7;
-                const R shared_9 = fma(-(motion.parameters.prepared_4[i] * motion.parameters.charge_2[j] * shared_1 * shared_5 * (shared_8 * shared_7)), shared_1, motion.parameters.prepared_1[i] * motion.parameters.charge_2[j] * shared_8 * shared_5);
-                gradient[j] += fma(-shared_6, q_i, p_i * shared_4) - shared_9;
+                const R shared_9 = fma(-(motion.parameters.prepared_4[k] * motion.parameters.charge_2[j] * shared_1 * shared_5 * (shared_8 * shared_7)), shared_1, motion.parameters.prepared_1[k] * motion.parameters.charge_2[j] * shared_8 * shared_5);
+                gradient[j] += fma(-shared_6, q_k, p_k * shared_4) - shared_9;
                 sum_2 += shared_9;
                 sum_1 = fma(shared_6, q_j, sum_1);
                 sum_0 = fma(shared_4, p_j, sum_0);
             }
-            gradient[i] += fma(motion.parameters.prepared_2[i] * p_i, shared_0, sum_0) - sum_1 + sum_2;
+            gradient[k] += fma(motion.parameters.prepared_2[k] * p_k, shared_0, sum_0) - sum_1 + sum_2;
         }
         for (int i = 0; i < 4; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};

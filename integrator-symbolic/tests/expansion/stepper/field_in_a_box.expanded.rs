@@ -4,7 +4,7 @@ const _: () = {
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
-        /// `field[k][j][i]`
+        /// `field[k][k_2][k_3]`
         field: runtime::SharedTable<[[Scalar; 32]; 16]>,
     }
     impl Parameters<f64> {
@@ -28,8 +28,8 @@ const _: () = {
             runtime::all_found(
                 &mut [
                     runtime::not_finite(
-                        "field[k][j][i]",
-                        &["k", "j", "i"],
+                        "field[k][k_2][k_3]",
+                        &["k", "k_2", "k_3"],
                         &single.field,
                     ),
                 ],
@@ -42,11 +42,11 @@ const _: () = {
     /// The equations of motion, derived from `kinetic` and `potential`:
     ///
     /// ```text
-    /// dq[k][j][i]/dt = p[k][j][i]   for k in 0..n, j in 0..16, i in 0..32
-    /// dp[(k + 1) % n][j][i]/dt += q[k][j][i] - q[(k + 1) % n][j][i]   for k in 0..n, j in 0..16, i in 0..32
-    /// dp[k][j][i]/dt += q[(k + 1) % n][j][i] - q[k][j][i] - field[k][j][i]   for k in 0..n, j in 0..16, i in 0..32
-    /// dp[k][j][i]/dt += q[k][j][i - 1] - q[k][j][i]   for k in 0..n, j in 0..16, i in 1..32
-    /// dp[k][j][i - 1]/dt += q[k][j][i] - q[k][j][i - 1]   for k in 0..n, j in 0..16, i in 1..32
+    /// dq[k][k_2][k_3]/dt = p[k][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32
+    /// dp[(k + 1) % n][k_2][k_3]/dt += q[k][k_2][k_3] - q[(k + 1) % n][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32
+    /// dp[k][k_2][k_3]/dt += q[(k + 1) % n][k_2][k_3] - q[k][k_2][k_3] - field[k][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32
+    /// dp[k][k_2][i]/dt += q[k][k_2][i - 1] - q[k][k_2][i]   for k in 0..n, k_2 in 0..16, i in 1..32
+    /// dp[k][k_2][i - 1]/dt += q[k][k_2][i] - q[k][k_2][i - 1]   for k in 0..n, k_2 in 0..16, i in 1..32
     /// ```
     ///
     /// `T` is quadratic in the momenta, with a constant mass matrix.
@@ -67,7 +67,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6563760376076829099;
+        const FINGERPRINT: u64 = 10406371251343990419;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -78,9 +78,9 @@ const _: () = {
             Parameters {
                 field: runtime::table(
                     length,
-                    &|k: usize| ::core::array::from_fn(|j: usize| ::core::array::from_fn(|
-                        i: usize|
-                    self.field[k][j][i])),
+                    &|k: usize| ::core::array::from_fn(|k_2: usize| ::core::array::from_fn(|
+                        k_3: usize|
+                    self.field[k][k_2][k_3])),
                 ),
             }
         }
@@ -154,18 +154,19 @@ const _: () = {
                 [[Scalar::of(0.0); 32]; 16],
             );
             for k in 0..motion.q.len() {
-                for j in 0..16 {
-                    for i in 0..32 {
-                        let shared_1 = motion.p[(k + 1) % motion.q.len()][j][i].value()
-                            - motion.p[k][j][i].value();
-                        gradient[(k + 1) % motion.q.len()][j][i] += shared_1;
-                        gradient[k][j][i] -= shared_1;
+                for k_2 in 0..16 {
+                    for k_3 in 0..32 {
+                        let shared_1 = motion
+                            .p[(k + 1) % motion.q.len()][k_2][k_3]
+                            .value() - motion.p[k][k_2][k_3].value();
+                        gradient[(k + 1) % motion.q.len()][k_2][k_3] += shared_1;
+                        gradient[k][k_2][k_3] -= shared_1;
                     }
                     for i in 1..32 {
-                        let shared_0 = motion.p[k][j][i].value()
-                            - motion.p[k][j][i - 1].value();
-                        gradient[k][j][i] += shared_0;
-                        gradient[k][j][i - 1] -= shared_0;
+                        let shared_0 = motion.p[k][k_2][i].value()
+                            - motion.p[k][k_2][i - 1].value();
+                        gradient[k][k_2][i] += shared_0;
+                        gradient[k][k_2][i - 1] -= shared_0;
                     }
                 }
             }
@@ -206,11 +207,11 @@ const _: () = {
             let mut sum_2 = Scalar::of(0.0);
             for k in 0..motion.q.len() {
                 let mut sum_1 = Scalar::of(0.0);
-                for j in 0..16 {
+                for k_2 in 0..16 {
                     let mut sum_0 = Scalar::of(0.0);
-                    for i in 0..32 {
-                        let p_k_j_i = motion.p[k][j][i].value();
-                        sum_0 = Scalar::of(0.5).scale_add(p_k_j_i.square(), sum_0);
+                    for k_3 in 0..32 {
+                        let p_k_k_2_k_3 = motion.p[k][k_2][k_3].value();
+                        sum_0 = Scalar::of(0.5).scale_add(p_k_k_2_k_3.square(), sum_0);
                     }
                     sum_1 += sum_0;
                 }
@@ -240,9 +241,9 @@ const _: () = {
         ) {
             let step = duration;
             for k in 0..motion.q.len() {
-                for j in 0..16 {
-                    for i in 0..32 {
-                        motion.q[k][j][i].fma(step, motion.p[k][j][i].value());
+                for k_2 in 0..16 {
+                    for k_3 in 0..32 {
+                        motion.q[k][k_2][k_3].fma(step, motion.p[k][k_2][k_3].value());
                     }
                 }
             }
@@ -261,31 +262,31 @@ const _: () = {
                 let mut sum_3 = Scalar::of(0.0);
                 for k in 0..motion.q.len() {
                     let mut sum_2 = Scalar::of(0.0);
-                    for j in 0..16 {
+                    for k_2 in 0..16 {
                         let mut sum_0 = Scalar::of(0.0);
-                        for i in 0..32 {
-                            let q_k_j_i = motion.q[k][j][i].value();
+                        for k_3 in 0..32 {
+                            let q_k_k_2_k_3 = motion.q[k][k_2][k_3].value();
                             let shared_0 = motion
-                                .q[(k + 1) % motion.q.len()][j][i]
-                                .value() - q_k_j_i;
-                            gradient[(k + 1) % motion.q.len()][j][i] += shared_0;
-                            gradient[k][j][i]
-                                += motion.parameters.field[k][j][i] - shared_0;
+                                .q[(k + 1) % motion.q.len()][k_2][k_3]
+                                .value() - q_k_k_2_k_3;
+                            gradient[(k + 1) % motion.q.len()][k_2][k_3] += shared_0;
+                            gradient[k][k_2][k_3]
+                                += motion.parameters.field[k][k_2][k_3] - shared_0;
                             sum_0
                                 += motion
                                     .parameters
-                                    .field[k][j][i]
+                                    .field[k][k_2][k_3]
                                     .scale_add(
-                                        q_k_j_i,
+                                        q_k_k_2_k_3,
                                         Scalar::of(0.5).scale(shared_0.square()),
                                     );
                         }
                         let mut sum_1 = Scalar::of(0.0);
                         for i in 1..32 {
-                            let shared_1 = motion.q[k][j][i].value()
-                                - motion.q[k][j][i - 1].value();
-                            gradient[k][j][i] += shared_1;
-                            gradient[k][j][i - 1] -= shared_1;
+                            let shared_1 = motion.q[k][k_2][i].value()
+                                - motion.q[k][k_2][i - 1].value();
+                            gradient[k][k_2][i] += shared_1;
+                            gradient[k][k_2][i - 1] -= shared_1;
                             sum_1 = Scalar::of(0.5).scale_add(shared_1.square(), sum_1);
                         }
                         sum_2 += sum_0 + sum_1;
@@ -377,11 +378,11 @@ const _: () = {
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 2] {
-            let q_k_j_i = window.at(0);
-            let shared_0 = window.at(1) - q_k_j_i;
-            let contribution_0_0_0 = q_k_j_i - window.previous_plane(0)
+            let q_k_k_2_k_3 = window.at(0);
+            let shared_0 = window.at(1) - q_k_k_2_k_3;
+            let contribution_0_0_0 = q_k_k_2_k_3 - window.previous_plane(0)
                 + (window.table_of_planes(&parameters.field, [0, 0], 0)
-                    - (window.next_plane(0) - q_k_j_i));
+                    - (window.next_plane(0) - q_k_k_2_k_3));
             let contribution_0_0_0 = contribution_0_0_0
                 + window.masked(0..31, -shared_0);
             let contribution_0_0_1 = window.masked(0..31, shared_0);
@@ -422,8 +423,8 @@ const _: () = {
             _parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 1] {
-            let p_k_j_i = window.at(0);
-            let contribution_0_0_0 = Wide::of(0.5).scale(p_k_j_i.square());
+            let p_k_k_2_k_3 = window.at(0);
+            let contribution_0_0_0 = Wide::of(0.5).scale(p_k_k_2_k_3.square());
             [contribution_0_0_0]
         }
     }
@@ -461,12 +462,12 @@ const _: () = {
             parameters: &Self::Parameters<Scalar>,
             _time: f64,
         ) -> [Wide; 1] {
-            let q_k_j_i = window.at(0);
-            let shared_0 = window.next_plane(0) - q_k_j_i;
-            let shared_1 = q_k_j_i - window.at(-1);
+            let q_k_k_2_k_3 = window.at(0);
+            let shared_0 = window.next_plane(0) - q_k_k_2_k_3;
+            let shared_1 = q_k_k_2_k_3 - window.at(-1);
             let contribution_0_0_0 = window
                 .table_of_planes(&parameters.field, [0, 0], 0)
-                .scale_add(q_k_j_i, Wide::of(0.5).scale(shared_0.square()));
+                .scale_add(q_k_k_2_k_3, Wide::of(0.5).scale(shared_0.square()));
             let contribution_0_0_0 = contribution_0_0_0
                 + window.masked(1..32, Wide::of(0.5).scale(shared_1.square()));
             [contribution_0_0_0]

@@ -82,9 +82,9 @@ const _: () = {
             if order == 0 {
                 if tape.inverse_mass.is_empty() {
                     q[1].fill(Scalar::of(-0.0));
-                    for i in 0..length {
-                        q[order + 1][i] += Scalar::of(1.0);
-                        q[order + 1][stride + i] += Scalar::of(1.0);
+                    for k in 0..length {
+                        q[order + 1][k] += Scalar::of(1.0);
+                        q[order + 1][stride + k] += Scalar::of(1.0);
                     }
                     tape.inverse_mass = runtime::InverseMass::of(&q[1]);
                 }
@@ -320,10 +320,10 @@ const _: () = {
             let times = [order, order + 1]
                 .map(|order| runtime::time_coefficients(order, time, q.unit()));
             if order == 0 && tape.iterations_1.is_empty() {
-                for i in 0..length {
-                    for j in 0..i {
+                for k in 0..length {
+                    for j in 0..k {
                         tape.iterations_1
-                            .push([i, j], [], [j, stride + j, i, stride + i]);
+                            .push([k, j], [], [j, stride + j, k, stride + k]);
                     }
                 }
                 tape.iterations_1
@@ -366,12 +366,12 @@ const _: () = {
             watch: &mut dyn runtime::Watch<Scalar>,
         ) {
             let stride = q.stride();
-            for i in 0..length {
-                let q_i_0 = q[0][i];
-                let q_i_1 = q[0][stride + i];
-                for j in 0..i {
-                    let shared_0 = q_i_0 - q[0][j];
-                    let shared_1 = q_i_1 - q[0][stride + j];
+            for k in 0..length {
+                let q_k_0 = q[0][k];
+                let q_k_1 = q[0][stride + k];
+                for j in 0..k {
+                    let shared_0 = q_k_0 - q[0][j];
+                    let shared_1 = q_k_1 - q[0][stride + j];
                     let condition_0 = {
                         watch
                             .less(
