@@ -318,8 +318,13 @@ fn lists_that_end_before_the_bodies_do_end_the_pairs() -> Result<(), Error> {
         is_near(found.energy(), expected.energy());
         expected.advance(STEPS)?;
         found.advance(STEPS)?;
-        assert_eq!(found.state().q[..3 * acting], expected.state().q.concat());
-        assert_eq!(found.state().q[3 * acting..], start.q.concat()[3 * acting..]);
+        // One of them has the loop over components, which adds squares in another order.
+        let (found, expected) = (found.state().q, expected.state().q.concat());
+        let largest = expected.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        for (x, expected) in found.iter().zip(&expected) {
+            assert!((x - expected).abs() <= ROUNDING * largest, "{x} for {expected}");
+        }
+        assert_eq!(found[3 * acting..], start.q.concat()[3 * acting..]);
     }
     Ok(())
 }
