@@ -12,8 +12,8 @@ use super::{
 };
 use crate::graph::{
     Comparison, Graph, Node, NodeId, Part,
-    index::{Index, IndexId, Loop, LoopId},
-    rename::{Parameters, Renaming, rename},
+    index::{Index, IndexId, Loop, LoopId, LoopSet},
+    rename::{Parameters, Place, Renaming, rename},
 };
 
 /// Energies of bodies that depend on densities.
@@ -165,7 +165,15 @@ pub(super) fn renamed(
     parameters: &mut dyn Parameters,
 ) -> Option<NodeId> {
     let mut fits = true;
-    let renamed = rewritten(graph, root, |graph, id| {
+    let new = rewritten(graph, root, |graph, id| {
+        if let Node::Sum(by, body) = graph.node(id)
+            && let Some(inner) = loop_there(graph, by, renaming, parameters)
+        {
+            let body = renamed(graph, body, renaming, parameters);
+            let body = body.and_then(|body| renamed(graph, body, Renaming::one(by, inner), parameters));
+            fits &= body.is_some();
+            return body.map(|body| graph.sum(inner, body));
+        }
         if graph.node(id).children().next().is_some() || renaming.keeps(graph.loops_of(id)) {
             return None;
         }
@@ -173,5 +181,21 @@ pub(super) fn renamed(
         fits &= renamed.is_some();
         renamed
     });
-    fits.then_some(renamed)
+    fits.then_some(new)
+}
+
+/// The loop over components inside of the new loops over a pair, in place of one inside of the old ones.
+fn loop_there(graph: &mut Graph, by: LoopId, renaming: Renaming, parameters: &mut dyn Parameters) -> Option<LoopId> {
+    let Loop { parent, from, to } = graph.loops.get(by);
+    let (second, first) = (parent?, graph.loops.get(parent?).parent?);
+    let (Place::Loop(a), Place::Loop(b)) = (renaming.of(second), renaming.of(first)) else { return None };
+    let is_inside = |inner: LoopId, outer: LoopId| graph.loops.get(inner).parent == Some(outer);
+    let innermost = if is_inside(a, b) { a } else { Some(b).filter(|b| is_inside(*b, a))? };
+    if innermost == second || graph.loops.count() >= LoopSet::CAPACITY {
+        return None;
+    }
+    let [from, to] = [renaming.index(graph, from)?, renaming.index(graph, to)?];
+    let inner = graph.loops.range(Loop { parent: Some(innermost), from, to });
+    parameters.name_if_new(inner, by);
+    Some(inner)
 }
