@@ -14,6 +14,7 @@ mod extremes;
 mod order;
 mod partners;
 pub(crate) mod points;
+mod renamed;
 mod terms;
 
 use crate::{

@@ -5,15 +5,16 @@
 //! is that of the pair terms `w_i g(i, j) + w_j g(j, i)`, whose weights `w = F'` are kept where the densities were.
 
 use super::{
-    exchange::Forms,
+    exchange::{Forms, is_symmetric},
     order::{rewritten, with_numbers},
     partners::{addend_of_distinct_pair, is_partner},
     reads_only,
+    renamed::renamed,
 };
 use crate::graph::{
     Comparison, Graph, Node, NodeId, Part,
-    index::{Index, IndexId, Loop, LoopId, LoopSet},
-    rename::{Parameters, Place, Renaming, rename},
+    index::{Index, IndexId, Loop, LoopId},
+    rename::{Parameters, Renaming, rename},
 };
 
 /// Energies of bodies that depend on densities.
@@ -101,12 +102,11 @@ impl Embedded {
         for Density { number, pair: own, addend, .. } in &self.densities {
             let there = Renaming::exchange(*own);
             let [weight, other_weight] = [*number, rename(graph, *number, there, parameters)?];
-            let other = renamed(graph, *addend, there, parameters)?;
-            let mut forms = Forms::new(*own, None, parameters);
-            let term = if forms.of(graph, *addend, false)? == forms.of(graph, *addend, true)? {
+            let term = if is_symmetric(graph, *addend, *own, parameters)? {
                 let weights = graph.add(weight, other_weight);
                 graph.mul(weights, *addend)
             } else {
+                let other = renamed(graph, *addend, there, parameters)?;
                 let [first, second] = [graph.mul(weight, *addend), graph.mul(other_weight, other)];
                 graph.add(first, second)
             };
@@ -155,47 +155,4 @@ fn before_and_after(
     let b = renamed(graph, b, Renaming::one(second, other), parameters)?;
     let mut forms = Forms::new(pair, None, parameters);
     (forms.of(graph, a, false)? == forms.of(graph, b, false)?).then_some((pair, b))
-}
-
-/// A node with other indices; `None` where a parameter has no such text.
-pub(super) fn renamed(
-    graph: &mut Graph,
-    root: NodeId,
-    renaming: Renaming,
-    parameters: &mut dyn Parameters,
-) -> Option<NodeId> {
-    let mut fits = true;
-    let new = rewritten(graph, root, |graph, id| {
-        if let Node::Sum(by, body) = graph.node(id)
-            && let Some(inner) = loop_there(graph, by, renaming, parameters)
-        {
-            let body = renamed(graph, body, renaming, parameters);
-            let body = body.and_then(|body| renamed(graph, body, Renaming::one(by, inner), parameters));
-            fits &= body.is_some();
-            return body.map(|body| graph.sum(inner, body));
-        }
-        if graph.node(id).children().next().is_some() || renaming.keeps(graph.loops_of(id)) {
-            return None;
-        }
-        let renamed = rename(graph, id, renaming, parameters);
-        fits &= renamed.is_some();
-        renamed
-    });
-    fits.then_some(new)
-}
-
-/// The loop over components inside of the new loops over a pair, in place of one inside of the old ones.
-fn loop_there(graph: &mut Graph, by: LoopId, renaming: Renaming, parameters: &mut dyn Parameters) -> Option<LoopId> {
-    let Loop { parent, from, to } = graph.loops.get(by);
-    let (second, first) = (parent?, graph.loops.get(parent?).parent?);
-    let (Place::Loop(a), Place::Loop(b)) = (renaming.of(second), renaming.of(first)) else { return None };
-    let is_inside = |inner: LoopId, outer: LoopId| graph.loops.get(inner).parent == Some(outer);
-    let innermost = if is_inside(a, b) { a } else { Some(b).filter(|b| is_inside(*b, a))? };
-    if innermost == second || graph.loops.count() >= LoopSet::CAPACITY {
-        return None;
-    }
-    let [from, to] = [renaming.index(graph, from)?, renaming.index(graph, to)?];
-    let inner = graph.loops.range(Loop { parent: Some(innermost), from, to });
-    parameters.name_if_new(inner, by);
-    Some(inner)
 }

@@ -68,6 +68,17 @@ pub(super) struct Forms<'p> {
     known: HashMap<(NodeId, bool), Signed>,
 }
 
+/// Whether an expression stays the same if the indices of a pair are exchanged; `None` where a parameter cannot be.
+pub(super) fn is_symmetric(
+    graph: &mut Graph,
+    id: NodeId,
+    pair: [LoopId; 2],
+    parameters: &mut dyn Parameters,
+) -> Option<bool> {
+    let mut forms = Forms::new(pair, None, parameters);
+    Some(forms.of(graph, id, false)? == forms.of(graph, id, true)?)
+}
+
 impl<'p> Forms<'p> {
     pub(super) fn new(pair: [LoopId; 2], order: Option<Order>, parameters: &'p mut dyn Parameters) -> Self {
         Self { pair, order, parameters, ids: HashMap::new(), known: HashMap::new() }

@@ -1,12 +1,13 @@
 //! Separates the terms of an energy: terms of pairs of bodies, terms of single bodies, and other terms.
 
 use super::{
-    embedded::{Embedded, renamed},
-    exchange::Forms,
+    embedded::Embedded,
+    exchange::is_symmetric,
     order::{ends, with_numbers},
     over_all,
     partners::{Visited, addend_of_distinct_pair, is_before, is_partner},
     reads_only,
+    renamed::renamed,
 };
 use crate::graph::{
     Graph, Node, NodeId,
@@ -235,7 +236,8 @@ impl<'p> Terms<'p> {
         let ascending = (!twice).then_some(!before);
         let once = graph.mul(factor, body);
         let mut energy = self.with_conditions(graph, once, pair, ascending)?;
-        if twice && self.is_symmetric(graph, energy, pair)? {
+        // Of few bodies, energies that are not symmetric are no pairs.
+        if twice && (!self.are_many || is_symmetric(graph, energy, pair, self.parameters)?) {
             let two = graph.constant(2.0);
             let both = graph.mul(two, once);
             energy = self.with_conditions(graph, both, pair, ascending)?;
@@ -267,12 +269,6 @@ impl<'p> Terms<'p> {
             return self.refuse(if calls { Reason::Method } else { Reason::PairReads });
         }
         Some(energy)
-    }
-
-    /// Whether the energy of a pair stays the same if its bodies are exchanged. Of few bodies, others are not supported.
-    fn is_symmetric(&mut self, graph: &mut Graph, energy: NodeId, pair: [LoopId; 2]) -> Option<bool> {
-        let mut forms = Forms::new(pair, None, self.parameters);
-        Some(!self.are_many || forms.of(graph, energy, false)? == forms.of(graph, energy, true)?)
     }
 
     /// The energy of a pair in the loops of those before, which may visit pairs in another order. Loops that visit each pair once
