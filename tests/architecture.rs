@@ -138,6 +138,7 @@ const CORE: MayKnow = (
             ],
         ),
         ("output", &["error", "state", "trajectory"]),
+        ("orbit", &["error", "flow", "scalar", "state"]),
         ("guide", &[]),
     ],
 );

@@ -186,6 +186,9 @@ fn public_items() {
     let mut names = exported(&root);
     names.extend(check.iter().chain(&output).chain(&taylor).cloned());
     let mut found: Vec<(String, Item)> = items(&source).iter().filter_map(|item| seen(item, &names)).collect();
+    // Its names are words that private items have as well.
+    let orbit = exported(&file(&source.join("orbit/mod.rs")));
+    found.extend(items(&source.join("orbit")).iter().filter_map(|item| seen(item, &orbit)));
     // Heads of impls after the item that they belong to, in the order of their text.
     found.sort_by_cached_key(|(name, item)| {
         (name.clone(), matches!(item, Item::Impl(_)), item.to_token_stream().to_string())
@@ -193,10 +196,11 @@ fn public_items() {
     let items = found.into_iter().map(|(_, item)| item).collect();
     let shown = prettyplease::unparse(&syn::File { shebang: None, frontmatter: None, attrs: Vec::new(), items });
     let text = format!(
-        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\noutput:\n{}\ntaylor:\n{}\nitems:\n\n{shown}",
+        "compositions:\n{}\nprelude:\n{}\ncheck:\n{}\norbit:\n{}\noutput:\n{}\ntaylor:\n{}\nitems:\n\n{shown}",
         listed(&compositions(&self::items(&source.join("composition/catalogue")))),
         listed(&exported(&inside(&root, "prelude"))),
         listed(&check),
+        listed(&orbit),
         listed(&output),
         listed(&taylor),
     );

@@ -18,7 +18,6 @@ macro_rules! debug_as_display {
         })*
     };
 }
-#[cfg(any(feature = "check", feature = "checkpoint", feature = "output"))]
 pub(crate) use debug_as_display;
 
 /// A number in a message, with an exponent if it is below 1e-5 or at least 1e6. Width, sign and digits are those of the

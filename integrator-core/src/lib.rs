@@ -40,6 +40,7 @@
 //! |---|---|
 //! | Write a Hamiltonian | [`#[hamiltonian]`](macro@hamiltonian) |
 //! | Set the initial state and the precision | [`Phase`] |
+//! | Start from orbital elements | [`orbit`] |
 //! | Integrate a trajectory | [`Hamiltonian::run`], [`Run::advance`], [`Run::advance_to`] |
 //! | Choose a composition, or declare one | [structs](#structs) and their [`Scheme`], [`choose`], [`composition!`] |
 //! | Read states at regular times, write files | [`Run::samples`], [`Run::samples_at`], [`output`] |
@@ -104,6 +105,7 @@ mod flow;
 mod hamiltonian;
 mod layout;
 mod methods;
+pub mod orbit;
 #[cfg(feature = "output")]
 pub mod output;
 mod scalar;

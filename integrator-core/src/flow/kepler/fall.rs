@@ -211,7 +211,7 @@ fn angular_momentum<W: Real, const D: usize>(body: &Body<W, D>, factor: W) -> (W
 
 /// `a b - c d` (Kahan).
 #[inline(always)]
-fn difference_of_products<W: Real>(factors: [W; 4]) -> W {
+pub(crate) fn difference_of_products<W: Real>(factors: [W; 4]) -> W {
     let value = |_, [a, b, c, d]: [f64; 4]| {
         let product = c * d;
         let lost = Elementary::mul_add(-c, d, product);

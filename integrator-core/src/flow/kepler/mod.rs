@@ -5,8 +5,9 @@
 //! happens to a body depends on that body alone, bitwise, however many are computed in lanes; one whose orbit
 //! could not be solved for becomes NaN, with a note of it.
 
-mod fall;
+pub(crate) mod fall;
 pub(crate) mod faults;
+pub(crate) mod pericentre;
 pub(crate) mod shared;
 mod slope;
 mod stumpff;
