@@ -1,8 +1,11 @@
 //! The comet, the giant planets, and the dates of perihelion.
 
 use super::system::{GRAVITY, measured};
-use integrator_core::prelude::*;
-use std::{error::Error, num::ParseFloatError};
+use integrator_core::{
+    orbit::{Anomaly, Elements, OrbitError},
+    prelude::*,
+};
+use std::error::Error;
 
 /// Positions or momenta: the Sun with the inner planets, Jupiter, Saturn, Uranus, Neptune, Pluto, and the comet.
 pub(crate) type Bodies = [[f64; 3]; 7];
@@ -61,14 +64,14 @@ impl Solar {
 }
 
 /// Returns the system and its state on the day of the table.
-pub(crate) fn start() -> Result<(Solar, Phase<Bodies>), ParseFloatError> {
+pub(crate) fn start() -> Result<(Solar, Phase<Bodies>), Box<dyn Error>> {
     let (planets, state) = measured()?;
     let mut masses = [COMET_MASS; 7];
     masses[..6].copy_from_slice(&planets.masses);
     let mut start = Phase::new([[0.0; 3]; 7], [[0.0; 3]; 7]);
     start.q[..6].copy_from_slice(&state.q);
     start.p[..6].copy_from_slice(&state.p);
-    let (position, velocity) = from_elements();
+    let [position, velocity] = from_elements()?;
     for d in 0..3 {
         start.q[COMET][d] = start.q[0][d] + position[d];
         start.p[COMET][d] = COMET_MASS * (start.p[0][d] / masses[0] + velocity[d]);
@@ -77,37 +80,17 @@ pub(crate) fn start() -> Result<(Solar, Phase<Bodies>), ParseFloatError> {
 }
 
 /// Returns position and velocity of the comet relative to the Sun on the day of the table, in equatorial coordinates.
-fn from_elements() -> ([f64; 3], [f64; 3]) {
-    let [distance, e, inclination, node, argument, perihelion] = ELEMENTS;
-    let axis = distance / (1.0 - e);
-    let motion = (GRAVITY / axis.powi(3)).sqrt();
-    // Kepler's equation by Newton's method.
-    let mean = motion * (BEGIN - perihelion);
-    let mut u = mean + e * mean.sin();
-    for _ in 0..40 {
-        u -= (u - e * u.sin() - mean) / (1.0 - e * u.cos());
-    }
-    let minor = axis * (1.0 - e * e).sqrt();
-    let rate = motion / (1.0 - e * u.cos());
-    let in_plane = [[axis * (u.cos() - e), minor * u.sin()], [-axis * u.sin() * rate, minor * u.cos() * rate]];
-    let turned = |[x, y]: [f64; 2]| {
-        let point = about_z([x, y, 0.0], argument);
-        let point = about_z(about_x(point, inclination), node);
-        about_x(point, OBLIQUITY)
+fn from_elements() -> Result<[[f64; 3]; 2], OrbitError> {
+    let [distance, eccentricity, inclination, node, argument, perihelion] = ELEMENTS;
+    let comet = Elements {
+        inclination: inclination.to_radians(),
+        node: node.to_radians(),
+        argument: argument.to_radians(),
+        anomaly: Anomaly::SincePericentre(BEGIN - perihelion),
+        ..Elements::with_pericentre(distance, eccentricity)
     };
-    let [position, velocity] = in_plane.map(turned);
-    (position, velocity)
-}
-
-/// Rotates a vector by an angle in degrees.
-fn about_x([x, y, z]: [f64; 3], degrees: f64) -> [f64; 3] {
-    let (sine, cosine) = degrees.to_radians().sin_cos();
-    [x, cosine * y - sine * z, sine * y + cosine * z]
-}
-
-fn about_z([x, y, z]: [f64; 3], degrees: f64) -> [f64; 3] {
-    let (sine, cosine) = degrees.to_radians().sin_cos();
-    [cosine * x - sine * y, sine * x + cosine * y, z]
+    let (sine, cosine) = OBLIQUITY.to_radians().sin_cos();
+    Ok(comet.state(GRAVITY)?.map(|[x, y, z]| [x, cosine * y - sine * z, sine * y + cosine * z]))
 }
 
 /// Returns position and velocity of the comet relative to the Sun.
@@ -119,14 +102,10 @@ pub(crate) fn relative(system: &Solar, state: &Phase<Bodies>) -> [[f64; 3]; 2] {
     ]
 }
 
-/// Returns the osculating semi-major axis in AU and the eccentricity of the comet.
-pub(crate) fn axis_and_eccentricity(system: &Solar, state: &Phase<Bodies>) -> [f64; 2] {
-    let [q, v] = relative(system, state);
-    let pull = GRAVITY * system.masses[0];
-    let [square, speed, radial] = [dot(q, q), dot(v, v), dot(q, v)];
-    let axis = 1.0 / (2.0 / square.sqrt() - speed / pull);
-    let along = 1.0 - square.sqrt() / axis;
-    [axis, (along * along + radial * radial / (pull * axis)).sqrt()]
+/// Returns the osculating elements of the orbit of the comet around the Sun.
+pub(crate) fn osculating(system: &Solar, state: &Phase<Bodies>) -> Result<Elements, OrbitError> {
+    let [position, velocity] = relative(system, state);
+    Elements::from_state(position, velocity, GRAVITY * system.masses[0])
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

@@ -1,7 +1,7 @@
 //! Pictures of the orbit of the comet and of its elements over time.
 
-use crate::comet::{BEGIN, Bodies, COMET, REVOLUTION, Solar, axis_and_eccentricity, run};
-use integrator_core::prelude::*;
+use crate::comet::{BEGIN, Bodies, COMET, REVOLUTION, Solar, osculating, run};
+use integrator_core::{orbit::OrbitError, prelude::*};
 use integrator_plot::{Axis, Chart, write};
 use std::{error::Error, path::Path};
 
@@ -36,7 +36,8 @@ pub(crate) fn orbit(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Resu
 pub(crate) fn elements(system: &Solar, start: Phase<Bodies>, folder: &Path) -> Result<(), Box<dyn Error>> {
     let samples = run(system, start, -1.0)?.samples_at(-YEAR).take(12 * 76);
     let states: Vec<_> = samples.collect::<Result<_, _>>()?;
-    let axis = states.iter().map(|sample| (year(sample.time), axis_and_eccentricity(system, &sample.state)[0]));
+    let axis = states.iter().map(|sample| Ok((year(sample.time), osculating(system, &sample.state)?.axis())));
+    let axis: Vec<(f64, f64)> = axis.collect::<Result<_, OrbitError>>()?;
     let chart = Chart::new("The semi-major axis of Halley's comet")
         .claim(format!("Backwards from {:.0}: Jupiter changes it at each perihelion passage", year(BEGIN)))
         .along(Axis::linear("year"))
