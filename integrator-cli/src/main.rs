@@ -1,4 +1,4 @@
-//! Inspects any Hamiltonian from the command line: `show`, `expand` and `prove`.
+//! Inspects any Hamiltonian from the command line, `show`, `expand` and `prove`, and converts orbital elements, `elements`.
 //!
 //! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
 //! wrong, 2 if the command is.
@@ -7,11 +7,13 @@
 
 mod answer;
 mod catalogue;
+mod elements;
 mod expand;
 mod mistake;
 mod prove;
 mod show;
 mod source;
+mod table;
 
 use clap::{Args, Parser, Subcommand};
 use source::Source;
@@ -21,7 +23,7 @@ use std::{
     process::ExitCode,
 };
 
-/// Inspects Hamiltonians and compositions without running them
+/// Inspects Hamiltonians and compositions without running them, and converts orbital elements
 ///
 /// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the
 /// command is.
@@ -87,6 +89,34 @@ enum Task {
         #[arg(long)]
         json: bool,
     },
+    /// Orbital elements of the bodies of a table, and back
+    ///
+    /// The table is comma-separated, with the names of its columns in the first line. Names may have a
+    /// unit after an underscore, such as `x_au`. Lines that begin with # are comments. The first body is
+    /// the centre. Angles are in radians, unless --degrees is given.
+    ///
+    ///   body, mass, x, y, z, vx, vy, vz: prints elements
+    ///   body, mass, eccentricity, axis or pericentre, inclination, node, argument, and one of
+    ///       mean_anomaly, true_anomaly, since_pericentre: prints positions and velocities relative to
+    ///       the barycentre
+    ///   t, q0_0, ..., p0_0, ..., as `integrator_core::output::csv` writes them: prints elements of each
+    ///       body in each sample; requires --masses
+    ///
+    /// Keys of --json:
+    ///   file, rows
+    ///   rows: the columns that are printed: t, body, mass, axis, pericentre, eccentricity, inclination,
+    ///         node, argument, mean_anomaly; or body, mass, x, y, z, vx, vy, vz
+    #[command(verbatim_doc_comment)]
+    Elements {
+        /// A table of bodies, of elements or of samples
+        #[arg(value_name = "TABLE.csv")]
+        path: PathBuf,
+        #[command(flatten)]
+        options: elements::Options,
+        /// One JSON object instead of text
+        #[arg(long)]
+        json: bool,
+    },
 }
 
 #[derive(Args)]
@@ -104,6 +134,9 @@ fn main() -> ExitCode {
         Task::Show { file: File { path, json } } => (Source::read(&path).and_then(|source| show::show(&source)), json),
         Task::Expand { file: File { path, json } } => {
             (Source::read(&path).and_then(|source| expand::expand(&source)), json)
+        }
+        Task::Elements { path, options, json } => {
+            (Source::read(&path).and_then(|source| elements::elements(&source, &options)), json)
         }
         Task::Prove { sequence, order, json } => (prove::prove(&sequence, order), json),
     };

@@ -1,5 +1,6 @@
 //! The program as one runs it: what it prints, where, and with which exit code.
 
+mod elements;
 mod inputs;
 mod prove;
 #[cfg(feature = "long")]
@@ -78,6 +79,8 @@ fn a_wrong_command_is_usage() {
         &["prove", "Verlet", "--order", "0"],
         &["show", ""],
         &["expand", "--yaml", "x.rs"],
+        &["elements"],
+        &["elements", "x.csv", "--frame", "galactic"],
     ] {
         let Outcome { code, stdout, stderr } = run(arguments);
         assert_eq!((code, stdout.as_str()), (Some(2), ""), "{arguments:?}");
@@ -96,6 +99,9 @@ fn help_names_the_keys() {
     documented("show", &objects);
     let expand = json(&["expand", pendulum]);
     documented("expand", &[&expand, &expand["systems"][0]]);
+    let bodies = file("for_help.csv", "mass,x,y,vx,vy\n1,0,0,0,0\n1,1,0,0,1\n");
+    let elements = json(&["elements", &bodies]);
+    documented("elements", &[&elements, &elements["rows"][1]]);
     let prove = json(&["prove", "Euler"]);
     documented("prove", &[&prove, &prove["stages"][0], &prove["error_terms"][0], &prove["violation"]]);
 }
