@@ -1,7 +1,7 @@
 //! `prove`: the proved properties of a typed sequence of stages, or of a composition of the catalogue.
 
 use crate::{answer::Answer, catalogue::catalogue, mistake::Mistake, source::Source};
-use integrator_symbolic::{Proved, ProvedStage, nearest, sequence};
+use integrator_symbolic::{Proved, ProvedStage, named_otherwise, nearest, sequence};
 use proc_macro2::{Span, TokenTree};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -43,9 +43,12 @@ pub(crate) fn prove(text: &str, order: Option<u32>) -> Result<Answer, Mistake> {
     Ok(Answer { text: shown(text, proved), json: value(text, proved) })
 }
 
-/// What to say of a lone name that is nearly one of the catalogue.
+/// What to say of a lone name that is nearly one of the catalogue, and is no other name of one.
 fn misspelt(trees: &[TokenTree], known: &[Proved]) -> Option<(Span, String)> {
     let [TokenTree::Ident(name)] = trees else { return None };
+    if named_otherwise(&name.to_string()).is_some() {
+        return None;
+    }
     let names: Vec<String> = known.iter().map(|proved| proved.name.clone()).collect();
     let near: Vec<String> = nearest(&name.to_string(), &names).into_iter().map(|near| format!("`{near}`")).collect();
     let message = format!("unknown composition `{name}`\nhelp: similar names: {}", near.join(", "));

@@ -279,6 +279,7 @@ pub mod __private {
             sites::{Boundary, Flow, MovedSites, Sites, StencilRadii, columns},
         },
         trajectory::{
+            method::Described,
             sensitive::Sensitive,
             step_functions::{Executor, StepFunctions},
         },

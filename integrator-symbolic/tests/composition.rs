@@ -242,6 +242,12 @@ fn every_mistake_has_one_message_on_its_token() {
             ],
         ),
         (
+            "struct A = Leapfrog;",
+            &[
+                "1:11 `Leapfrog` is called `Verlet` here\nhelp: write `Verlet`, drift, kick, drift; `VelocityVerlet` is kick, drift, kick",
+            ],
+        ),
+        (
             "struct A = triple_jump(Euler);",
             &["1:23 `triple_jump` requires a symmetric composition, and this one is not symmetric"],
         ),

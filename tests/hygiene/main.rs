@@ -17,4 +17,5 @@ pub mod macros;
 pub mod names;
 pub mod no_parameters;
 pub mod no_prelude;
+pub mod other_names;
 pub mod renamed_dependency;

@@ -6,6 +6,7 @@
 
 mod fingerprint;
 mod flow;
+mod other_name;
 mod printer;
 mod read_by_methods;
 mod taylor;
@@ -453,6 +454,7 @@ fn coordinates(model: &Model, names: &Names) -> TokenStream {
 fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Option<TokenStream>) {
     let (root, runtime) = (&input.root, &names.runtime);
     let is_whole = matches!(model.split, Split::Whole);
+    let named_otherwise = other_name::check(input, names);
     match &input.compose {
         None if is_whole => (quote!(#runtime::ImplicitMidpoint), None),
         None => (quote!(#runtime::Verlet), None),
@@ -464,7 +466,8 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
                 };
             };
             // A type parameter is not known out here.
-            (quote!(#path), input.item.generics.params.is_empty().then_some(held))
+            let held = input.item.generics.params.is_empty().then_some(held);
+            (quote!(#path), Some(quote!(#held #named_otherwise)))
         }
         Some(Compose::Named(path)) => {
             let parts = model.flows();
@@ -475,7 +478,8 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
                 _ => quote!(admits::<#path>(#parts)),
             };
             let check = quote_spanned!(path.span()=> const _: () = #runtime::#admits;);
-            (quote!(#path), held.then_some(check))
+            let check = held.then_some(check);
+            (quote!(#path), Some(quote!(#check #named_otherwise)))
         }
         Some(Compose::InPlace(sequence, _)) => {
             let name = &names.composition;

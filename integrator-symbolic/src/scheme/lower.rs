@@ -12,7 +12,7 @@ use super::{
     stages::{Element, Letter, Letters, Stages},
     syntax::{COMBINATORS, Combined, Item, Sequence},
 };
-use crate::errors::Errors;
+use crate::{errors::Errors, other_names::named_otherwise};
 
 /// The number of stages from which a sequence is taken for a mistake.
 const MOST_STAGES: usize = 1000;
@@ -50,6 +50,10 @@ impl Known {
     fn look_up(&self, name: &Ident, errors: &mut Errors) -> Option<&Scheme> {
         if let Some((_, scheme)) = self.0.iter().find(|(known, _)| name == known) {
             return scheme.as_ref();
+        }
+        if let Some([message, help]) = named_otherwise(&name.to_string()) {
+            errors.push(syn::Error::new(name.span(), format!("{message}\nhelp: {help}")));
+            return None;
         }
         let names: Vec<String> = self.0.iter().map(|(known, _)| format!("`{known}`")).collect();
         let names = names.join(", ");
