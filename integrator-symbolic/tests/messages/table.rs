@@ -397,6 +397,13 @@ pub(crate) const BODIES: &[Row] = &[
             "2:7 `p` is not known here\nhelp: move the terms with momenta to `kinetic`\nnote: V(q) is a function of the positions",
         ],
     ),
+    (
+        "{ let d = [q[0], q[1]]; let e = d - self.centre; (d * 2.0)[0] }",
+        &[
+            "2:32 Rust has no `-` for arrays, such as points\nhelp: write the components, `[d[0] - self.centre[0], d[1] - self.centre[1]]`",
+            "2:50 Rust has no `*` for arrays, such as points\nhelp: write the components, `[d[0] * 2.0, d[1] * 2.0]`",
+        ],
+    ),
     ("q[0] + x", &["2:7 `x` is not known here"]),
     ("q[2]", &["2:2 index 2 is out of bounds for the coordinates `[f64; 2]`\nnote: the last index here is 1"]),
     ("q[0][1]", &["2:0 an `f64` cannot be indexed"]),
@@ -895,6 +902,12 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b on fn a(&self, q: &[[f64; 2]], p: &[[f64; 2]]) -> f64 { let mut sum = 0.0; for i in 0..q.len() { sum += self.kinetic_of(p[i], self.m[i]); } for i in 0..q.len() { sum -= self.g * self.m[i] / self.length(q[i]); } sum } fn kinetic_of(&self, p: [f64; 2], m: f64) -> f64 { p.iter().map(|x| x * x).sum::<f64>() / (2.0 * m) } fn length(&self, q: [f64; 2]) -> f64 { q.iter().map(|x| x * x).sum::<f64>().sqrt() } fn b(&self, q: &[[f64; 2]]) -> f64 { q[0][0].cos() }",
         &[],
+    ),
+    (
+        "split = a + b on fn a(&self, p: [[f64; 3]; 2]) -> f64 { p[0][0] * p[0][0] + p[1][0] * p[1][0] } fn b(&self, q: [[f64; 3]; 2]) -> f64 { let d = q[1] - q[0]; d[0].cos() }",
+        &[
+            "2:126 Rust has no `-` for arrays, such as points\nhelp: write the components, `[q[1][0] - q[0][0], q[1][1] - q[0][1], q[1][2] - q[0][2]]`",
+        ],
     ),
     (
         "split = a + b on fn a(&self, q: [[f64; 3]; 2], p: [[f64; 3]; 2]) -> f64 { let mut sum = 0.0; for d in 0..3 { sum += p[0][d] * p[0][d] + 2.0 * p[1][d] * p[1][d]; } sum - 1.0 / q[0][0].hypot(q[0][1]).hypot(q[0][2]) } fn b(&self, q: [[f64; 3]; 2]) -> f64 { q[0][0].cos() }",

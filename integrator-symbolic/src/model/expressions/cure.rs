@@ -158,6 +158,27 @@ pub(crate) fn bits_by_arithmetic(op: &str) -> String {
     )
 }
 
+/// What to write for an operator between arrays, such as points, or between an array and a number: the same for each component.
+pub(crate) fn by_components(op: &BinOp, sides: [&Expr; 2], is_array: [bool; 2], count: Option<u64>) -> String {
+    /// How many components are written out.
+    const FEW: u64 = 3;
+
+    let op = quoted(op);
+    let component = |at: u64| {
+        let [left, right] = [0, 1].map(|side| match (is_array[side], sides[side]) {
+            (false, number) => written(number),
+            (true, array @ (Expr::Binary(_) | Expr::Unary(_))) => format!("({})[{at}]", written(array)),
+            (true, array) => format!("{}[{at}]", written(array)),
+        });
+        format!("{left} {op} {right}")
+    };
+    let help = match count.filter(|count| *count <= FEW) {
+        Some(count) => format!("`[{}]`", (0..count).map(component).collect::<Vec<_>>().join(", ")),
+        None => format!("`{}`, and so on", component(0)),
+    };
+    format!("Rust has no `{op}` for arrays, such as points\nhelp: write the components, {help}")
+}
+
 fn power_of(link: &ExprBinary, is: &str, exponent: &Expr) -> Power {
     let (base, op) = (rightmost(&link.left), &link.op);
     let sign = if let BinOp::Mul(_) = op { "**" } else { "^" };

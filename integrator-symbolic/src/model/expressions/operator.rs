@@ -8,7 +8,7 @@ use crate::model::{
     NOT_SEPARABLE, Reader,
     code::{assigned::simple_name, shape::integer_type},
     expressions::{
-        cure::{Power, power_by_exclusive_or, power_by_operator},
+        cure::{Power, by_components, power_by_exclusive_or, power_by_operator},
         types::is_collected,
     },
     parameters::text::{mentions_item, referent},
@@ -167,6 +167,10 @@ impl Reader<'_> {
             [true, true] => self.own_of(&left).zip(self.own_of(&right)).map(|(a, b)| joined(&a, op, &b)),
             _ => None,
         };
+        if let Some(message) = self.of_components(op, [&left, &right], [left_place, right_place]) {
+            self.errors.at(whole, message);
+            return None;
+        }
         let (a, b) = (self.operand(&left, left_place), self.operand(&right, right_place));
         let (a, b) = (a?, b?);
         if self.input.coordinates.is_some() && matches!(op, BinOp::Add(_) | BinOp::Sub(_)) {
@@ -192,6 +196,25 @@ impl Reader<'_> {
             _ => self.graph.call_two("remainder", a, b),
         };
         Some(Self::joint(number, own))
+    }
+
+    /// What to write for an operation on points or arrays, which Rust does not have.
+    fn of_components(&self, op: &BinOp, sides: [&Value; 2], places: [&Expr; 2]) -> Option<String> {
+        let count = |side: &Value| match side {
+            Value::View(view) if view.at.len() == 1 => self.shape.as_ref()?.dimension()?.literal(),
+            Value::Array(parts) => Some(parts.len() as u64),
+            _ => None,
+        };
+        let counts = sides.map(count);
+        let is_array = |side: &Value| match side {
+            Value::View(view) => !view.at.is_empty(),
+            Value::Array(_) => true,
+            // Whether a parameter is an array is not known: only an array can be added to one.
+            Value::Opaque(_) => matches!(op, BinOp::Add(_) | BinOp::Sub(_)),
+            _ => false,
+        };
+        let has_array = sides.iter().any(|side| !matches!(side, Value::Opaque(_)) && is_array(side));
+        has_array.then(|| by_components(op, places, sides.map(is_array), counts[0].or(counts[1])))
     }
 
     fn operand_of_own_type(&mut self, operand: &Expr) -> Option<Value> {
