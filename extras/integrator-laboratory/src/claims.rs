@@ -21,12 +21,54 @@ pub struct Verdict {
     pub within: [f64; 2],
     /// The measured number; NaN if it could not be measured.
     pub measured: f64,
+    /// The name of the picture that shows it; empty if none does.
+    pub picture: String,
+    /// The unit of the numbers, such as `K`; empty for a number without one.
+    pub unit: &'static str,
+    /// What it may mean that the claim fails, and what to try.
+    pub meaning: &'static str,
 }
 
 impl Verdict {
     /// Creates a claim that holds if the number lies in the interval, whose ends may be infinite.
     pub fn new(name: impl Into<String>, says: impl Into<String>, within: [f64; 2], measured: Option<f64>) -> Self {
-        Self { name: name.into(), says: says.into(), within, measured: measured.unwrap_or(f64::NAN) }
+        Self {
+            name: name.into(),
+            says: says.into(),
+            within,
+            measured: measured.unwrap_or(f64::NAN),
+            picture: String::new(),
+            unit: "",
+            meaning: "",
+        }
+    }
+
+    /// Names the picture that shows the claim, as in [`Laboratory::picture`](crate::Laboratory::picture).
+    #[must_use]
+    pub fn shown_in(self, picture: impl Into<String>) -> Self {
+        Self { picture: picture.into(), ..self }
+    }
+
+    /// States what it may mean that the claim fails, and what to try.
+    #[must_use]
+    pub fn meaning(self, meaning: &'static str) -> Self {
+        Self { meaning, ..self }
+    }
+
+    /// Returns what it may mean that the claim fails, and what to try.
+    pub(crate) fn advice(&self) -> &'static str {
+        if self.measured.is_nan() {
+            "Nothing could be measured: a method did not come to an end. Try a shorter step."
+        } else if self.meaning.is_empty() {
+            "Try half the step; if the number stays, the method or the claim is wrong."
+        } else {
+            self.meaning
+        }
+    }
+
+    /// Returns the measured number, for readers.
+    pub(crate) fn found(&self) -> String {
+        in_unit(plain(self.measured), self.unit)
     }
 
     /// Whether the claim holds.
@@ -44,20 +86,48 @@ impl Verdict {
     /// Returns the expected number, for readers.
     #[must_use]
     pub fn expected(&self) -> String {
-        match self.within {
+        let range = match self.within {
             [least, most] if least == most => format!("exactly {}", plain(least)),
             [least, most] if least == -most => format!("0, to {}", plain(most)),
             [least, f64::INFINITY] => format!("at least {}", plain(least)),
             [f64::NEG_INFINITY, most] => format!("at most {}", plain(most)),
             [0.0, most] => format!("at most {}", plain(most)),
             [least, most] => format!("between {} and {}", plain(least), plain(most)),
-        }
+        };
+        in_unit(range, self.unit)
     }
 }
+
+fn in_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() { number } else { format!("{number} {unit}") }
+}
+
+/// What it may mean that a claim fails, and what to try.
+const CONVEX: &str = "The potential may be concave along the orbit, so that this is not a property of the method here; or the orbit has left \
+     within a period: try half the step.";
+const SYMPLECTIC: &str =
+    "A symplectic method has no such error at any step: the method or the derivative of a flow has a defect.";
+const SOLVED: &str = "An implicit step may be too long for its equation to be solved to rounding: try half the step. Otherwise a method \
+     claims to be symplectic and is not, which is a defect.";
+const STRAIGHT: &str = "The motion may be nearly that of a free particle, or the step so short that the effect is small: try a longer step.";
+const OUTLINE: &str = "The set of initial states may be so large that its outline is folded: try a smaller one. Otherwise the method has a defect.";
+const CHAOS: &str =
+    "Rounding grows along a chaotic or escaping orbit: try a shorter period. Otherwise the method has a defect.";
+const ORDER: &str = "The step may be too long for the first term of the error, or the force not smooth (a kink, a jump, a cutoff): try half the \
+     step. If the exponent stays, the method has a defect.";
+const SAME: &str = "Both are the same map, so that only rounding may differ: along a chaotic orbit it grows; otherwise one of the two has a defect.";
+const TOLERANCE: &str = "The orbit may pass a kink or a jump of the force, which a tolerance does not resolve; or the reference is no better: try a \
+     shorter period.";
+const DRIFT: &str = "The step may resonate with the motion or be near the limit of stability, or the orbit is chaotic: try a step shorter by a \
+     tenth, then half of it. If the error still grows, the method has a defect.";
+const KEEPS: &str = "The longest step of the portraits may be too short for a method of this order, or the method conserves this energy: no defect.";
+const SERIES: &str = "The step may be too long for the series of the modified Hamiltonian: try half the step.";
 
 /// A claim about methods, which is checked for every system.
 struct Claim {
     name: &'static str,
+    /// The picture, the unit of the number, and what it may mean that the claim fails.
+    shown: (&'static str, &'static str, &'static str),
     says: &'static str,
     /// Whether the claim applies to the system.
     applies: fn(&Study) -> bool,
@@ -116,6 +186,7 @@ macro_rules! orders {
     ($($name:literal $says:literal $method:literal $order:literal,)*) => {
         [$(Claim {
             name: $name,
+            shown: ("errors", "", ORDER),
             says: $says,
             applies: |_| true,
             value: |study| study.method($method)?.slope,
@@ -152,6 +223,7 @@ const OF_GRADIENTS: [Claim; 1] = orders! {
 /// The claim about Taylor's method, where there are recurrences.
 const OF_TAYLOR: Claim = Claim {
     name: "taylor_follows_its_tolerance",
+    shown: ("work_precision", "", TOLERANCE),
     says: "The errors of Taylor's method fall with its tolerance: the exponent",
     applies: |_| true,
     value: |study| {
@@ -169,6 +241,7 @@ const ROUNDED: f64 = 1e-12;
 const CLAIMS: [Claim; 18] = [
     Claim {
         name: "forward_euler_energy_grows",
+        shown: ("energy", "K", CONVEX),
         says: "Forward Euler gains energy: the change after a period, in units of the largest kinetic energy",
         applies: |study| study.resolved,
         value: |study| energy_change(study, "forward Euler"),
@@ -176,6 +249,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "backward_euler_energy_decays",
+        shown: ("energy", "K", CONVEX),
         says: "Backward Euler loses energy: the change after a period, in units of the largest kinetic energy",
         applies: |study| study.resolved,
         value: |study| energy_change(study, "backward Euler"),
@@ -183,6 +257,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_euler_bracket_is_one",
+        shown: ("brackets", "", SYMPLECTIC),
         says: "Symplectic Euler preserves the Poisson bracket: {q₁, p₁} − 1 after a step",
         applies: |_| true,
         value: |study| Some(study.method("symplectic Euler")?.bracket() - 1.0),
@@ -190,6 +265,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "implicit_midpoint_bracket_is_one",
+        shown: ("brackets", "", SOLVED),
         says: "The implicit midpoint rule preserves the Poisson bracket without a splitting: {q₁, p₁} − 1 after a step",
         applies: |_| true,
         value: |study| Some(study.method("implicit midpoint")?.bracket() - 1.0),
@@ -197,6 +273,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_bracket_is_not_one",
+        shown: ("brackets", "", STRAIGHT),
         says: "Forward Euler does not preserve the Poisson bracket: |{q₁, p₁} − 1| after a step",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.bracket() - 1.0).abs()),
@@ -205,6 +282,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "brackets_stay_one_at_every_step",
+        shown: ("tangents", "", SOLVED),
         says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of the rounding bound",
         applies: |_| true,
         value: |study| {
@@ -217,6 +295,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_bracket_leaves_one",
+        shown: ("tangents", "", STRAIGHT),
         says: "The bracket of forward Euler departs from one: |{q₁, p₁} − 1| after four periods, or when it overflows",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.deviations.last()?.bracket - 1.0).abs()),
@@ -224,6 +303,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "maps_tell_symplectic_methods",
+        shown: ("maps", "", SOLVED),
         says: "Exactly the symplectic methods have symplectic maps, for every step: the number of exceptions after eight steps, when multistep methods have left their starter",
         applies: |_| true,
         value: |study| {
@@ -234,6 +314,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_methods_preserve_areas",
+        shown: ("areas", "", OUTLINE),
         says: "Symplectic methods preserve the area of a set of initial states: the largest relative change",
         applies: |_| true,
         value: |study| {
@@ -244,6 +325,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_area_is_not_preserved",
+        shown: ("areas", "", STRAIGHT),
         says: "Forward Euler does not preserve the area of a set of initial states: the relative change",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.blob.area() - 1.0).abs()),
@@ -251,6 +333,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symmetric_methods_come_back",
+        shown: ("reversal", "of the orbit", CHAOS),
         says: "Symmetric methods return when the momenta are reversed: the largest distance from the start",
         applies: |study| study.autonomous,
         value: |study| {
@@ -261,6 +344,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Forward Euler does not return: the distance from the start",
         applies: |study| study.autonomous,
         value: |study| Some(study.method("forward Euler")?.reversal.apart.unwrap_or(f64::INFINITY)),
@@ -268,6 +352,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_euler_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Symplectic Euler does not return either, since it kicks first in both directions: the distance from the start",
         applies: |study| study.autonomous,
         value: |study| study.method("symplectic Euler")?.reversal.apart,
@@ -275,6 +360,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "runge_kutta_4_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Runge–Kutta 4 does not return: the distance from the start, a billionth by rounding alone",
         applies: |study| study.autonomous,
         value: |study| study.method("Runge–Kutta 4")?.reversal.apart,
@@ -282,6 +368,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "each_column_of_the_extrapolation_gains_two_orders",
+        shown: ("extrapolation", "", ORDER),
         says: "Each column of the extrapolation gains two orders: the least excess of the exponents of its errors over 3, 5, 7, 9",
         applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.least_excess(),
@@ -289,6 +376,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "each_column_of_the_extrapolation_is_more_accurate",
+        shown: ("extrapolation", "", ORDER),
         says: "Each column of the extrapolation is more accurate than the one before: the largest ratio of their errors in the finest row",
         applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.largest_ratio(),
@@ -296,6 +384,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "the_extrapolation_ends_in_gragg_bulirsch_stoer",
+        shown: ("extrapolation", "of the orbit", SAME),
         says: "The last entry of the extrapolation is the step of Gragg, Bulirsch and Stoer: the relative distance",
         applies: |_| true,
         value: |study| Some(study.extrapolation.as_ref()?.corner),
@@ -303,6 +392,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "verlet_equals_shifted_leapfrog",
+        shown: ("shifted", "of the orbit", SAME),
         says: "Verlet is the leapfrog shifted by half a step: the largest relative distance",
         applies: |_| true,
         value: |study| Some(study.shifted),
@@ -313,7 +403,10 @@ const CLAIMS: [Claim; 18] = [
 impl Claim {
     /// Holds the claim against what was measured.
     fn verdict(&self, study: &Study) -> Verdict {
-        Verdict::new(self.name, self.says, self.within, (self.value)(study))
+        let (picture, unit, meaning) = self.shown;
+        let says = self.says.replace("{q₁, p₁}", &study.bracket());
+        let verdict = Verdict::new(self.name, says, self.within, (self.value)(study));
+        Verdict { unit, ..verdict.shown_in(picture).meaning(meaning) }
     }
 }
 
@@ -326,13 +419,16 @@ fn of_portrait(measured: &Measured) -> Verdict {
         let says = format!(
             "The energy of {name} oscillates and does not drift, in {steps} steps per period: its largest error in the second half over that in the first"
         );
-        return Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
+        let verdict = Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
+        return verdict.shown_in("portraits").meaning(DRIFT);
     }
     let periods = plain(portrait.periods);
     let says = format!(
         "{name} gains or loses energy, in {steps} steps per period: the size of the change after {periods} periods, in units of the largest kinetic energy"
     );
-    Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()))
+    let verdict =
+        Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()));
+    Verdict { unit: "K", ..verdict.shown_in("portraits").meaning(KEEPS) }
 }
 
 impl Measured {
@@ -355,7 +451,9 @@ fn of_modified(modified: &Modified) -> Verdict {
         "{name} conserves a modified Hamiltonian: with the terms of its series, the change of the energy falls with powers of the step \
          from {first} to {last}; by how much the measured ones exceed these, at least"
     );
-    Verdict::new(format!("{}_modified_energy_stays", word(name)), says, [-POWER, f64::INFINITY], modified.excess)
+    let verdict =
+        Verdict::new(format!("{}_modified_energy_stays", word(name)), says, [-POWER, f64::INFINITY], modified.excess);
+    verdict.shown_in("modified").meaning(SERIES)
 }
 
 /// Returns the verdicts on all claims that apply to the system.

@@ -2,8 +2,8 @@
 //! self-contained.
 
 use crate::{
-    Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, pictures::PICTURES, portrait::portrait,
-    problem::Stepped, study::Study, tangents::defect,
+    Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, page::Content, pictures::PICTURES,
+    portrait::portrait, problem::Stepped, study::Study, tangents::defect,
 };
 use integrator_core::prelude::*;
 use integrator_plot::{Canvas, Picture};
@@ -236,9 +236,14 @@ fn rounding_is_no_gain() {
     for measured in &mut study.methods {
         measured.energies.iter_mut().for_each(|(_, change)| *change = 7.9e-15);
     }
-    let page = crate::page::page("", "", Some(&study), &[], &[]);
+    let page = page(&study, &[]);
     assert_eq!(page.matches("kept to rounding").count(), study.methods.len());
     assert!(!page.contains("gains ") && !page.contains("loses "));
+}
+
+fn page(study: &Study, verdicts: &[Verdict]) -> String {
+    let content = Content { name: "", formula: "", equations: &[], study: Some(study), verdicts, figures: &[] };
+    content.page().expect("fonts")
 }
 
 fn svg(drawing: &Drawing) -> String {
@@ -261,7 +266,7 @@ const SHOWN: [(&str, [&str; 3], bool); 11] = [
     ("modified", ["Modified Hamiltonians", "with further terms h⁴, h⁶", "Yoshida 4"], false),
     ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
     ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
-    ("tangents", ["Length of a deviation", "{q₁, p₁} − 1", "Deviations evolved by"], true),
+    ("tangents", ["Length of a deviation", "{q, p} − 1", "Deviations evolved by"], true),
     ("reversal", ["Reversibility", "distance from the start: ", "Verlet"], false),
     ("limits", ["Energy error against step", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
@@ -304,13 +309,21 @@ fn a_page_has_its_claims_its_formulas_and_what_was_added() {
     let folder = folder("page");
     let own = integrator_plot::Chart::new("My own").line("", [(0.0, 0.0), (1.0, 1.0)]);
     let claim = Verdict::new("mine", "Mine is < theirs", [0.0, 1.0], Some(2.0));
-    let report = pendulum().called("swing").claim(claim).picture("own", own).report(&folder).expect("files");
+    let report =
+        pendulum().called("swing").claim(claim).picture("own", own).symbols(["θ", "ω"]).report(&folder).expect("files");
     assert_eq!(report.page, folder.join("swing.html"));
     assert!(!report.holds() && report.to_string().contains("\nclaim_mine=FAILED value=2.000e0\n"), "{report}");
     let page = fs::read_to_string(&report.page).expect("a page");
-    for part in
-        ["H = p²/2 − cos q; step 0.1", "Mine is &lt; theirs", ">at most 1<", ">2<", "<mfrac>", "My own", "1 of "]
-    {
+    for part in [
+        "<p>H = p²/2 − cos q</p>",
+        "0.1, of which",
+        "Mine is &lt; theirs",
+        ">at most 1<",
+        ">2<",
+        "<mfrac>",
+        "My own",
+        "1 of ",
+    ] {
         assert!(page.contains(part), "{part} is missing");
     }
     assert_eq!(page.matches("<figure").count(), PICTURES.len() + 1);
@@ -439,8 +452,7 @@ fn steps_follow_a_fast_drive() {
     assert_eq!(laboratory.problem.cycles(), 40);
     assert!((laboratory.problem.step - 12.57 / 40.0 / 80.618).abs() < 1e-6);
     let mut study = driven_study();
-    let warns =
-        |study: &Study| crate::page::page("", "", Some(study), &[], &[]).contains("half the period of the drive");
+    let warns = |study: &Study| page(study, &[]).contains("half the period of the drive");
     assert!(study.half_drive.is_some_and(|half| (half - 3.2).abs() < 0.1) && !warns(&study), "{:?}", study.half_drive);
     study.half_drive = Some(0.99 * study.step);
     assert!(warns(&study));

@@ -82,6 +82,12 @@ impl Panels {
         &self.charts
     }
 
+    /// Returns the number of charts in a row.
+    #[must_use]
+    pub fn column_count(&self) -> usize {
+        self.columns
+    }
+
     /// Returns the width and height of a chart in pixels.
     #[must_use]
     pub fn chart_size(&self) -> (u32, u32) {

@@ -13,6 +13,17 @@ mod tangents;
 
 use crate::{laboratory::Drawing, study::Study};
 
+/// The chapters of the page: an identifier, a title, and the pictures in them.
+pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
+    ("euler", "Euler’s methods and the leapfrog", &["portraits", "energy", "energy_error", "shifted", "reversal"]),
+    ("symplectic", "Symplectic maps", &["brackets", "maps", "areas", "tangents"]),
+    ("backward", "The energy that steps conserve", &["modified"]),
+    ("order", "Order, work and stability", &["errors", "work_precision", "limits", "adaptive"]),
+    ("multistep", "Multistep methods", &["roots"]),
+    ("extrapolation", "Extrapolation and Taylor series", &["taylor"]),
+    ("stiffness", "Stiff equations", &["gear", "regions"]),
+];
+
 /// A picture with the name of its files.
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
