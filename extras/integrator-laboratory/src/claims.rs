@@ -176,6 +176,11 @@ fn energy_change(study: &Study, method: &str) -> Option<f64> {
     Some(*change)
 }
 
+/// The largest distance of the bracket of a method from its formula.
+fn off(study: &Study, method: &str) -> Option<f64> {
+    Some(study.brackets.as_ref()?.iter().find(|row| row.name == method)?.off())
+}
+
 /// The farthest of several numbers; none if one is missing.
 fn farthest(mut numbers: impl Iterator<Item = Option<f64>>) -> Option<f64> {
     numbers.try_fold(0.0, |most: f64, number| Some(most.max(number?)))
@@ -238,7 +243,7 @@ const OF_TAYLOR: Claim = Claim {
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 18] = [
+const CLAIMS: [Claim; 20] = [
     Claim {
         name: "forward_euler_energy_grows",
         shown: ("energy", "K", CONVEX),
@@ -279,6 +284,22 @@ const CLAIMS: [Claim; 18] = [
         value: |study| Some((study.method("forward Euler")?.bracket() - 1.0).abs()),
         // Off by h² T'' V'', where rounding would be a millionth of this.
         within: [1e6 * BRACKET, f64::INFINITY],
+    },
+    Claim {
+        name: "forward_euler_bracket_has_a_formula",
+        shown: ("brackets", "", SYMPLECTIC),
+        says: "After a step of forward Euler {q₁, p₁} is 1 + h² T″V″: the largest distance along a period",
+        applies: |study| study.brackets.is_some(),
+        value: |study| off(study, "forward Euler"),
+        within: [0.0, BRACKET],
+    },
+    Claim {
+        name: "backward_euler_bracket_is_the_inverse",
+        shown: ("brackets", "", SOLVED),
+        says: "After a step of backward Euler {q₁, p₁} is 1 / (1 + h² T″V″), at the end of the step: the largest distance along a period",
+        applies: |study| study.brackets.is_some() && study.freedom == 1,
+        value: |study| off(study, "backward Euler"),
+        within: [0.0, BRACKET],
     },
     Claim {
         name: "brackets_stay_one_at_every_step",
@@ -395,7 +416,7 @@ const CLAIMS: [Claim; 18] = [
         shown: ("shifted", "of the orbit", SAME),
         says: "Verlet is the leapfrog shifted by half a step: the largest relative distance",
         applies: |_| true,
-        value: |study| Some(study.shifted),
+        value: |study| Some(study.shifted.apart),
         within: [0.0, SHIFTED],
     },
 ];
@@ -404,7 +425,7 @@ impl Claim {
     /// Holds the claim against what was measured.
     fn verdict(&self, study: &Study) -> Verdict {
         let (picture, unit, meaning) = self.shown;
-        let says = self.says.replace("{q₁, p₁}", &study.bracket());
+        let says = self.says.replace("{q₁, p₁}", &study.bracket()).replace("T″V″", &study.curvature);
         let verdict = Verdict::new(self.name, says, self.within, (self.value)(study));
         Verdict { unit, ..verdict.shown_in(picture).meaning(meaning) }
     }

@@ -51,9 +51,10 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         // A start that is no start ends the first run.
         let turns = turns(system, &start, period).unwrap_or(0);
         let (freedom, angles) = (start.q.flat().len(), Vec::new());
+        let curvature = "T″ V″".to_owned();
         let symbols = (0..2 * freedom).map(|index| name(index, freedom)).collect();
         let mut problem =
-            Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], angles, symbols, start };
+            Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], angles, symbols, curvature, start };
         problem.step = problem.step_of(STEPS);
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
@@ -117,6 +118,13 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     pub fn symbols(mut self, symbols: impl IntoIterator<Item = impl Into<String>>) -> Self {
         let given = symbols.into_iter().map(Into::into);
         self.problem.symbols.iter_mut().zip(given).for_each(|(symbol, given)| *symbol = given);
+        self
+    }
+
+    /// Sets the text of `T'' V''` in these symbols, such as `"cos θ"`, for the bracket of forward Euler.
+    #[must_use]
+    pub fn curvature(mut self, text: impl Into<String>) -> Self {
+        self.problem.curvature = text.into();
         self
     }
 

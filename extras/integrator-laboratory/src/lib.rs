@@ -43,12 +43,13 @@
 //! | `problem`, `plan` | a system with its start; the amount of measurements |
 //! | `study`, `measured` | all measurements, of a system and of a method |
 //! | `methods`, `rows` | the methods and their descriptions |
-//! | `blob`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
+//! | `blob`, `brackets`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | pictures and pages; `formula` writes MathML, `numbers` formats numbers |
 
 mod admitted;
 mod blob;
+mod brackets;
 mod claims;
 mod errors;
 mod extrapolation;

@@ -27,6 +27,8 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     pub(crate) angles: Vec<usize>,
     /// The symbols of the coordinates, positions first.
     pub(crate) symbols: Vec<String>,
+    /// `T'' V''` in these symbols.
+    pub(crate) curvature: String,
 }
 
 impl<H: Hamiltonian> Problem<'_, H> {

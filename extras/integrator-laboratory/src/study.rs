@@ -1,6 +1,7 @@
 //! All measurements of a system as plain numbers, from which pictures, claims and the page are made.
 
 use crate::{
+    brackets::{Brackets, brackets},
     claims::CHANGED,
     errors::exact,
     extrapolation::{Extrapolation, extrapolation},
@@ -9,7 +10,7 @@ use crate::{
     modified::Modified,
     plan::Plan,
     problem::{Problem, numbers},
-    shifted::verlet_against_leapfrog,
+    shifted::{Shifted, verlet_against_leapfrog},
 };
 use integrator_core::prelude::*;
 use std::error::Error;
@@ -45,8 +46,11 @@ pub(crate) struct Study {
     pub(crate) modified: Vec<Modified>,
     /// One long step, extrapolated.
     pub(crate) extrapolation: Option<Extrapolation>,
-    /// The difference of Verlet's inner half steps from the leapfrog.
-    pub(crate) shifted: f64,
+    /// Verlet's inner half steps, and the leapfrog.
+    pub(crate) shifted: Shifted,
+    /// The brackets of single steps, and the text of `T'' V''`.
+    pub(crate) brackets: Option<Vec<Brackets>>,
+    pub(crate) curvature: String,
 }
 
 /// Steps of this orbit to a period, or to one of a drive.
@@ -102,5 +106,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         modified,
         extrapolation: extrapolation(problem, &exact),
         shifted: verlet_against_leapfrog(problem, &exact)?,
+        brackets: brackets(problem),
+        curvature: problem.curvature.clone(),
     })
 }

@@ -1,6 +1,7 @@
 //! The pictures of the page, one row each.
 
 mod areas;
+mod brackets;
 mod energies;
 mod errors;
 mod limits;
@@ -8,6 +9,7 @@ mod maps;
 mod modified;
 mod portraits;
 mod reversal;
+mod shifted;
 mod style;
 mod tangents;
 
@@ -28,10 +30,12 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 11] = [
+pub(crate) const PICTURES: [Picture; 13] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
     ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
+    ("shifted", |study| Some(shifted::shifted(study).into())),
+    ("brackets", |study| brackets::brackets(study).map(Drawing::from)),
     ("modified", |study| study.resolved.then(|| modified::modified(study)).flatten().map(Drawing::from)),
     ("areas", |study| Some(areas::areas(study).into())),
     ("maps", |study| Some(maps::maps(study).into())),
