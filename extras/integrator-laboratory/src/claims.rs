@@ -121,6 +121,7 @@ const TOLERANCE: &str = "The orbit may pass a kink or a jump of the force, which
 const DRIFT: &str = "The step may resonate with the motion or be near the limit of stability, or the orbit is chaotic: try a step shorter by a \
      tenth, then half of it. If the error still grows, the method has a defect.";
 const KEEPS: &str = "The longest step of the portraits may be too short for a method of this order, or the method conserves this energy: no defect.";
+const STEPPER: &str = "This does not depend on the system: the method or the formula has a defect.";
 const SERIES: &str = "The step may be too long for the series of the modified Hamiltonian: try half the step.";
 
 /// A claim about methods, which is checked for every system.
@@ -243,7 +244,7 @@ const OF_TAYLOR: Claim = Claim {
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 20] = [
+const CLAIMS: [Claim; 28] = [
     Claim {
         name: "forward_euler_energy_grows",
         shown: ("energy", "K", CONVEX),
@@ -418,6 +419,70 @@ const CLAIMS: [Claim; 20] = [
         applies: |_| true,
         value: |study| Some(study.shifted.apart),
         within: [0.0, SHIFTED],
+    },
+    Claim {
+        name: "a_parasitic_root_grows",
+        shown: ("roots", "", STEPPER),
+        says: "On an oscillator in steps of 0.6/ω, Adams and Bashforth’s method grows by its largest root, a parasitic one: the relative difference of the growth per step",
+        applies: |_| true,
+        value: |study| Some((study.multistep.as_ref()?.growth - 1.0).abs()),
+        within: [0.0, 1e-6],
+    },
+    Claim {
+        name: "principal_roots_follow_the_motion",
+        shown: ("roots", "", STEPPER),
+        says: "The principal roots of multistep methods of order 4 differ from exp(ihω) by h⁵: the largest difference of the exponents from 5",
+        applies: |_| true,
+        value: |study| farthest(study.multistep.as_ref()?.roots.iter().map(|roots| Some((roots.exponent - 5.0).abs()))),
+        within: [0.0, 0.15],
+    },
+    Claim {
+        name: "explicit_steps_explode_on_a_stiff_equation",
+        shown: ("gear", "", STEPPER),
+        says: "Forward Euler explodes on y′ = −50 (y − cos t) in steps longer than 2/50: the error in steps of 2.1/50 at t = 1.5",
+        applies: |_| true,
+        value: |study| Some(study.gear.explodes),
+        within: [10.0, f64::INFINITY],
+    },
+    Claim {
+        name: "backward_differences_stay_on_a_stiff_equation",
+        shown: ("gear", "", STEPPER),
+        says: "Backward differences (Gear) of orders 1 to 6 follow its slow curve in steps of 5/50: the largest error",
+        applies: |_| true,
+        value: |study| Some(study.gear.stays),
+        within: [0.0, 0.01],
+    },
+    Claim {
+        name: "backward_differences_have_their_orders",
+        shown: ("gear", "", STEPPER),
+        says: "Backward differences of orders 1 to 6 have these orders on a stiff equation: the largest difference of an exponent",
+        applies: |_| true,
+        value: |study| Some(study.gear.exponents_off()),
+        within: [0.0, 0.15],
+    },
+    Claim {
+        name: "backward_differences_are_stable_in_sectors",
+        shown: ("regions", "degrees", STEPPER),
+        says: "Backward differences of orders 1 to 6 are A(α)-stable with α = 90°, 90°, 86.03°, 73.35°, 51.84° and 17.84°: the largest difference",
+        applies: |_| true,
+        value: |study| Some(study.gear.angles_off()),
+        within: [0.0, 0.01],
+    },
+    Claim {
+        name: "backward_differences_of_order_6_are_stable",
+        shown: ("regions", "", STEPPER),
+        says: "The parasitic roots of the formula of order 6 lie inside of the unit circle: the largest modulus",
+        applies: |_| true,
+        value: |study| Some(study.gear.parasitic[0]),
+        within: [0.0, 0.999],
+    },
+    Claim {
+        name: "backward_differences_of_order_7_are_not",
+        shown: ("regions", "", STEPPER),
+        says: "One of the formula of order 7 lies outside, so that there is no method of this order: the largest modulus",
+        applies: |_| true,
+        value: |study| Some(study.gear.parasitic[1]),
+        within: [1.001, f64::INFINITY],
     },
 ];
 

@@ -5,9 +5,11 @@ use crate::{
     claims::CHANGED,
     errors::exact,
     extrapolation::{Extrapolation, extrapolation},
+    gear::{Gear, gear},
     measured::Measured,
     methods::{self, Adaptive},
     modified::Modified,
+    multistep::{Multistep, multistep},
     plan::Plan,
     problem::{Problem, numbers},
     shifted::{Shifted, verlet_against_leapfrog},
@@ -48,6 +50,9 @@ pub(crate) struct Study {
     pub(crate) extrapolation: Option<Extrapolation>,
     /// Verlet's inner half steps, and the leapfrog.
     pub(crate) shifted: Shifted,
+    /// Parasitic roots, and a stiff equation: the same for all systems.
+    pub(crate) multistep: Option<Multistep>,
+    pub(crate) gear: Gear,
     /// The brackets of single steps, and the text of `T'' V''`.
     pub(crate) brackets: Option<Vec<Brackets>>,
     pub(crate) curvature: String,
@@ -106,6 +111,8 @@ pub(crate) fn measure<H: Hamiltonian>(
         modified,
         extrapolation: extrapolation(problem, &exact),
         shifted: verlet_against_leapfrog(problem, &exact)?,
+        multistep: multistep(),
+        gear: gear(),
         brackets: brackets(problem),
         curvature: problem.curvature.clone(),
     })

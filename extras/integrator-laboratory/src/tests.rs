@@ -162,6 +162,14 @@ fn a_claim_fails_for_a_number_that_is_off() {
     // The last column is worse than the one before.
     extrapolation.halved[3][3] = 1.3 * extrapolation.halved[3][2];
     study.modified[1].excess = Some(-2.0);
+    let multistep = study.multistep.as_mut().expect("roots");
+    multistep.growth = 1.01;
+    multistep.roots[3].exponent = 4.0;
+    study.gear.explodes = 1.0;
+    study.gear.stays = 0.1;
+    study.gear.exponents[5] = 5.0;
+    study.gear.angles[5] = 18.8;
+    study.gear.parasitic.reverse();
     // Forward Euler, taken for symplectic; it is neither, and it is not symmetric.
     study.methods[0].symplectic = true;
     study.methods[0].symmetric = true;
@@ -172,6 +180,14 @@ fn a_claim_fails_for_a_number_that_is_off() {
         "the_extrapolation_ends_in_gragg_bulirsch_stoer",
         "forward_euler_bracket_has_a_formula",
         "backward_euler_bracket_is_the_inverse",
+        "a_parasitic_root_grows",
+        "principal_roots_follow_the_motion",
+        "explicit_steps_explode_on_a_stiff_equation",
+        "backward_differences_stay_on_a_stiff_equation",
+        "backward_differences_have_their_orders",
+        "backward_differences_are_stable_in_sectors",
+        "backward_differences_of_order_6_are_stable",
+        "backward_differences_of_order_7_are_not",
         "brackets_stay_one_at_every_step",
         "maps_tell_symplectic_methods",
         "symplectic_methods_preserve_areas",
@@ -262,7 +278,7 @@ fn svg(drawing: &Drawing) -> String {
 }
 
 /// Words of each picture that stand on its axes or in its head, and whether all methods have their colour in it.
-const SHOWN: [(&str, [&str; 3], bool); 13] = [
+const SHOWN: [(&str, [&str; 3], bool); 16] = [
     ("portraits", ["Phase portraits", "symplectic", "gains energy"], true),
     ("energy_error", ["Energy error against time", "10⁻⁵", "Dormand–Prince 5"], true),
     ("energy", ["Energy in the first periods", "periods", "forward Euler"], false),
@@ -276,6 +292,9 @@ const SHOWN: [(&str, [&str; 3], bool); 13] = [
     ("limits", ["Energy error against step", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
     ("work_precision", ["Work and precision", "force evaluations", "Dormand–Prince 8"], true),
+    ("roots", ["Parasitic roots", "a root leaves the circle at hω", "Störmer 4"], false),
+    ("gear", ["A stiff equation", "cos t", "backward Euler"], false),
+    ("regions", ["Regions of stability", "BDF 6: 17.84°", "Re hλ"], false),
 ];
 
 #[test]

@@ -4,11 +4,13 @@ mod areas;
 mod brackets;
 mod energies;
 mod errors;
+mod gear;
 mod limits;
 mod maps;
 mod modified;
 mod portraits;
 mod reversal;
+mod roots;
 mod shifted;
 mod style;
 mod tangents;
@@ -30,7 +32,7 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 13] = [
+pub(crate) const PICTURES: [Picture; 16] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
     ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
@@ -44,6 +46,9 @@ pub(crate) const PICTURES: [Picture; 13] = [
     ("limits", |study| study.resolved.then(|| limits::limits(study).into())),
     ("errors", |study| Some(errors::against_step(study).into())),
     ("work_precision", |study| Some(errors::against_work(study).into())),
+    ("roots", |study| roots::roots(study).map(Drawing::from)),
+    ("gear", |study| Some(gear::motion(study).into())),
+    ("regions", |study| Some(gear::regions(study).into())),
 ];
 
 /// All pictures of a study.
