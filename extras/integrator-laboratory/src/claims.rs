@@ -232,19 +232,22 @@ const OF_TAYLOR: Claim = Claim {
     shown: ("work_precision", "", TOLERANCE),
     says: "The errors of Taylor's method fall with its tolerance: the exponent",
     applies: |_| true,
-    value: |study| {
-        let taylor = study.adaptive.iter().find(|adaptive| adaptive.row.name == "Taylor")?;
-        let seen: Vec<_> = taylor.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
-        let [first, .., last] = seen[..] else { return None };
-        Some((first.error / last.error).ln() / (first.step / last.step).ln())
-    },
+    value: |study| by_tolerance(study, "Taylor"),
     within: [0.5, 1.5],
 };
+
+/// The exponent of the errors of a method against its tolerance.
+fn by_tolerance(study: &Study, method: &str) -> Option<f64> {
+    let adaptive = study.adaptive.iter().find(|adaptive| adaptive.row.name == method)?;
+    let seen: Vec<_> = adaptive.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
+    let [first, .., last] = seen[..] else { return None };
+    Some((first.error / last.error).ln() / (first.step / last.step).ln())
+}
 
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 28] = [
+const CLAIMS: [Claim; 31] = [
     Claim {
         name: "forward_euler_energy_grows",
         shown: ("energy", "K", CONVEX),
@@ -419,6 +422,30 @@ const CLAIMS: [Claim; 28] = [
         applies: |_| true,
         value: |study| Some(study.shifted.apart),
         within: [0.0, SHIFTED],
+    },
+    Claim {
+        name: "dormand_prince_5_follows_its_tolerance",
+        shown: ("adaptive", "", TOLERANCE),
+        says: "The errors of the adaptive Runge–Kutta method of Dormand and Prince, order 5, fall with its tolerance: the exponent",
+        applies: |_| true,
+        value: |study| by_tolerance(study, "Dormand–Prince 5"),
+        within: [0.5, 1.5],
+    },
+    Claim {
+        name: "adaptive_steps_follow_the_force",
+        shown: ("adaptive", "", STEPPER),
+        says: "On an ellipse of eccentricity 0.8 its steps are shorter where the force is large, with the power −3/4: the exponent",
+        applies: |_| true,
+        value: |study| Some(study.steps.as_ref()?.exponent),
+        within: [-0.85, -0.65],
+    },
+    Claim {
+        name: "adaptive_runge_kutta_energy_changes",
+        shown: ("adaptive", "K", KEEPS),
+        says: "Adaptive steps do not conserve the energy: the size of its change with a tolerance of a hundredth",
+        applies: |study| study.resolved,
+        value: |study| Some(study.steps.as_ref()?.change.abs()),
+        within: [CHANGED, f64::INFINITY],
     },
     Claim {
         name: "a_parasitic_root_grows",

@@ -43,11 +43,12 @@
 //! | `problem`, `plan` | a system with its start; the amount of measurements |
 //! | `study`, `measured` | all measurements, of a system and of a method |
 //! | `methods`, `rows` | the methods and their descriptions |
-//! | `blob`, `brackets`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
+//! | `adaptive`, `blob`, `brackets`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
 //! | `multistep`, `gear` | parasitic roots and stiff equations, the same for all systems; `roots` of polynomials |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | pictures and pages; `formula` writes MathML, `numbers` formats numbers |
 
+mod adaptive;
 mod admitted;
 mod blob;
 mod brackets;

@@ -57,6 +57,15 @@ impl<H: Hamiltonian> Problem<'_, H> {
         (self.turns / 2).max(1) as u32
     }
 
+    /// The state with these numbers: all positions, then all momenta.
+    pub(crate) fn state(&self, numbers: &[f64]) -> Phase<H::Coords> {
+        let mut state = self.start.clone();
+        let (q, p) = numbers.split_at(self.freedom());
+        state.q.flat_mut().copy_from_slice(q);
+        state.p.flat_mut().copy_from_slice(p);
+        state
+    }
+
     /// The degrees of freedom.
     pub(crate) fn freedom(&self) -> usize {
         self.start.q.flat().len()

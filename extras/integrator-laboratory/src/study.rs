@@ -1,6 +1,7 @@
 //! All measurements of a system as plain numbers, from which pictures, claims and the page are made.
 
 use crate::{
+    adaptive::{Steps, steps},
     brackets::{Brackets, brackets},
     claims::CHANGED,
     errors::exact,
@@ -50,6 +51,8 @@ pub(crate) struct Study {
     pub(crate) extrapolation: Option<Extrapolation>,
     /// Verlet's inner half steps, and the leapfrog.
     pub(crate) shifted: Shifted,
+    /// The steps of an adaptive method.
+    pub(crate) steps: Option<Steps>,
     /// Parasitic roots, and a stiff equation: the same for all systems.
     pub(crate) multistep: Option<Multistep>,
     pub(crate) gear: Gear,
@@ -111,6 +114,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         modified,
         extrapolation: extrapolation(problem, &exact),
         shifted: verlet_against_leapfrog(problem, &exact)?,
+        steps: steps(problem, plan, &exact),
         multistep: multistep(),
         gear: gear(),
         brackets: brackets(problem),

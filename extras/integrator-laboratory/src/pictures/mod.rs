@@ -1,5 +1,6 @@
 //! The pictures of the page, one row each.
 
+mod adaptive;
 mod areas;
 mod brackets;
 mod energies;
@@ -32,7 +33,7 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 16] = [
+pub(crate) const PICTURES: [Picture; 17] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
     ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
@@ -46,6 +47,7 @@ pub(crate) const PICTURES: [Picture; 16] = [
     ("limits", |study| study.resolved.then(|| limits::limits(study).into())),
     ("errors", |study| Some(errors::against_step(study).into())),
     ("work_precision", |study| Some(errors::against_work(study).into())),
+    ("adaptive", |study| adaptive::adaptive(study).map(Drawing::from)),
     ("roots", |study| roots::roots(study).map(Drawing::from)),
     ("gear", |study| Some(gear::motion(study).into())),
     ("regions", |study| Some(gear::regions(study).into())),
