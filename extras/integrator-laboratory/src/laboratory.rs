@@ -164,8 +164,7 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         pictures.append(&mut self.pictures);
         let mut claims = verdicts(&study);
         claims.append(&mut self.claims);
-        let equations = Vec::new();
-        files(folder.as_ref(), (&self.name, &self.formula, &equations), Some(&study), claims, pictures)
+        files(folder.as_ref(), (&self.name, &self.formula), Some(&study), claims, pictures)
     }
 }
 
@@ -180,12 +179,12 @@ pub fn write(
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,
 ) -> Result<Report, Box<dyn Error>> {
-    files(folder.as_ref(), (name, formula, &[]), None, claims, pictures)
+    files(folder.as_ref(), (name, formula), None, claims, pictures)
 }
 
 fn files(
     folder: &Path,
-    (name, formula, equations): (&str, &str, &[String]),
+    (name, formula): (&str, &str),
     study: Option<&Study>,
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,
@@ -198,7 +197,7 @@ fn files(
     }
     fs::create_dir_all(folder)?;
     let html = folder.join(format!("{name}.html"));
-    let content = Content { name, formula, equations, study, verdicts: &claims, figures: &figures };
+    let content = Content { name, formula, study, verdicts: &claims, figures: &figures };
     fs::write(&html, content.page()?)?;
     Ok(Report { page: html, claims })
 }

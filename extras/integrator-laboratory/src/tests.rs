@@ -268,7 +268,7 @@ fn rounding_is_no_gain() {
 }
 
 fn page(study: &Study, verdicts: &[Verdict]) -> String {
-    let content = Content { name: "", formula: "", equations: &[], study: Some(study), verdicts, figures: &[] };
+    let content = Content { name: "", formula: "", study: Some(study), verdicts, figures: &[] };
     content.page().expect("fonts")
 }
 

@@ -30,24 +30,31 @@ impl Content<'_> {
         } else {
             ""
         };
-        let claims: Vec<String> = self
-            .claims_of(name)
-            .map(|(index, verdict)| {
-                let word = if verdict.holds() { "" } else { " class=\"FAILED\"" };
-                format!("<a{word} href=\"#{}\">{}</a>", verdict.name, index + 1)
-            })
-            .collect();
-        let claims = match claims.len() {
-            0 => String::new(),
-            1 => format!("<p>Claim {}</p>\n", claims[0]),
-            _ => format!("<p>Claims {}</p>\n", claims.join(", ")),
-        };
+        let claims = self.links(name);
         Ok(format!(
             "<figure id=\"{name}\"{whole}>\n<figcaption><h3>{title}</h3>\n{claim}{measured}{claims}{switch}</figcaption>\n{inside}</figure>\n",
             title = escaped(title),
             claim = paragraph(claim, "p"),
             measured = paragraph(measured, "b"),
         ))
+    }
+}
+
+impl Content<'_> {
+    /// Links to the claims that a picture or a table shows.
+    pub(super) fn links(&self, picture: &str) -> String {
+        let claims: Vec<String> = self
+            .claims_of(picture)
+            .map(|(index, verdict)| {
+                let word = if verdict.holds() { "" } else { " class=\"FAILED\"" };
+                format!("<a{word} href=\"#{}\">{}</a>", verdict.name, index + 1)
+            })
+            .collect();
+        match claims.len() {
+            0 => String::new(),
+            1 => format!("<p>Claim {}</p>\n", claims[0]),
+            _ => format!("<p>Claims {}</p>\n", claims.join(", ")),
+        }
     }
 }
 

@@ -21,8 +21,6 @@ const OWN: (&str, &str, &[&str]) = ("own", "Of this system alone", &[]);
 pub(crate) struct Content<'c> {
     pub(crate) name: &'c str,
     pub(crate) formula: &'c str,
-    /// The Hamiltonian and its equations of motion, where they are known.
-    pub(crate) equations: &'c [String],
     pub(crate) study: Option<&'c Study>,
     pub(crate) verdicts: &'c [Verdict],
     pub(crate) figures: &'c [Figure],
@@ -51,7 +49,7 @@ impl Content<'_> {
                 drawn.push_str(&self.figure(figure)?);
             }
             let tables = match (id, self.study) {
-                ("extrapolation", Some(study)) => tables::extrapolations(study),
+                ("series", Some(study)) => tables::extrapolations(self, study),
                 _ => String::new(),
             };
             if !(drawn.is_empty() && tables.is_empty()) {
@@ -79,13 +77,9 @@ impl Content<'_> {
         ))
     }
 
-    /// The Hamiltonian, its equations, and the start, the step and the units.
+    /// The Hamiltonian, the start, the step and the units.
     fn head(&self) -> String {
         let mut head = format!("<p>{}</p>\n", escaped(self.formula));
-        if !self.equations.is_empty() {
-            let lines: Vec<String> = self.equations.iter().map(|line| escaped(line)).collect();
-            let _ = writeln!(head, "<p class=\"equations\" id=\"equations\">{}</p>", lines.join("\n"));
-        }
         let Some(study) = self.study else { return head };
         let half = |numbers: &[f64], symbols: &[String]| {
             let one = |(symbol, number): (&String, &f64)| format!("{symbol} = {}", plain(*number));

@@ -13,6 +13,9 @@ use crate::{
 };
 use integrator_plot::Colour;
 
+/// The identifier of the table of one step, which claims name as their picture.
+const EXTRAPOLATION: &str = "extrapolation";
+
 /// All claims, folded: those that fail are in the summary as well.
 pub(super) fn claims(content: &Content<'_>) -> String {
     let rows: String =
@@ -25,7 +28,8 @@ pub(super) fn claims(content: &Content<'_>) -> String {
 
 /// A claim with its number, and the picture that shows it.
 fn row(content: &Content<'_>, index: usize, verdict: &Verdict) -> String {
-    let shown = content.figures.iter().any(|figure| figure.name == verdict.picture);
+    let is_table = verdict.picture == EXTRAPOLATION && content.study.is_some_and(|study| study.extrapolation.is_some());
+    let shown = is_table || content.figures.iter().any(|figure| figure.name == verdict.picture);
     let picture = if shown { format!(" <a href=\"#{}\">picture</a>", verdict.picture) } else { String::new() };
     let why = if verdict.holds() { String::new() } else { format!("<br>{}", escaped(verdict.advice())) };
     format!(
@@ -54,8 +58,9 @@ pub(super) fn failure(index: usize, verdict: &Verdict) -> String {
 }
 
 /// The table of one extrapolated step, if there is one.
-pub(super) fn extrapolations(study: &Study) -> String {
-    study.extrapolation.as_ref().map(extrapolation).unwrap_or_default()
+pub(super) fn extrapolations(content: &Content<'_>, study: &Study) -> String {
+    let table = study.extrapolation.as_ref().map(|table| extrapolation(table) + &content.links(EXTRAPOLATION));
+    table.unwrap_or_default()
 }
 
 /// The table of one extrapolated step.

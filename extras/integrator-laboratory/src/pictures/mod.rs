@@ -25,7 +25,7 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
     ("backward", "The energy that steps conserve", &["modified"]),
     ("order", "Order, work and stability", &["errors", "work_precision", "limits", "adaptive"]),
     ("multistep", "Multistep methods", &["roots"]),
-    ("extrapolation", "Extrapolation and Taylor series", &["taylor"]),
+    ("series", "Extrapolation", &[]),
     ("stiffness", "Stiff equations", &["gear", "regions"]),
 ];
 
