@@ -348,7 +348,7 @@ fn a_page_has_its_claims_its_formulas_and_what_was_added() {
     let page = fs::read_to_string(&report.page).expect("a page");
     for part in [
         "<p>H = p²/2 − cos q</p>",
-        "0.1, of which",
+        "0.1: 83.5 steps",
         "Mine is &lt; theirs",
         ">at most 1<",
         ">2<",

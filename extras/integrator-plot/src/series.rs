@@ -28,7 +28,7 @@ pub(crate) struct Series {
     pub(crate) mark: Mark,
     pub(crate) marker: Marker,
     pub(crate) dashes: &'static [f32],
-    /// Whether a page may hide the series until a reader asks for it.
+    /// Whether a page may hide the series at first.
     pub(crate) optional: bool,
     pub(crate) width: f64,
     pub(crate) colour: Colour,

@@ -91,7 +91,7 @@ impl Content<'_> {
         let _ = write!(
             head,
             "<dl>\n<dt>start</dt><dd>{q}{dots}; {p}{dots}</dd>\n\
-             <dt>step <i>h</i></dt><dd>{step}, of which a period of {period} has {count}, unless a picture says otherwise</dd>\n\
+             <dt>step <i>h</i></dt><dd>{step}: {count} steps in a period of {period}, unless a picture says otherwise</dd>\n\
              <dt>units</dt><dd>energies in <i>K</i> = {unit}, the largest kinetic energy; times in periods; distances in sizes of the orbit</dd>\n</dl>\n",
             step = plain(study.step),
             period = plain(study.period),

@@ -14,7 +14,7 @@ use integrator_plot::{
 pub(super) fn motion(study: &Study) -> Panels {
     let claim = format!(
         "y′ = −{STIFFNESS} (y − cos t) from y = 0: a fast transient, then a slow curve near cos t, in grey. Forward Euler has to take steps below \
-         2/{STIFFNESS} = {} for a transient of which nothing is left. Backward differences (Gear) take steps for the slow curve.",
+         2/{STIFFNESS} = {} for a transient that has decayed. Backward differences (Gear) take steps for the slow curve.",
         plain(2.0 / STIFFNESS)
     );
     let gear = &study.gear;
