@@ -68,6 +68,7 @@ pub(crate) fn claim(periods: &[Periods]) -> Verdict {
         [0.0, 1e-13],
         periods.iter().find(|row| row.name == "Kahan–Li 8").and_then(Periods::least),
     )
+    .shown_in("period")
 }
 
 /// Draws the errors of the period against the step.

@@ -73,6 +73,7 @@ pub(crate) fn claim(sections: &[Section]) -> Verdict {
         [0.0, 1e-13],
         sections.iter().map(|section| section.off).reduce(f64::max),
     )
+    .shown_in("section")
 }
 
 /// Draws one panel per energy.

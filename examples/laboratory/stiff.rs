@@ -127,7 +127,7 @@ fn claims(fixed: &[Ladder]) -> Vec<Verdict> {
     let best = |name: &str| long(name)?.into_iter().reduce(f64::min);
     let worst = |name: &str| long(name)?.into_iter().reduce(f64::max);
     let steps = "in steps between 2.5/ω and 10/ω";
-    vec![
+    let claims = vec![
         Verdict::new(
             "verlet_leaves",
             format!("Verlet leaves, {steps}: its least error"),
@@ -152,7 +152,8 @@ fn claims(fixed: &[Ladder]) -> Vec<Verdict> {
             [0.0, 0.1],
             worst("Gauss–Legendre 4"),
         ),
-    ]
+    ];
+    claims.into_iter().map(|claim| claim.shown_in("step")).collect()
 }
 
 /// Adds a curve for each method: solid for implicit methods, dashed for explicit ones.

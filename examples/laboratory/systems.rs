@@ -22,7 +22,9 @@ pub(crate) const SYSTEMS: [System; 6] = [
             let periods = period::all(plan.rungs.min(7));
             Laboratory::new(&Pendulum, Phase::new([2.0], [0.0]), 8.35)
                 .called("pendulum")
-                .formula("H = p²/2 − cos q, from the angle 2 at rest")
+                .formula("H = ω²/2 − cos θ, a pendulum in natural units, from the angle 2 at rest")
+                .symbols(["θ", "ω"])
+                .angle(0)
                 .step(0.1)
                 .blob(0.3)
                 .plan(*plan)

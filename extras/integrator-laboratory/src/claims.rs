@@ -21,12 +21,54 @@ pub struct Verdict {
     pub within: [f64; 2],
     /// The measured number; NaN if it could not be measured.
     pub measured: f64,
+    /// The name of the picture that shows it; empty if none does.
+    pub picture: String,
+    /// The unit of the numbers, such as `K`; empty for a number without one.
+    pub unit: &'static str,
+    /// What it may mean that the claim fails, and what to try.
+    pub meaning: &'static str,
 }
 
 impl Verdict {
     /// Creates a claim that holds if the number lies in the interval, whose ends may be infinite.
     pub fn new(name: impl Into<String>, says: impl Into<String>, within: [f64; 2], measured: Option<f64>) -> Self {
-        Self { name: name.into(), says: says.into(), within, measured: measured.unwrap_or(f64::NAN) }
+        Self {
+            name: name.into(),
+            says: says.into(),
+            within,
+            measured: measured.unwrap_or(f64::NAN),
+            picture: String::new(),
+            unit: "",
+            meaning: "",
+        }
+    }
+
+    /// Names the picture that shows the claim, as in [`Laboratory::picture`](crate::Laboratory::picture).
+    #[must_use]
+    pub fn shown_in(self, picture: impl Into<String>) -> Self {
+        Self { picture: picture.into(), ..self }
+    }
+
+    /// States what it may mean that the claim fails, and what to try.
+    #[must_use]
+    pub fn meaning(self, meaning: &'static str) -> Self {
+        Self { meaning, ..self }
+    }
+
+    /// Returns what it may mean that the claim fails, and what to try.
+    pub(crate) fn advice(&self) -> &'static str {
+        if self.measured.is_nan() {
+            "Nothing could be measured: a method did not come to an end. Try a shorter step."
+        } else if self.meaning.is_empty() {
+            "Try half the step; if the number stays, the method or the claim is wrong."
+        } else {
+            self.meaning
+        }
+    }
+
+    /// Returns the measured number, for readers.
+    pub(crate) fn found(&self) -> String {
+        in_unit(plain(self.measured), self.unit)
     }
 
     /// Whether the claim holds.
@@ -44,20 +86,49 @@ impl Verdict {
     /// Returns the expected number, for readers.
     #[must_use]
     pub fn expected(&self) -> String {
-        match self.within {
+        let range = match self.within {
             [least, most] if least == most => format!("exactly {}", plain(least)),
             [least, most] if least == -most => format!("0, to {}", plain(most)),
             [least, f64::INFINITY] => format!("at least {}", plain(least)),
             [f64::NEG_INFINITY, most] => format!("at most {}", plain(most)),
             [0.0, most] => format!("at most {}", plain(most)),
             [least, most] => format!("between {} and {}", plain(least), plain(most)),
-        }
+        };
+        in_unit(range, self.unit)
     }
 }
+
+fn in_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() { number } else { format!("{number} {unit}") }
+}
+
+/// What it may mean that a claim fails, and what to try.
+const CONVEX: &str = "The potential may be concave along the orbit, so that this is not a property of the method here; or the orbit has left \
+     within a period: try half the step.";
+const SYMPLECTIC: &str =
+    "A symplectic method has no such error at any step: the method or the derivative of a flow has a defect.";
+const SOLVED: &str = "An implicit step may be too long for its equation to be solved to rounding: try half the step. Otherwise a method \
+     claims to be symplectic and is not, which is a defect.";
+const STRAIGHT: &str = "The motion may be nearly that of a free particle, or the step so short that the effect is small: try a longer step.";
+const OUTLINE: &str = "The set of initial states may be so large that its outline is folded: try a smaller one. Otherwise the method has a defect.";
+const CHAOS: &str =
+    "Rounding grows along a chaotic or escaping orbit: try a shorter period. Otherwise the method has a defect.";
+const ORDER: &str = "The step may be too long for the first term of the error, or the force not smooth (a kink, a jump, a cutoff): try half the \
+     step. If the exponent stays, the method has a defect.";
+const SAME: &str = "Both are the same map, so that only rounding may differ: along a chaotic orbit it grows; otherwise one of the two has a defect.";
+const TOLERANCE: &str = "The orbit may pass a kink or a jump of the force, which a tolerance does not resolve; or the reference is no better: try a \
+     shorter period.";
+const DRIFT: &str = "The step may resonate with the motion or be near the limit of stability, or the orbit is chaotic: try a step shorter by a \
+     tenth, then half of it. If the error still grows, the method has a defect.";
+const KEEPS: &str = "The longest step of the portraits may be too short for a method of this order, or the method conserves this energy: no defect.";
+const STEPPER: &str = "This does not depend on the system: the method or the formula has a defect.";
+const SERIES: &str = "The step may be too long for the series of the modified Hamiltonian: try half the step.";
 
 /// A claim about methods, which is checked for every system.
 struct Claim {
     name: &'static str,
+    /// The picture, the unit of the number, and what it may mean that the claim fails.
+    shown: (&'static str, &'static str, &'static str),
     says: &'static str,
     /// Whether the claim applies to the system.
     applies: fn(&Study) -> bool,
@@ -106,6 +177,11 @@ fn energy_change(study: &Study, method: &str) -> Option<f64> {
     Some(*change)
 }
 
+/// The largest distance of the bracket of a method from its formula.
+fn off(study: &Study, method: &str) -> Option<f64> {
+    Some(study.brackets.as_ref()?.iter().find(|row| row.name == method)?.off())
+}
+
 /// The farthest of several numbers; none if one is missing.
 fn farthest(mut numbers: impl Iterator<Item = Option<f64>>) -> Option<f64> {
     numbers.try_fold(0.0, |most: f64, number| Some(most.max(number?)))
@@ -116,6 +192,7 @@ macro_rules! orders {
     ($($name:literal $says:literal $method:literal $order:literal,)*) => {
         [$(Claim {
             name: $name,
+            shown: ("errors", "", ORDER),
             says: $says,
             applies: |_| true,
             value: |study| study.method($method)?.slope,
@@ -152,23 +229,28 @@ const OF_GRADIENTS: [Claim; 1] = orders! {
 /// The claim about Taylor's method, where there are recurrences.
 const OF_TAYLOR: Claim = Claim {
     name: "taylor_follows_its_tolerance",
+    shown: ("work_precision", "", TOLERANCE),
     says: "The errors of Taylor's method fall with its tolerance: the exponent",
     applies: |_| true,
-    value: |study| {
-        let taylor = study.adaptive.iter().find(|adaptive| adaptive.row.name == "Taylor")?;
-        let seen: Vec<_> = taylor.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
-        let [first, .., last] = seen[..] else { return None };
-        Some((first.error / last.error).ln() / (first.step / last.step).ln())
-    },
+    value: |study| by_tolerance(study, "Taylor"),
     within: [0.5, 1.5],
 };
+
+/// The exponent of the errors of a method against its tolerance.
+fn by_tolerance(study: &Study, method: &str) -> Option<f64> {
+    let adaptive = study.adaptive.iter().find(|adaptive| adaptive.row.name == method)?;
+    let seen: Vec<_> = adaptive.errors.iter().filter(|rung| rung.error > ROUNDED).collect();
+    let [first, .., last] = seen[..] else { return None };
+    Some((first.error / last.error).ln() / (first.step / last.step).ln())
+}
 
 /// Errors below this have as much of rounding in them as of a tolerance.
 const ROUNDED: f64 = 1e-12;
 
-const CLAIMS: [Claim; 18] = [
+const CLAIMS: [Claim; 31] = [
     Claim {
         name: "forward_euler_energy_grows",
+        shown: ("energy", "K", CONVEX),
         says: "Forward Euler gains energy: the change after a period, in units of the largest kinetic energy",
         applies: |study| study.resolved,
         value: |study| energy_change(study, "forward Euler"),
@@ -176,6 +258,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "backward_euler_energy_decays",
+        shown: ("energy", "K", CONVEX),
         says: "Backward Euler loses energy: the change after a period, in units of the largest kinetic energy",
         applies: |study| study.resolved,
         value: |study| energy_change(study, "backward Euler"),
@@ -183,6 +266,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_euler_bracket_is_one",
+        shown: ("brackets", "", SYMPLECTIC),
         says: "Symplectic Euler preserves the Poisson bracket: {q₁, p₁} − 1 after a step",
         applies: |_| true,
         value: |study| Some(study.method("symplectic Euler")?.bracket() - 1.0),
@@ -190,6 +274,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "implicit_midpoint_bracket_is_one",
+        shown: ("brackets", "", SOLVED),
         says: "The implicit midpoint rule preserves the Poisson bracket without a splitting: {q₁, p₁} − 1 after a step",
         applies: |_| true,
         value: |study| Some(study.method("implicit midpoint")?.bracket() - 1.0),
@@ -197,6 +282,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_bracket_is_not_one",
+        shown: ("brackets", "", STRAIGHT),
         says: "Forward Euler does not preserve the Poisson bracket: |{q₁, p₁} − 1| after a step",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.bracket() - 1.0).abs()),
@@ -204,7 +290,24 @@ const CLAIMS: [Claim; 18] = [
         within: [1e6 * BRACKET, f64::INFINITY],
     },
     Claim {
+        name: "forward_euler_bracket_has_a_formula",
+        shown: ("brackets", "", SYMPLECTIC),
+        says: "After a step of forward Euler {q₁, p₁} is 1 + h² T″V″: the largest distance along a period",
+        applies: |study| study.brackets.is_some(),
+        value: |study| off(study, "forward Euler"),
+        within: [0.0, BRACKET],
+    },
+    Claim {
+        name: "backward_euler_bracket_is_the_inverse",
+        shown: ("brackets", "", SOLVED),
+        says: "After a step of backward Euler {q₁, p₁} is 1 / (1 + h² T″V″), at the end of the step: the largest distance along a period",
+        applies: |study| study.brackets.is_some() && study.freedom == 1,
+        value: |study| off(study, "backward Euler"),
+        within: [0.0, BRACKET],
+    },
+    Claim {
         name: "brackets_stay_one_at_every_step",
+        shown: ("tangents", "", SOLVED),
         says: "Symplectic methods preserve the Poisson bracket at every step: the largest |{q₁, p₁} − 1| in units of the rounding bound",
         applies: |_| true,
         value: |study| {
@@ -217,6 +320,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_bracket_leaves_one",
+        shown: ("tangents", "", STRAIGHT),
         says: "The bracket of forward Euler departs from one: |{q₁, p₁} − 1| after four periods, or when it overflows",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.deviations.last()?.bracket - 1.0).abs()),
@@ -224,6 +328,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "maps_tell_symplectic_methods",
+        shown: ("maps", "", SOLVED),
         says: "Exactly the symplectic methods have symplectic maps, for every step: the number of exceptions after eight steps, when multistep methods have left their starter",
         applies: |_| true,
         value: |study| {
@@ -234,6 +339,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_methods_preserve_areas",
+        shown: ("areas", "", OUTLINE),
         says: "Symplectic methods preserve the area of a set of initial states: the largest relative change",
         applies: |_| true,
         value: |study| {
@@ -244,6 +350,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_area_is_not_preserved",
+        shown: ("areas", "", STRAIGHT),
         says: "Forward Euler does not preserve the area of a set of initial states: the relative change",
         applies: |_| true,
         value: |study| Some((study.method("forward Euler")?.blob.area() - 1.0).abs()),
@@ -251,6 +358,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symmetric_methods_come_back",
+        shown: ("reversal", "of the orbit", CHAOS),
         says: "Symmetric methods return when the momenta are reversed: the largest distance from the start",
         applies: |study| study.autonomous,
         value: |study| {
@@ -261,6 +369,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "forward_euler_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Forward Euler does not return: the distance from the start",
         applies: |study| study.autonomous,
         value: |study| Some(study.method("forward Euler")?.reversal.apart.unwrap_or(f64::INFINITY)),
@@ -268,6 +377,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "symplectic_euler_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Symplectic Euler does not return either, since it kicks first in both directions: the distance from the start",
         applies: |study| study.autonomous,
         value: |study| study.method("symplectic Euler")?.reversal.apart,
@@ -275,6 +385,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "runge_kutta_4_does_not_come_back",
+        shown: ("reversal", "of the orbit", STRAIGHT),
         says: "Runge–Kutta 4 does not return: the distance from the start, a billionth by rounding alone",
         applies: |study| study.autonomous,
         value: |study| study.method("Runge–Kutta 4")?.reversal.apart,
@@ -282,6 +393,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "each_column_of_the_extrapolation_gains_two_orders",
+        shown: ("extrapolation", "", ORDER),
         says: "Each column of the extrapolation gains two orders: the least excess of the exponents of its errors over 3, 5, 7, 9",
         applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.least_excess(),
@@ -289,6 +401,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "each_column_of_the_extrapolation_is_more_accurate",
+        shown: ("extrapolation", "", ORDER),
         says: "Each column of the extrapolation is more accurate than the one before: the largest ratio of their errors in the finest row",
         applies: |_| true,
         value: |study| study.extrapolation.as_ref()?.largest_ratio(),
@@ -296,6 +409,7 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "the_extrapolation_ends_in_gragg_bulirsch_stoer",
+        shown: ("extrapolation", "of the orbit", SAME),
         says: "The last entry of the extrapolation is the step of Gragg, Bulirsch and Stoer: the relative distance",
         applies: |_| true,
         value: |study| Some(study.extrapolation.as_ref()?.corner),
@@ -303,17 +417,109 @@ const CLAIMS: [Claim; 18] = [
     },
     Claim {
         name: "verlet_equals_shifted_leapfrog",
+        shown: ("shifted", "of the orbit", SAME),
         says: "Verlet is the leapfrog shifted by half a step: the largest relative distance",
         applies: |_| true,
-        value: |study| Some(study.shifted),
+        value: |study| Some(study.shifted.apart),
         within: [0.0, SHIFTED],
+    },
+    Claim {
+        name: "dormand_prince_5_follows_its_tolerance",
+        shown: ("adaptive", "", TOLERANCE),
+        says: "The errors of the adaptive Runge–Kutta method of Dormand and Prince, order 5, fall with its tolerance: the exponent",
+        applies: |_| true,
+        value: |study| by_tolerance(study, "Dormand–Prince 5"),
+        within: [0.5, 1.5],
+    },
+    Claim {
+        name: "adaptive_steps_follow_the_force",
+        shown: ("adaptive", "", STEPPER),
+        says: "On an ellipse of eccentricity 0.8 its steps are shorter where the force is large, with the power −3/4: the exponent",
+        applies: |_| true,
+        value: |study| Some(study.steps.as_ref()?.exponent),
+        within: [-0.85, -0.65],
+    },
+    Claim {
+        name: "adaptive_runge_kutta_energy_changes",
+        shown: ("adaptive", "K", KEEPS),
+        says: "Adaptive steps do not conserve the energy: the size of its change with a tolerance of a hundredth",
+        applies: |study| study.resolved,
+        value: |study| Some(study.steps.as_ref()?.change.abs()),
+        within: [CHANGED, f64::INFINITY],
+    },
+    Claim {
+        name: "a_parasitic_root_grows",
+        shown: ("roots", "", STEPPER),
+        says: "On an oscillator in steps of 0.6/ω, Adams and Bashforth’s method grows by its largest root, a parasitic one: the relative difference of the growth per step",
+        applies: |_| true,
+        value: |study| Some((study.multistep.as_ref()?.growth - 1.0).abs()),
+        within: [0.0, 1e-6],
+    },
+    Claim {
+        name: "principal_roots_follow_the_motion",
+        shown: ("roots", "", STEPPER),
+        says: "The principal roots of multistep methods of order 4 differ from exp(ihω) by h⁵: the largest difference of the exponents from 5",
+        applies: |_| true,
+        value: |study| farthest(study.multistep.as_ref()?.roots.iter().map(|roots| Some((roots.exponent - 5.0).abs()))),
+        within: [0.0, 0.15],
+    },
+    Claim {
+        name: "explicit_steps_explode_on_a_stiff_equation",
+        shown: ("gear", "", STEPPER),
+        says: "Forward Euler explodes on y′ = −50 (y − cos t) in steps longer than 2/50: the error in steps of 2.1/50 at t = 1.5",
+        applies: |_| true,
+        value: |study| Some(study.gear.explodes),
+        within: [10.0, f64::INFINITY],
+    },
+    Claim {
+        name: "backward_differences_stay_on_a_stiff_equation",
+        shown: ("gear", "", STEPPER),
+        says: "Backward differences (Gear) of orders 1 to 6 follow its slow curve in steps of 5/50: the largest error",
+        applies: |_| true,
+        value: |study| Some(study.gear.stays),
+        within: [0.0, 0.01],
+    },
+    Claim {
+        name: "backward_differences_have_their_orders",
+        shown: ("gear", "", STEPPER),
+        says: "Backward differences of orders 1 to 6 have these orders on a stiff equation: the largest difference of an exponent",
+        applies: |_| true,
+        value: |study| Some(study.gear.exponents_off()),
+        within: [0.0, 0.15],
+    },
+    Claim {
+        name: "backward_differences_are_stable_in_sectors",
+        shown: ("regions", "degrees", STEPPER),
+        says: "Backward differences of orders 1 to 6 are A(α)-stable with α = 90°, 90°, 86.03°, 73.35°, 51.84° and 17.84°: the largest difference",
+        applies: |_| true,
+        value: |study| Some(study.gear.angles_off()),
+        within: [0.0, 0.01],
+    },
+    Claim {
+        name: "backward_differences_of_order_6_are_stable",
+        shown: ("regions", "", STEPPER),
+        says: "The parasitic roots of the formula of order 6 lie inside of the unit circle: the largest modulus",
+        applies: |_| true,
+        value: |study| Some(study.gear.parasitic[0]),
+        within: [0.0, 0.999],
+    },
+    Claim {
+        name: "backward_differences_of_order_7_are_not",
+        shown: ("regions", "", STEPPER),
+        says: "One of the formula of order 7 lies outside, so that there is no method of this order: the largest modulus",
+        applies: |_| true,
+        value: |study| Some(study.gear.parasitic[1]),
+        within: [1.001, f64::INFINITY],
     },
 ];
 
 impl Claim {
     /// Holds the claim against what was measured.
     fn verdict(&self, study: &Study) -> Verdict {
-        Verdict::new(self.name, self.says, self.within, (self.value)(study))
+        let (picture, unit, meaning) = self.shown;
+        let says = self.says.replace("{q₁, p₁}", &study.bracket()).replace("T″V″", &study.curvature);
+        let verdict = Verdict::new(self.name, says, self.within, (self.value)(study));
+        Verdict { unit, ..verdict.shown_in(picture).meaning(meaning) }
     }
 }
 
@@ -326,13 +532,16 @@ fn of_portrait(measured: &Measured) -> Verdict {
         let says = format!(
             "The energy of {name} oscillates and does not drift, in {steps} steps per period: its largest error in the second half over that in the first"
         );
-        return Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
+        let verdict = Verdict::new(format!("{word}_energy_stays"), says, [0.0, STAYS], Some(portrait.growth()));
+        return verdict.shown_in("portraits").meaning(DRIFT);
     }
     let periods = plain(portrait.periods);
     let says = format!(
         "{name} gains or loses energy, in {steps} steps per period: the size of the change after {periods} periods, in units of the largest kinetic energy"
     );
-    Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()))
+    let verdict =
+        Verdict::new(format!("{word}_energy_changes"), says, [SEEN, f64::INFINITY], Some(portrait.change.abs()));
+    Verdict { unit: "K", ..verdict.shown_in("portraits").meaning(KEEPS) }
 }
 
 impl Measured {
@@ -355,7 +564,9 @@ fn of_modified(modified: &Modified) -> Verdict {
         "{name} conserves a modified Hamiltonian: with the terms of its series, the change of the energy falls with powers of the step \
          from {first} to {last}; by how much the measured ones exceed these, at least"
     );
-    Verdict::new(format!("{}_modified_energy_stays", word(name)), says, [-POWER, f64::INFINITY], modified.excess)
+    let verdict =
+        Verdict::new(format!("{}_modified_energy_stays", word(name)), says, [-POWER, f64::INFINITY], modified.excess);
+    verdict.shown_in("modified").meaning(SERIES)
 }
 
 /// Returns the verdicts on all claims that apply to the system.

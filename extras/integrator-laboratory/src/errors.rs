@@ -40,6 +40,11 @@ impl Exact {
         (length(q) / self.size[0]).hypot(length(p) / self.size[1])
     }
 
+    /// Returns the tolerance of a method that takes it absolutely for coordinates below one: in units of an orbit that is smaller.
+    pub(crate) fn tolerance(&self, tolerance: f64) -> f64 {
+        tolerance * self.size[0].min(self.size[1]).min(1.0)
+    }
+
     /// Returns the change of the energy that rounding alone may cause: some roundings in each step, at worst all in the
     /// same sense.
     pub(crate) fn rounding(&self, steps: usize) -> f64 {

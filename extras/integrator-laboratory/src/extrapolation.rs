@@ -4,7 +4,7 @@ use crate::{
     errors::Exact,
     problem::{Problem, numbers},
 };
-use integrator_core::{Coords, prelude::*};
+use integrator_core::prelude::*;
 use integrator_reference::{AnyReference, ForwardEuler, GraggBulirschStoer};
 
 /// Into how many steps of the modified midpoint rule the long one is divided, as Gragg, Bulirsch and Stoer do.
@@ -112,11 +112,7 @@ fn table<H: Hamiltonian>(problem: &Problem<'_, H>, exact: &Exact, step: f64) -> 
 fn midpoints<H: Hamiltonian>(problem: &Problem<'_, H>, step: f64, division: u32) -> Option<Vec<f64>> {
     let h = step / f64::from(division);
     let added = |state: &[f64], number: u32, h: f64| -> Option<Vec<f64>> {
-        let mut from = problem.start.clone();
-        let (q, p) = state.split_at(problem.freedom());
-        from.q.flat_mut().copy_from_slice(q);
-        from.p.flat_mut().copy_from_slice(p);
-        let run = problem.run(AnyReference::from(ForwardEuler), &from, h).ok()?;
+        let run = problem.run(AnyReference::from(ForwardEuler), &problem.state(state), h).ok()?;
         let mut run = run.at_time(f64::from(number) * step / f64::from(division));
         run.advance(1).ok()?;
         Some(numbers(&run.state()).iter().zip(state).map(|(after, before)| after - before).collect())

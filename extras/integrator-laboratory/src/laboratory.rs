@@ -2,14 +2,13 @@
 
 use crate::{
     claims::{Verdict, verdicts},
-    numbers::plain,
-    page::{Figure, page},
+    page::{Content, Figure},
     pictures,
     plan::Plan,
-    problem::{Problem, turns},
+    problem::{Problem, name, turns},
     study::{Study, measure},
 };
-use integrator_core::prelude::*;
+use integrator_core::{Coords, prelude::*};
 use integrator_plot::{Chart, Outcome, Panels};
 use std::{
     error::Error,
@@ -51,9 +50,12 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
         // A start that is no start ends the first run.
         let turns = turns(system, &start, period).unwrap_or(0);
-        let mut problem = Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], start };
+        let (freedom, angles) = (start.q.flat().len(), Vec::new());
+        let curvature = "T″ V″".to_owned();
+        let symbols = (0..2 * freedom).map(|index| name(index, freedom)).collect();
+        let mut problem =
+            Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], angles, symbols, curvature, start };
         problem.step = problem.step_of(STEPS);
-        let freedom = problem.freedom();
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
         let name = std::any::type_name::<H>().rsplit("::").next().unwrap_or("system").to_owned();
@@ -103,6 +105,29 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         self
     }
 
+    /// Marks coordinates that are angles, counted from 0 over the positions. Portraits show them between −π and π, so that a
+    /// pendulum that turns over stays in the frame.
+    #[must_use]
+    pub fn angle(mut self, index: usize) -> Self {
+        self.problem.angles.push(index);
+        self
+    }
+
+    /// Sets the symbols of the positions and then of the momenta, such as `["θ", "ω"]`.
+    #[must_use]
+    pub fn symbols(mut self, symbols: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        let given = symbols.into_iter().map(Into::into);
+        self.problem.symbols.iter_mut().zip(given).for_each(|(symbol, given)| *symbol = given);
+        self
+    }
+
+    /// Sets the text of `T'' V''` in these symbols, such as `"cos θ"`, for the bracket of forward Euler.
+    #[must_use]
+    pub fn curvature(mut self, text: impl Into<String>) -> Self {
+        self.problem.curvature = text.into();
+        self
+    }
+
     /// Sets the amount of measurements.
     #[must_use]
     pub fn plan(self, plan: Plan) -> Self {
@@ -139,11 +164,7 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         pictures.append(&mut self.pictures);
         let mut claims = verdicts(&study);
         claims.append(&mut self.claims);
-        let formula = match self.formula.as_str() {
-            "" => format!("Step {}", plain(study.step)),
-            formula => format!("{formula}; step {}", plain(study.step)),
-        };
-        files(folder.as_ref(), &self.name, &formula, Some(&study), claims, pictures)
+        files(folder.as_ref(), (&self.name, &self.formula), Some(&study), claims, pictures)
     }
 }
 
@@ -158,13 +179,12 @@ pub fn write(
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,
 ) -> Result<Report, Box<dyn Error>> {
-    files(folder.as_ref(), name, formula, None, claims, pictures)
+    files(folder.as_ref(), (name, formula), None, claims, pictures)
 }
 
 fn files(
     folder: &Path,
-    name: &str,
-    formula: &str,
+    (name, formula): (&str, &str),
     study: Option<&Study>,
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,
@@ -173,12 +193,12 @@ fn files(
     for (picture, drawing) in pictures {
         let file = folder.join(name).join(&picture);
         drawing.write(&file)?;
-        let svg = file.with_extension("svg");
-        figures.push(Figure { name: picture, svg: fs::read_to_string(svg)? });
+        figures.push(Figure { name: picture, drawing });
     }
     fs::create_dir_all(folder)?;
     let html = folder.join(format!("{name}.html"));
-    fs::write(&html, page(name, formula, study, &claims, &figures))?;
+    let content = Content { name, formula, study, verdicts: &claims, figures: &figures };
+    fs::write(&html, content.page()?)?;
     Ok(Report { page: html, claims })
 }
 

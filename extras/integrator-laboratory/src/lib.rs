@@ -43,21 +43,26 @@
 //! | `problem`, `plan` | a system with its start; the amount of measurements |
 //! | `study`, `measured` | all measurements, of a system and of a method |
 //! | `methods`, `rows` | the methods and their descriptions |
-//! | `blob`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
+//! | `adaptive`, `blob`, `brackets`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
+//! | `multistep`, `gear` | parasitic roots and stiff equations, the same for all systems; `roots` of polynomials |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | pictures and pages; `formula` writes MathML, `numbers` formats numbers |
 
+mod adaptive;
 mod admitted;
 mod blob;
+mod brackets;
 mod claims;
 mod errors;
 mod extrapolation;
 mod formula;
+mod gear;
 mod laboratory;
 mod limits;
 mod measured;
 mod methods;
 mod modified;
+mod multistep;
 mod numbers;
 mod page;
 mod pictures;
@@ -65,6 +70,7 @@ mod plan;
 mod portrait;
 mod problem;
 mod reversal;
+mod roots;
 mod rows;
 mod shifted;
 mod study;

@@ -39,7 +39,7 @@ pub(crate) fn adaptive<H: Hamiltonian>(
     macro_rules! rows {
         ($($row:ident $method:ident;)*) => {
             vec![$({
-                let of = |tolerance| problem.by(AnyReference::from($method { tolerance }));
+                let of = |tolerance| problem.by(AnyReference::from($method { tolerance: exact.tolerance(tolerance) }));
                 Adaptive {
                     row: rows::$row,
                     errors: tolerances(problem, &of, plan, exact)?,

@@ -5,6 +5,7 @@ use integrator_core::{
     check::{CheckError, TangentMap, observed_order, tangent_maps, turns_in_time},
     prelude::*,
 };
+use std::f64::consts::{PI, TAU};
 
 /// The description of a system for the laboratory.
 pub(crate) struct Problem<'s, H: Hamiltonian> {
@@ -22,6 +23,12 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     /// The axes of portraits, horizontal and vertical, counted through all positions and then all momenta: with two
     /// degrees of freedom, `[0, 2]` is q₁ and p₁.
     pub(crate) view: [usize; 2],
+    /// The positions that are angles, which portraits show between −π and π.
+    pub(crate) angles: Vec<usize>,
+    /// The symbols of the coordinates, positions first.
+    pub(crate) symbols: Vec<String>,
+    /// `T'' V''` in these symbols.
+    pub(crate) curvature: String,
 }
 
 impl<H: Hamiltonian> Problem<'_, H> {
@@ -50,6 +57,15 @@ impl<H: Hamiltonian> Problem<'_, H> {
         (self.turns / 2).max(1) as u32
     }
 
+    /// The state with these numbers: all positions, then all momenta.
+    pub(crate) fn state(&self, numbers: &[f64]) -> Phase<H::Coords> {
+        let mut state = self.start.clone();
+        let (q, p) = numbers.split_at(self.freedom());
+        state.q.flat_mut().copy_from_slice(q);
+        state.p.flat_mut().copy_from_slice(p);
+        state
+    }
+
     /// The degrees of freedom.
     pub(crate) fn freedom(&self) -> usize {
         self.start.q.flat().len()
@@ -58,7 +74,11 @@ impl<H: Hamiltonian> Problem<'_, H> {
     /// Returns the coordinates of a state that portraits show.
     pub(crate) fn seen(&self, state: &Phase<H::Coords>) -> (f64, f64) {
         let numbers = numbers(state);
-        (numbers[self.view[0]], numbers[self.view[1]])
+        let [x, y] = self.view.map(|index| match self.angles.contains(&index) {
+            true => numbers[index] - TAU * (numbers[index] / TAU).round(),
+            false => numbers[index],
+        });
+        (x, y)
     }
 }
 
@@ -117,6 +137,21 @@ impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
     fn maps(&self, start: &Phase<H::Coords>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError> {
         tangent_maps::<H, M, f64>(self.system, self.method, start, h, steps)
     }
+}
+
+/// A curve that is broken where an angle passes from one side of the frame to the other.
+pub(crate) fn broken(points: &[(f64, f64)], is_angle: [bool; 2]) -> Vec<(f64, f64)> {
+    let mut curve: Vec<(f64, f64)> = Vec::with_capacity(points.len());
+    for point in points {
+        let jumps = |last: &(f64, f64)| {
+            is_angle[0] && (last.0 - point.0).abs() > PI || is_angle[1] && (last.1 - point.1).abs() > PI
+        };
+        if curve.last().is_some_and(jumps) {
+            curve.push((f64::NAN, f64::NAN));
+        }
+        curve.push(*point);
+    }
+    curve
 }
 
 /// All positions, then all momenta.

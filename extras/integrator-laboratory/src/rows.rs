@@ -66,7 +66,7 @@ rows! {
         "Four past forces instead of stages, with one new force per step. Runge–Kutta computes the first three steps.";
     ADAMS_BASHFORTH_MOULTON_4 "Adams–Bashforth–Moulton 4" Colour(150, 150, 60), false,
         "z_{n+1}^* = z_n + {h}/{24}(55 f_n − 59 f_{n−1} + 37 f_{n−2} − 9 f_{n−3}) ; z_{n+1} = z_n + {h}/{24}(9 f_{n+1}^* + 19 f_n − 5 f_{n−1} + f_{n−2})",
-        "Predicts like Adams and Bashforth, evaluates the force, corrects with it, and evaluates it again for later steps (PECE).";
+        "Predicts like Adams and Bashforth, evaluates the force, corrects like Adams and Moulton, and evaluates again for later steps (PECE). Heun's method is the pair of order 2: Euler predicts, the trapezoidal rule corrects.";
     ADAMS_PEC_4 "Adams PEC 4" Colour(110, 160, 200), false,
         "z_{n+1}^* = z_n + {h}/{24}(55 f_n^* − 59 f_{n−1}^* + 37 f_{n−2}^* − 9 f_{n−3}^*) ; z_{n+1} = z_n + {h}/{24}(9 f_{n+1}^* + 19 f_n^* − 5 f_{n−1}^* + f_{n−2}^*)",
         "Later steps use the force at the predicted point: half the work, and less stable.";
@@ -92,15 +92,15 @@ rows! {
         "S_4(h) = e^{{h}/{6}V} e^{{h}/{2}T} e^{{2h}/{3}U} e^{{h}/{2}T} e^{{h}/{6}V} ; U = V − {h^2}/{48} (V')^2",
         "A force gradient in the middle kick: order 4 with forward steps only, where Yoshida has to step back.";
     DORMAND_PRINCE_5 "Dormand–Prince 5" Colour(0, 60, 220), false,
-        "",
-        "Runge–Kutta with steps by an error estimate";
+        "e_n = h Σ_i (b_i − b_i^*) k_i ; h_{n+1} = h {{tolerance}/{|e_n|}}^{1/5}",
+        "Adaptive Runge–Kutta: a pair of orders 5 and 4 shares its stages, and their difference estimates the error, from which the next step follows.";
     DORMAND_PRINCE_8 "Dormand–Prince 8" Colour(110, 110, 110), false,
-        "",
-        "the same with order 8";
+        "h_{n+1} = h {{tolerance}/{|e_n|}}^{1/8}",
+        "The same with order 8: fewer steps for small tolerances.";
     BACKWARD_DIFFERENCES "backward differences" Colour(128, 0, 32), false,
-        "",
-        "for stiff systems";
+        "Σ_{j=1}^k {1}/{j} ∇^j z_{n+1} = h f(z_{n+1})",
+        "Gear's method for stiff systems (BDF), implicit, of orders 1 to 5: it damps fast oscillations, whether they are errors or not.";
     TAYLOR "Taylor" Colour(30, 140, 230), false,
-        "",
-        "many derivatives by recurrences, steps by the last ones";
+        "z_{n+1} = Σ_{k=0}^K {h^k}/{k!} z^{(k)}(t_n)",
+        "Many terms of the series in time by recurrences. The step is a share of the radius of convergence, which the last terms tell.";
 }

@@ -1,15 +1,19 @@
 //! All measurements of a system as plain numbers, from which pictures, claims and the page are made.
 
 use crate::{
+    adaptive::{Steps, steps},
+    brackets::{Brackets, brackets},
     claims::CHANGED,
     errors::exact,
     extrapolation::{Extrapolation, extrapolation},
+    gear::{Gear, gear},
     measured::Measured,
     methods::{self, Adaptive},
     modified::Modified,
+    multistep::{Multistep, multistep},
     plan::Plan,
-    problem::{Problem, name, numbers},
-    shifted::verlet_against_leapfrog,
+    problem::{Problem, numbers},
+    shifted::{Shifted, verlet_against_leapfrog},
 };
 use integrator_core::prelude::*;
 use std::error::Error;
@@ -23,6 +27,11 @@ pub(crate) struct Study {
     /// Whether it is, and its rounding is small enough for the claims about it.
     pub(crate) resolved: bool,
     pub(crate) freedom: usize,
+    /// The symbols of the coordinates, and where they start.
+    pub(crate) symbols: Vec<String>,
+    pub(crate) start: Vec<f64>,
+    /// The unit of energies: the largest kinetic energy.
+    pub(crate) unit: f64,
     pub(crate) step: f64,
     pub(crate) period: f64,
     /// The number of oscillations of a drive in a period, one at least, and half the period of the drive.
@@ -30,6 +39,8 @@ pub(crate) struct Study {
     pub(crate) half_drive: Option<f64>,
     /// The labels of the axes of portraits, horizontal and vertical.
     pub(crate) view: [String; 2],
+    /// Whether they are angles.
+    pub(crate) is_angle: [bool; 2],
     /// The orbit in this view, to more digits than are seen.
     pub(crate) orbit: Vec<(f64, f64)>,
     pub(crate) methods: Vec<Measured>,
@@ -38,14 +49,27 @@ pub(crate) struct Study {
     pub(crate) modified: Vec<Modified>,
     /// One long step, extrapolated.
     pub(crate) extrapolation: Option<Extrapolation>,
-    /// The difference of Verlet's inner half steps from the leapfrog.
-    pub(crate) shifted: f64,
+    /// Verlet's inner half steps, and the leapfrog.
+    pub(crate) shifted: Shifted,
+    /// The steps of an adaptive method.
+    pub(crate) steps: Option<Steps>,
+    /// Parasitic roots, and a stiff equation: the same for all systems.
+    pub(crate) multistep: Option<Multistep>,
+    pub(crate) gear: Gear,
+    /// The brackets of single steps, and the text of `T'' V''`.
+    pub(crate) brackets: Option<Vec<Brackets>>,
+    pub(crate) curvature: String,
 }
 
 /// Steps of this orbit to a period, or to one of a drive.
 const ORBIT: f64 = 64.0;
 
 impl Study {
+    /// `{q₁, p₁}` in the symbols of the system.
+    pub(crate) fn bracket(&self) -> String {
+        format!("{{{}, {}}}", self.symbols[0], self.symbols[self.freedom])
+    }
+
     /// The measurements of a method.
     pub(crate) fn method(&self, name: &str) -> Option<&Measured> {
         self.methods.iter().find(|measured| measured.name() == name)
@@ -75,16 +99,25 @@ pub(crate) fn measure<H: Hamiltonian>(
         autonomous: H::AUTONOMOUS,
         resolved: H::AUTONOMOUS && exact.rounding(ORBIT as usize) < CHANGED,
         freedom,
+        symbols: problem.symbols.clone(),
+        start: numbers(&problem.start),
+        unit: exact.motion,
         step: problem.step,
         period: problem.period,
         cycles: problem.cycles(),
         half_drive: (problem.turns > 0).then(|| problem.period / problem.turns as f64),
-        view: problem.view.map(|index| name(index, freedom)),
+        view: problem.view.map(|index| problem.symbols[index].clone()),
+        is_angle: problem.view.map(|index| problem.angles.contains(&index)),
         orbit: orbit.map_while(Result::ok).map(|sample| problem.seen(&sample.state)).collect(),
         methods,
         adaptive: methods::adaptive(problem, plan, &exact)?,
         modified,
         extrapolation: extrapolation(problem, &exact),
         shifted: verlet_against_leapfrog(problem, &exact)?,
+        steps: steps(problem, plan, &exact),
+        multistep: multistep(),
+        gear: gear(),
+        brackets: brackets(problem),
+        curvature: problem.curvature.clone(),
     })
 }

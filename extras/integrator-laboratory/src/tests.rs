@@ -2,8 +2,8 @@
 //! self-contained.
 
 use crate::{
-    Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, pictures::PICTURES, portrait::portrait,
-    problem::Stepped, study::Study, tangents::defect,
+    Drawing, Laboratory, Plan, Verdict, claims::verdicts, errors::exact, page::Content, pictures::PICTURES,
+    portrait::portrait, problem::Stepped, study::Study, tangents::defect,
 };
 use integrator_core::prelude::*;
 use integrator_plot::{Canvas, Picture};
@@ -153,7 +153,8 @@ fn a_claim_fails_for_a_number_that_is_off() {
         verdicts(&sound).iter().filter(|verdict| !verdict.holds()).collect::<Vec<_>>()
     );
     let mut study = sound.clone();
-    study.shifted = 1e-3;
+    study.shifted.apart = 1e-3;
+    study.brackets.iter_mut().flatten().for_each(|row| row.measured[7].1 += 1e-9);
     let extrapolation = study.extrapolation.as_mut().expect("a table");
     extrapolation.corner = 1e-9;
     // The second column gains nothing.
@@ -161,6 +162,18 @@ fn a_claim_fails_for_a_number_that_is_off() {
     // The last column is worse than the one before.
     extrapolation.halved[3][3] = 1.3 * extrapolation.halved[3][2];
     study.modified[1].excess = Some(-2.0);
+    let steps = study.steps.as_mut().expect("steps");
+    (steps.exponent, steps.change) = (0.0, 1e-6);
+    let dormand = study.adaptive.iter_mut().find(|adaptive| adaptive.row.name == "Dormand–Prince 5").expect("a method");
+    dormand.errors.iter_mut().for_each(|rung| rung.error = 1e-6);
+    let multistep = study.multistep.as_mut().expect("roots");
+    multistep.growth = 1.01;
+    multistep.roots[3].exponent = 4.0;
+    study.gear.explodes = 1.0;
+    study.gear.stays = 0.1;
+    study.gear.exponents[5] = 5.0;
+    study.gear.angles[5] = 18.8;
+    study.gear.parasitic.reverse();
     // Forward Euler, taken for symplectic; it is neither, and it is not symmetric.
     study.methods[0].symplectic = true;
     study.methods[0].symmetric = true;
@@ -169,6 +182,19 @@ fn a_claim_fails_for_a_number_that_is_off() {
         "each_column_of_the_extrapolation_gains_two_orders",
         "each_column_of_the_extrapolation_is_more_accurate",
         "the_extrapolation_ends_in_gragg_bulirsch_stoer",
+        "forward_euler_bracket_has_a_formula",
+        "backward_euler_bracket_is_the_inverse",
+        "dormand_prince_5_follows_its_tolerance",
+        "adaptive_steps_follow_the_force",
+        "adaptive_runge_kutta_energy_changes",
+        "a_parasitic_root_grows",
+        "principal_roots_follow_the_motion",
+        "explicit_steps_explode_on_a_stiff_equation",
+        "backward_differences_stay_on_a_stiff_equation",
+        "backward_differences_have_their_orders",
+        "backward_differences_are_stable_in_sectors",
+        "backward_differences_of_order_6_are_stable",
+        "backward_differences_of_order_7_are_not",
         "brackets_stay_one_at_every_step",
         "maps_tell_symplectic_methods",
         "symplectic_methods_preserve_areas",
@@ -236,9 +262,14 @@ fn rounding_is_no_gain() {
     for measured in &mut study.methods {
         measured.energies.iter_mut().for_each(|(_, change)| *change = 7.9e-15);
     }
-    let page = crate::page::page("", "", Some(&study), &[], &[]);
+    let page = page(&study, &[]);
     assert_eq!(page.matches("kept to rounding").count(), study.methods.len());
     assert!(!page.contains("gains ") && !page.contains("loses "));
+}
+
+fn page(study: &Study, verdicts: &[Verdict]) -> String {
+    let content = Content { name: "", formula: "", study: Some(study), verdicts, figures: &[] };
+    content.page().expect("fonts")
 }
 
 fn svg(drawing: &Drawing) -> String {
@@ -254,18 +285,24 @@ fn svg(drawing: &Drawing) -> String {
 }
 
 /// Words of each picture that stand on its axes or in its head, and whether all methods have their colour in it.
-const SHOWN: [(&str, [&str; 3], bool); 11] = [
+const SHOWN: [(&str, [&str; 3], bool); 17] = [
     ("portraits", ["Phase portraits", "symplectic", "gains energy"], true),
     ("energy_error", ["Energy error against time", "10⁻⁵", "Dormand–Prince 5"], true),
     ("energy", ["Energy in the first periods", "periods", "forward Euler"], false),
+    ("shifted", ["Both sequences", "Interleaved times", "qₙ₊½ = qₙ₋½ + h T′(pₙ)"], false),
+    ("brackets", ["Poisson bracket of one step", "1 + h² T″ V″", "backward Euler divides"], false),
     ("modified", ["Modified Hamiltonians", "with further terms h⁴, h⁶", "Yoshida 4"], false),
     ("areas", ["Areas", " at the end: 1 ", "preserve"], true),
     ("maps", ["Symplectic or not", "step", "implicit midpoint"], true),
-    ("tangents", ["Length of a deviation", "{q₁, p₁} − 1", "Deviations evolved by"], true),
+    ("tangents", ["Length of a deviation", "{q, p} − 1", "Deviations evolved by"], true),
     ("reversal", ["Reversibility", "distance from the start: ", "Verlet"], false),
     ("limits", ["Energy error against step", "2/ω", "Yoshida 4"], false),
     ("errors", ["Error against step", "Runge–Kutta 4: ", "distance from the reference"], true),
     ("work_precision", ["Work and precision", "force evaluations", "Dormand–Prince 8"], true),
+    ("adaptive", ["Adaptive Runge–Kutta", "eccentricity 0.8", "tolerance"], false),
+    ("roots", ["Parasitic roots", "a root leaves the circle at hω", "Störmer 4"], false),
+    ("gear", ["A stiff equation", "cos t", "backward Euler"], false),
+    ("regions", ["Regions of stability", "BDF 6: 17.84°", "Re hλ"], false),
 ];
 
 #[test]
@@ -304,13 +341,21 @@ fn a_page_has_its_claims_its_formulas_and_what_was_added() {
     let folder = folder("page");
     let own = integrator_plot::Chart::new("My own").line("", [(0.0, 0.0), (1.0, 1.0)]);
     let claim = Verdict::new("mine", "Mine is < theirs", [0.0, 1.0], Some(2.0));
-    let report = pendulum().called("swing").claim(claim).picture("own", own).report(&folder).expect("files");
+    let report =
+        pendulum().called("swing").claim(claim).picture("own", own).symbols(["θ", "ω"]).report(&folder).expect("files");
     assert_eq!(report.page, folder.join("swing.html"));
     assert!(!report.holds() && report.to_string().contains("\nclaim_mine=FAILED value=2.000e0\n"), "{report}");
     let page = fs::read_to_string(&report.page).expect("a page");
-    for part in
-        ["H = p²/2 − cos q; step 0.1", "Mine is &lt; theirs", ">at most 1<", ">2<", "<mfrac>", "My own", "1 of "]
-    {
+    for part in [
+        "<p>H = p²/2 − cos q</p>",
+        "0.1: 83.5 steps",
+        "Mine is &lt; theirs",
+        ">at most 1<",
+        ">2<",
+        "<mfrac>",
+        "My own",
+        "1 of ",
+    ] {
         assert!(page.contains(part), "{part} is missing");
     }
     assert_eq!(page.matches("<figure").count(), PICTURES.len() + 1);
@@ -439,8 +484,7 @@ fn steps_follow_a_fast_drive() {
     assert_eq!(laboratory.problem.cycles(), 40);
     assert!((laboratory.problem.step - 12.57 / 40.0 / 80.618).abs() < 1e-6);
     let mut study = driven_study();
-    let warns =
-        |study: &Study| crate::page::page("", "", Some(study), &[], &[]).contains("half the period of the drive");
+    let warns = |study: &Study| page(study, &[]).contains("half the period of the drive");
     assert!(study.half_drive.is_some_and(|half| (half - 3.2).abs() < 0.1) && !warns(&study), "{:?}", study.half_drive);
     study.half_drive = Some(0.99 * study.step);
     assert!(warns(&study));

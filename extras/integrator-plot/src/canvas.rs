@@ -76,6 +76,12 @@ pub(crate) enum Shape {
         at: Place,
         font: Font,
     },
+    /// The shapes up to [`Shape::End`] belong to one series, whose name is a tooltip. SVG alone has groups.
+    Begin {
+        title: String,
+        optional: bool,
+    },
+    End,
     /// Three bytes for each pixel, enlarged to a size in pixels of the picture.
     Bitmap {
         at: Place,
@@ -121,6 +127,16 @@ impl Canvas {
     /// Fills a rectangle, given by its upper left and its lower right corner.
     pub fn rectangle(&mut self, [from, to]: [Place; 2], colour: Colour, opacity: f64) {
         self.filled([from, (to.0, from.1), to, (from.0, to.1)], colour, opacity);
+    }
+
+    /// Groups the shapes that are drawn up to [`Canvas::end`] under a title.
+    pub(crate) fn begin(&mut self, title: &str, optional: bool) {
+        self.shapes.push(Shape::Begin { title: title.to_owned(), optional });
+    }
+
+    /// Ends a group.
+    pub(crate) fn end(&mut self) {
+        self.shapes.push(Shape::End);
     }
 
     /// Draws a marker.

@@ -7,10 +7,13 @@ use crate::{
     field::Field,
     frame::{Frame, Margins, Room},
     picture::{Picture, SaveError, head, save},
-    series::{Mark, Series},
+    series::{DASHES, Mark, Series},
     text::{bold, font},
 };
 use std::{ops::RangeInclusive, path::Path};
+
+/// The width in pixels from which an embedded chart has letters of full size.
+const WIDE: u32 = 500;
 
 /// A chart: title, claim, axes and series, set by method calls.
 #[derive(Clone, Debug)]
@@ -23,6 +26,7 @@ pub struct Chart {
     series: Vec<Series>,
     equal_units: bool,
     names_at_ends: bool,
+    is_embedded: bool,
     size: (u32, u32),
 }
 
@@ -39,6 +43,7 @@ impl Chart {
             series: Vec::new(),
             equal_units: false,
             names_at_ends: false,
+            is_embedded: false,
             size: (1000, 640),
         }
     }
@@ -156,13 +161,13 @@ impl Chart {
     /// Sets the colour of the last series, and makes its line solid.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
-        self.last(|series| (series.colour, series.dashed) = (colour, false))
+        self.last(|series| (series.colour, series.dashes) = (colour, &[]))
     }
 
     /// Draws the last series with dashes, if it is a line.
     #[must_use]
     pub fn dashed(self) -> Self {
-        self.last(|series| series.dashed = true)
+        self.last(|series| series.dashes = DASHES)
     }
 
     /// Sets the marker of the last series.
@@ -175,6 +180,34 @@ impl Chart {
     #[must_use]
     pub fn wide(self, width: f64) -> Self {
         self.last(|series| series.width = width)
+    }
+
+    /// Marks the last series as optional: in [`Chart::embedded`] it has the class `more` and no name beside the axes, so that
+    /// the style of a page can hide it.
+    #[must_use]
+    pub fn optional(self) -> Self {
+        self.last(|series| series.optional = true)
+    }
+
+    /// Returns title, claim and measured result, for a page that shows them beside the chart.
+    #[must_use]
+    pub fn words(&self) -> [&str; 3] {
+        [&self.title, &self.claim, &self.measured]
+    }
+
+    /// Returns the axes and series as SVG of this size, without title, claim and measured result.
+    ///
+    /// # Errors
+    /// The fonts cannot be read.
+    pub fn embedded(&self, (width, height): (u32, u32)) -> Result<String, SaveError> {
+        let mut canvas = Canvas::new((width, height)).map_err(SaveError::Fonts)?;
+        let bare = Self { is_embedded: true, ..self.clone() };
+        let text = if width < WIDE { 13.0 } else { 15.0 };
+        let beside = bare.beside(&canvas, text);
+        let margins = Margins { top: 8.0, right: beside + 4.0, text };
+        bare.plot(&mut canvas, [0.0, 0.0, f64::from(width), f64::from(height)], margins);
+        bare.legend(&mut canvas, (f64::from(width) - beside - 2.0, 20.0), text);
+        Ok(canvas.svg())
     }
 
     fn last(mut self, change: impl FnOnce(&mut Series)) -> Self {
@@ -195,7 +228,7 @@ impl Chart {
     }
 
     fn named(&self) -> impl Iterator<Item = &Series> {
-        self.series.iter().filter(|series| !series.name.is_empty())
+        self.series.iter().filter(|series| !(series.name.is_empty() || self.is_embedded && series.optional))
     }
 
     /// Whether names are needed: one series is what the title says.
@@ -243,7 +276,14 @@ impl Chart {
             None => frame.clouds(&clouds),
         }
         for series in &self.series {
+            let grouped = self.is_embedded && (series.optional || !series.name.is_empty());
+            if grouped {
+                frame.begin(&series.name, series.optional);
+            }
             series.draw(&mut frame);
+            if grouped {
+                frame.end();
+            }
         }
         frame.axes([&self.axes[0].name, &self.axes[1].name]);
         if self.names_at_ends && self.has_names() {
@@ -357,6 +397,31 @@ mod tests {
         let before = svg.split(&format!(">{text}<")).next().expect("a beginning");
         let number = before.rsplit("y=\"").next().and_then(|rest| rest.split('"').next());
         number.and_then(|number| number.parse().ok()).expect("a height")
+    }
+
+    #[test]
+    fn an_embedded_chart_has_axes_and_no_head_and_optional_series_can_be_hidden() {
+        let series = |chart: Chart, name: &str| chart.line(name, [(0.0, 0.0), (1.0, 1.0)]);
+        let chart = series(series(Chart::new("Title").claim("Claim").along(Axis::linear("axis")), "one"), "two");
+        let chart = series(chart, "three & more").optional();
+        let embedded = chart.embedded((720, 460)).expect("fonts");
+        for part in
+            [">axis<", ">one</text>", "<g class=\"more\"><title>three &amp; more</title>", "<g><title>one</title>"]
+        {
+            assert!(embedded.contains(part), "{part} is missing in {embedded}");
+        }
+        assert!(!embedded.contains("Title") && !embedded.contains("Claim") && !embedded.contains("more</text>"));
+        assert_eq!(embedded.matches("<g").count(), embedded.matches("</g>").count());
+        assert!(drawn(&chart).0.contains(">three &amp; more</text>"), "a file has all names");
+        assert_eq!(chart.words(), ["Title", "Claim", ""]);
+    }
+
+    #[test]
+    fn more_lines_than_colours_differ_in_their_dashes() {
+        let count = 4 * crate::colour::COLOURS.len();
+        let chart = (0..count).fold(Chart::new("Many"), |chart, i| chart.line("", [(0.0, 0.0), (1.0, i as f64)]));
+        let style = |series: &super::Series| (series.colour, series.dashes);
+        assert!((0..count).all(|i| (0..i).all(|j| style(&chart.series[i]) != style(&chart.series[j]))));
     }
 
     #[test]

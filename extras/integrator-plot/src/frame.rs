@@ -135,6 +135,16 @@ impl<'c> Frame<'c> {
         self.canvas.filled(outline, colour, opacity);
     }
 
+    /// Groups what is drawn up to [`Frame::end`].
+    pub(crate) fn begin(&mut self, title: &str, optional: bool) {
+        self.canvas.begin(title, optional);
+    }
+
+    /// Ends a group.
+    pub(crate) fn end(&mut self) {
+        self.canvas.end();
+    }
+
     /// Draws text at an offset in pixels from a point.
     pub fn text(&mut self, point: (f64, f64), (right, down): Place, text: &str, font: Font) {
         if let Some((x, y)) = self.visible(point) {

@@ -70,6 +70,30 @@ impl Panels {
         save(file.as_ref(), self)
     }
 
+    /// Returns title, claim and measured result, for a page that shows them beside the charts.
+    #[must_use]
+    pub fn words(&self) -> [&str; 3] {
+        [&self.title, &self.claim, &self.measured]
+    }
+
+    /// Returns the charts.
+    #[must_use]
+    pub fn charts(&self) -> &[Chart] {
+        &self.charts
+    }
+
+    /// Returns the number of charts in a row.
+    #[must_use]
+    pub fn column_count(&self) -> usize {
+        self.columns
+    }
+
+    /// Returns the width and height of a chart in pixels.
+    #[must_use]
+    pub fn chart_size(&self) -> (u32, u32) {
+        self.panel
+    }
+
     fn width(&self) -> u32 {
         self.panel.0 * self.columns as u32 + 24
     }

@@ -30,6 +30,7 @@ pub(crate) fn pixels(canvas: &Canvas, times: u32) -> Vec<u8> {
                 let outlines = canvas.typefaces.outlines(text, &larger, place(*at));
                 sheet.cover(&outlines, Fill::NonZero.into(), font.colour, 1.0);
             }
+            Shape::Begin { .. } | Shape::End => {}
             Shape::Bitmap { at, size, columns, bytes } => sheet.enlarge(place(*at), place(*size), *columns, bytes),
         }
     }

@@ -27,7 +27,9 @@ pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) mark: Mark,
     pub(crate) marker: Marker,
-    pub(crate) dashed: bool,
+    pub(crate) dashes: &'static [f32],
+    /// Whether a page may hide the series at first.
+    pub(crate) optional: bool,
     pub(crate) width: f64,
     pub(crate) colour: Colour,
     pub(crate) points: Vec<(f64, f64)>,
@@ -36,17 +38,20 @@ pub(crate) struct Series {
 /// Lengths of dashes and of the gaps between them, in pixels.
 pub const DASHES: &[f32] = &[7.0, 4.0];
 
+/// The dashes of lines whose colours repeat those of earlier ones: solid lines first, and four times as many lines as colours.
+const PATTERNS: [&[f32]; 4] = [&[], DASHES, &[2.0, 3.0], &[9.0, 3.0, 2.0, 3.0]];
+
 impl Series {
     /// The series with this index, with the colour of its place. Colours come again after the last one; lines
-    /// are dashed then.
+    /// have other dashes then.
     pub(crate) fn new(place: usize, name: String, mark: Mark, points: Vec<(f64, f64)>) -> Self {
-        let dashed = (place / COLOURS.len()) % 2 == 1;
-        Self { name, mark, marker: Marker::Disc, dashed, width: 2.0, colour: COLOURS[place % COLOURS.len()], points }
+        let dashes = PATTERNS[(place / COLOURS.len()) % PATTERNS.len()];
+        let colour = COLOURS[place % COLOURS.len()];
+        Self { name, mark, marker: Marker::Disc, dashes, optional: false, width: 2.0, colour, points }
     }
 
     fn stroke(&self, width: f64) -> Stroke {
-        let stroke = Stroke::new(self.colour, width);
-        if self.dashed { stroke.dashed(DASHES) } else { stroke }
+        Stroke::new(self.colour, width).dashed(self.dashes)
     }
 
     /// Draws everything but clouds, which come before the grid.

@@ -52,6 +52,11 @@ fn element(svg: &mut String, shape: &Shape) -> std::fmt::Result {
                 colour.hexadecimal()
             )
         }
+        Shape::Begin { title, optional } => {
+            let class = if *optional { " class=\"more\"" } else { "" };
+            writeln!(svg, "<g{class}><title>{}</title>", escaped(title))
+        }
+        Shape::End => writeln!(svg, "</g>"),
         Shape::Text { text, at, font } => written(svg, text, *at, font),
         Shape::Bitmap { at, size, columns, bytes } => {
             let rows = bytes.len() / (3 * columns);

@@ -4,7 +4,7 @@
 //! requires equations in its own matrix types.
 
 use crate::{
-    field::Field,
+    field::{Field, Generated},
     walk::{Place, Recipe},
 };
 use differential_equations::{
@@ -12,7 +12,10 @@ use differential_equations::{
     linalg::Matrix,
     prelude::{BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ODE},
 };
-use integrator_core::{__private::Real, Described, Error, Facts, Unsolved};
+use integrator_core::{
+    __private::{Real, System},
+    Coords, Described, Error, Facts, Phase, Unsolved,
+};
 use nalgebra::DMatrix;
 
 /// A field as that crate sees it: the lanes of a state one after the other. A dual is integrated with its tangent, by
@@ -141,6 +144,31 @@ macro_rules! adaptive {
             }
         }
     )*};
+}
+
+impl DormandPrince5 {
+    /// Returns the times and states at the ends of the steps that the method chooses over a span from time 0, beginning with the
+    /// start. States are lists of positions, then momenta. The tolerance is that of errors in these units, one for each number of a
+    /// state.
+    ///
+    /// # Errors
+    /// The method does not reach the end of the span.
+    pub fn steps<H: System>(
+        self,
+        system: &H,
+        start: &Phase<H::Coords>,
+        span: f64,
+        units: &[f64],
+    ) -> Result<Vec<(f64, Vec<f64>)>, Unsolved> {
+        let (q, p) = (start.q.flat(), start.p.flat());
+        let parameters = system.parameters(start.q.length());
+        let field = Generated::<H> { parameters: &parameters, shape: start, middle: span / 2.0, evaluations: 0.into() };
+        let tolerances: Vec<f64> = units.iter().map(|unit| self.tolerance * unit).collect();
+        let lanes: &dyn Flat = &Lanes::<f64>(&field);
+        let method = ExplicitRungeKutta::dopri5().rtol(0.0).atol(tolerances).max_steps(MOST);
+        let solution = IVP::ode(&lanes, 0.0, span, [q, p].concat()).method(method).solve().map_err(unsolved)?;
+        Ok(solution.t.into_iter().zip(solution.y).collect())
+    }
 }
 
 /// More steps of its own than this within one step of the run are taken for an error.

@@ -2,6 +2,7 @@
 //! and a row for whatever was measured. What is common to all systems is tested in `integrator-laboratory`.
 
 mod browser;
+mod pages;
 
 #[path = "../../../examples/laboratory/arguments.rs"]
 mod arguments;

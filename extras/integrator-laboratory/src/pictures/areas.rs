@@ -22,11 +22,11 @@ pub(super) fn areas(study: &Study) -> Panels {
 }
 
 fn panel(study: &Study, measured: &Measured) -> Chart {
-    let (index, what) = if study.freedom == 1 { ("", "area") } else { ("₁", "Σ ∮ p dq") };
+    let what = if study.freedom == 1 { "area" } else { "Σ ∮ p dq" };
     let chart = Chart::new(measured.name())
         .claim(format!("{what} at the end: {}", factor(measured.blob.area())))
-        .along(Axis::linear(format!("q{index}")))
-        .up(Axis::linear(format!("p{index}")));
+        .along(Axis::linear(&study.symbols[0]))
+        .up(Axis::linear(&study.symbols[study.freedom]));
     measured.blob.outlines.iter().fold(chart, |chart, outline| {
         chart.series(Mark::Filled, "", outline.iter().copied()).coloured(measured.row.colour)
     })

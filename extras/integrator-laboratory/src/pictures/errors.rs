@@ -13,7 +13,7 @@ use integrator_plot::{Axis, Chart, Mark};
 pub(super) fn against_step(study: &Study) -> Chart {
     let chart = Chart::new(format!("Error against step: {}", study.system))
         .claim(
-            "On logarithmic axes the slope is the order of the method. It is fitted where the error is above rounding.",
+            format!("The distance from the reference after {PERIODS} periods, in units of the orbit. On logarithmic axes the slope is the order of the method. It is fitted where the error is above rounding."),
         )
         .measured("the number after each name is the measured order")
         .along(Axis::logarithmic("step"));
@@ -27,7 +27,7 @@ pub(super) fn against_step(study: &Study) -> Chart {
 /// Errors against evaluations of the vector field.
 pub(super) fn against_work(study: &Study) -> Chart {
     let chart = Chart::new(format!("Work and precision: {}", study.system))
-        .claim("Lower left is better: a smaller error with fewer force evaluations.")
+        .claim(format!("Lower left is better: a smaller error after {PERIODS} periods with fewer force evaluations."))
         .measured(format!("evaluations to an error of 10⁻⁸: {}", cheapest(study)))
         .along(Axis::logarithmic("force evaluations"));
     let chart = curves(chart, study, |measured| measured.name().to_owned(), |rung| rung.evaluations as f64);
@@ -38,7 +38,7 @@ pub(super) fn against_work(study: &Study) -> Chart {
 }
 
 fn curves(chart: Chart, study: &Study, name: impl Fn(&Measured) -> String, along: fn(&Rung) -> f64) -> Chart {
-    let up = Axis::logarithmic(format!("distance from the reference after {PERIODS} periods")).between(1e-16, 3.0);
+    let up = Axis::logarithmic("distance from the reference").between(1e-16, 3.0);
     study.methods.iter().fold(chart.up(up).sized(1150, 760), |chart, measured| {
         let points = measured.errors.iter().map(|rung| (along(rung), rung.error));
         series(chart, Mark::Dotted, (&measured.row, measured.symplectic), name(measured), points)

@@ -3,7 +3,7 @@
 use super::style::of_method;
 use crate::{
     measured::{Measured, STEPS},
-    numbers::signed,
+    numbers::{plain, signed},
     study::Study,
 };
 use integrator_plot::{Axis, Chart, Mark, colour::GREY};
@@ -18,7 +18,7 @@ pub(super) fn maps(study: &Study) -> Chart {
     let claim = format!(
         "A map with derivative M is symplectic if MᵀJM = J; then {{q, p}} = 1. Symplectic methods deviate by rounding only, whatever the \
          step; others by a power of the step. M is the exact derivative of {STEPS} steps, so multistep methods have left their \
-         starter. Rounding explains deviations below the grey line; it grows with the square of the elements of M."
+         starter. The largest element of MᵀJM − J is drawn in units of rounding, which explains deviations below the grey line; it grows with the square of the elements of M."
     );
     let off = |measured: &Measured| -> Vec<(f64, f64)> {
         // A map that is exactly symplectic is shown at the lower edge.
@@ -28,9 +28,9 @@ pub(super) fn maps(study: &Study) -> Chart {
     let (least, most) = (ends().fold(f64::INFINITY, f64::min), ends().fold(0.0, f64::max));
     let chart = Chart::new(format!("Symplectic or not: {}", study.system))
         .claim(claim)
-        .measured(format!("{{q₁, p₁}} − 1 after one step of {}: {}", study.step, numbers.join(", ")))
+        .measured(format!("{} − 1 after one step of {}: {}", study.bracket(), plain(study.step), numbers.join(", ")))
         .along(Axis::logarithmic("step"))
-        .up(Axis::logarithmic("largest element of MᵀJM − J, in units of rounding").between(LEAST, 1e13))
+        .up(Axis::logarithmic("|MᵀJM − J| / rounding").between(LEAST, 1e13))
         .sized(1150, 760)
         .line("", [(least, 1.0), (most, 1.0)])
         .coloured(GREY)

@@ -1,26 +1,44 @@
 //! The pictures of the page, one row each.
 
+mod adaptive;
 mod areas;
+mod brackets;
 mod energies;
 mod errors;
+mod gear;
 mod limits;
 mod maps;
 mod modified;
 mod portraits;
 mod reversal;
+mod roots;
+mod shifted;
 mod style;
 mod tangents;
 
 use crate::{laboratory::Drawing, study::Study};
 
+/// The chapters of the page: an identifier, a title, and the pictures in them.
+pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
+    ("euler", "Euler’s methods and the leapfrog", &["portraits", "energy", "energy_error", "shifted", "reversal"]),
+    ("symplectic", "Symplectic maps", &["brackets", "maps", "areas", "tangents"]),
+    ("backward", "The energy that steps conserve", &["modified"]),
+    ("order", "Order, work and stability", &["errors", "work_precision", "limits", "adaptive"]),
+    ("multistep", "Multistep methods", &["roots"]),
+    ("series", "Extrapolation", &[]),
+    ("stiffness", "Stiff equations", &["gear", "regions"]),
+];
+
 /// A picture with the name of its files.
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 11] = [
+pub(crate) const PICTURES: [Picture; 17] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
     ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
+    ("shifted", |study| Some(shifted::shifted(study).into())),
+    ("brackets", |study| brackets::brackets(study).map(Drawing::from)),
     ("modified", |study| study.resolved.then(|| modified::modified(study)).flatten().map(Drawing::from)),
     ("areas", |study| Some(areas::areas(study).into())),
     ("maps", |study| Some(maps::maps(study).into())),
@@ -29,6 +47,10 @@ pub(crate) const PICTURES: [Picture; 11] = [
     ("limits", |study| study.resolved.then(|| limits::limits(study).into())),
     ("errors", |study| Some(errors::against_step(study).into())),
     ("work_precision", |study| Some(errors::against_work(study).into())),
+    ("adaptive", |study| adaptive::adaptive(study).map(Drawing::from)),
+    ("roots", |study| roots::roots(study).map(Drawing::from)),
+    ("gear", |study| Some(gear::motion(study).into())),
+    ("regions", |study| Some(gear::regions(study).into())),
 ];
 
 /// All pictures of a study.

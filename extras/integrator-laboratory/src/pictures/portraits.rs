@@ -3,7 +3,7 @@
 use crate::{
     measured::Measured,
     numbers::{plain, signed},
-    problem::steps_per_period,
+    problem::{broken, steps_per_period},
     study::Study,
 };
 use integrator_plot::{
@@ -51,6 +51,11 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
         (true, false) if portrait.change > 0.0 => format!("gains energy: ΔE = {} K", signed(portrait.change)),
         (true, false) => format!("loses energy: ΔE = {} K", signed(portrait.change)),
     };
+    let left = portrait.points.iter().position(|point| !inside(point)).map(|first| {
+        let periods = portrait.periods * first as f64 / portrait.points.len() as f64;
+        format!("; leaves the frame after {} periods", plain((10.0 * periods).round() / 10.0))
+    });
+    let claim = format!("{claim}{}", left.unwrap_or_default());
     let (mark, width) = if portrait.count >= JOINED { (Mark::Line, 1.25) } else { (Mark::Dots, 0.6) };
     let chart = Chart::new(measured.name())
         .claim(steps)
@@ -58,7 +63,7 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
         .along(Axis::linear(&study.view[0]).between(x[0], x[1]))
         .up(Axis::linear(&study.view[1]).between(y[0], y[1]))
         .with_equal_units()
-        .line("", study.orbit.iter().copied())
+        .line("", broken(&study.orbit, study.is_angle))
         .coloured(GREY)
         .wide(1.0);
     let shades = if measured.symplectic { &SHADES[4..] } else { &SHADES };
@@ -69,6 +74,9 @@ fn portrait(study: &Study, measured: &Measured) -> Chart {
         let part = |index: usize| index * points.len() / shades.len();
         // With the first point of the next part, so that lines are joined.
         let shown = &points[part(index)..points.len().min(part(index + 1) + 1)];
-        chart.series(mark, "", shown.iter().copied()).coloured(measured.row.colour.towards(WHITE, *shade)).wide(width)
+        chart
+            .series(mark, "", broken(shown, study.is_angle))
+            .coloured(measured.row.colour.towards(WHITE, *shade))
+            .wide(width)
     })
 }

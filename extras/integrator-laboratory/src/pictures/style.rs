@@ -4,6 +4,18 @@
 use crate::{measured::Measured, methods::Adaptive, rows::Row};
 use integrator_plot::{Chart, Mark};
 
+/// The methods that a page shows at first: as many lines as one can tell apart. The others are optional.
+const FIRST: [&str; 8] = [
+    "forward Euler",
+    "backward Euler",
+    "symplectic Euler",
+    "Verlet",
+    "implicit midpoint",
+    "Runge–Kutta 4",
+    "Yoshida 4",
+    "Dormand–Prince 5",
+];
+
 /// One more series of a chart, of a method.
 pub(super) fn series(
     chart: Chart,
@@ -13,7 +25,8 @@ pub(super) fn series(
     points: impl IntoIterator<Item = (f64, f64)>,
 ) -> Chart {
     let chart = chart.series(mark, name, points).coloured(row.colour).wide(1.75);
-    if symplectic { chart } else { chart.dashed() }
+    let chart = if symplectic { chart } else { chart.dashed() };
+    if FIRST.contains(&row.name) { chart } else { chart.optional() }
 }
 
 /// A series of a method with steps of the run.
