@@ -14,10 +14,11 @@
 //! value can do harm.
 
 mod limits;
+mod quotient;
 
 use crate::graph::{
     Element, FoldSlope, Graph, Node, NodeId, Part, Scope,
-    function::{Function, LEAST},
+    function::{Function, HUGE, LEAST},
     index::LoopId,
     like_terms::with_like_terms_collected,
 };
@@ -379,6 +380,10 @@ impl Sweep {
                     self.push_product(graph, a, context, adjoint, slope);
                 }
             }
+            // The quotient whose divisor is bounded has no slope beyond the bound, by its limits.
+            Node::Binary(_, a, bound) | Node::Binary(_, bound, a) if graph.as_constant(bound) == Some(HUGE) => {
+                self.push(graph, a, context, adjoint);
+            }
             Node::Binary(function, a, b) => {
                 if let Some(first) = self.choice(graph, function, [a, b], adjoint) {
                     self.push_chosen(graph, [a, b], first, context, adjoint);
@@ -493,7 +498,12 @@ impl Sweep {
         let outer: Vec<Scope> = outer.iter().copied().chain(more).collect();
         let adjoints = &mut self.adjoints[to.position()];
         match adjoints.iter_mut().find(|(known, _)| *known == outer) {
-            Some((_, sum)) => *sum = graph.add(*sum, value),
+            Some((_, sum)) => {
+                *sum = match quotient::complement(graph, *sum, value) {
+                    Some(sum) => sum,
+                    None => graph.add(*sum, value),
+                }
+            }
             None => adjoints.push((outer, value)),
         }
     }

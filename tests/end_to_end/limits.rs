@@ -16,7 +16,7 @@ macro_rules! limits {
                 fn kinetic(&self, p: [f64; 2]) -> f64 { 0.5 * (p[0] * p[0] + p[1] * p[1]) }
                 fn potential(&self, [$x, $y]: [f64; 2]) -> f64 {
                     let $mask = self.mask;
-                    let _ = ($y, $mask);
+                    let _ = ($x, $y, $mask);
                     let energy = $energy;
                     energy
                 }
@@ -31,7 +31,7 @@ macro_rules! limits {
                 run.advance(1).unwrap_or_else(|error| panic!("{} at {x}: {error}", stringify!($system)));
                 let expected: [f64; 2] = $force;
                 assert_eq!(run.state().p, expected, "{} at {x}, {y}, {mask}", stringify!($system));
-                let members = [0.5, 1.0, 2.0].map(|near| ($system { mask }, Phase::new([x * near, y], [0.0; 2])));
+                let members = [0.5, 1.0, 0.9].map(|near| ($system { mask }, Phase::new([x * near, y], [0.0; 2])));
                 let mut swarm = Ensemble::new(Euler, members, 1.0).expect("members");
                 swarm.advance(1).expect("finite states");
                 assert_eq!(swarm.state(1).map(|state| state.p), Some(expected), "{} at {x}, {y}, {mask} in lanes", stringify!($system));
@@ -55,7 +55,12 @@ macro_rules! limits {
 
 limits! {
     |x, y, mask|
-    WoodsSaxon: -50.0 / (1.0 + ((x - 6.0) / 0.6).exp()), [[500.0, 0.0, 1.0] => [0.0; 2], [1e300, 0.0, 1.0] => [0.0; 2]];
+    WoodsSaxon: -50.0 / (1.0 + ((x - 6.0) / 0.6).exp()),
+        [[429.5, 0.0, 1.0] => [0.0; 2], [500.0, 0.0, 1.0] => [0.0; 2], [1e300, 0.0, 1.0] => [0.0; 2]];
+    Softplus: (1.0 + x.exp()).ln() + y, [[709.5, 2.0, 1.0] => [-1.0, -1.0]];
+    SoftplusOfTwo: (mask * x.exp() + 3.0 * (-y).exp()).ln(), [[400.0, -400.0, 1.0] => [-0.25, 0.75]];
+    LogarithmOfCosine: 2.0 * (0.5 * x).cosh().ln(), [[1400.0, 0.0, 1.0] => [-1.0, 0.0], [-1400.0, 0.0, 1.0] => [1.0, 0.0]];
+    SoftSign: x / (1.0 + x * x).sqrt(), [[1e200, 0.0, 1.0] => [0.0; 2], [-1e200, 0.0, 1.0] => [0.0; 2]];
     SquareOfSecant: -1.0 / x.cosh().powi(2), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
     Secant: -1.0 / x.cosh(), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
     RootOfSecant: 1.0 / (3.0 + x.sinh().powi(2)).sqrt(), [[800.0, 0.0, 1.0] => [0.0; 2], [-800.0, 0.0, 1.0] => [0.0; 2]];
@@ -83,6 +88,27 @@ limits! {
     QuotientBetween: { let r = x.hypot(y); mask * r / 3.0 * r / (1.0 + x * x) + x }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
     NegativeFactors: { let r = (x * x + y * y).sqrt(); x - r * (-mask) * -(r * 1.5) }, [[0.0, 0.0, 1.0] => [-1.0, 0.0]];
     CosineOfRoot: x.abs().sqrt().cos() + y, [[0.0, 0.3, 1.0] => [0.5, -1.0]];
+}
+
+/// A square in a divisor overflows at half of where the exponential does, and its derivative a little before.
+#[test]
+fn deviation_vectors_have_values_at_every_distance_from_a_step() {
+    macro_rules! at_every_distance {
+        ($($system:ident)*) => {$(
+            for (tenth, side) in (0..8_000).flat_map(|tenth| [(tenth, 1.0), (tenth, -1.0)]) {
+                let x = side * 0.1 * f64::from(tenth);
+                let start = Phase::new([x, 0.5], [0.0; 2]);
+                // The energy of a logarithm is infinite where its exponential is.
+                let Ok(mut tangent) = $system { mask: 1.0 }.tangent(Euler, start, [Phase::new([1.0, 0.0], [0.0; 2])], 1.0) else {
+                    assert!(!$system { mask: 1.0 }.potential(start.q).is_finite(), "{} at {x}", stringify!($system));
+                    continue;
+                };
+                tangent.advance(1).unwrap_or_else(|error| panic!("{} at {x}: {error}", stringify!($system)));
+                assert!(tangent.vectors()[0].p[0].is_finite(), "{} at {x}", stringify!($system));
+            }
+        )*};
+    }
+    at_every_distance! { WoodsSaxon SquareOfSecant Softplus LogarithmOfCosine Kink }
 }
 
 #[test]

@@ -134,6 +134,13 @@ macro_rules! declare_real {
                 let (double, single) = (Self::of(LEAST[0]), Self::of(LEAST[1]));
                 if double.lane(0) == 0.0 { single } else { double }
             }
+            /// A number far above all divisors that matter, and far below those that overflow.
+            #[inline(always)]
+            fn huge() -> Self {
+                const HUGE: [f64; 2] = [f64::from_bits((1023 + 896) << 52), f64::from_bits((1023 + 112) << 52)];
+                let (double, single) = (Self::of(HUGE[0]), Self::of(HUGE[1]));
+                if double.lane(0) == f64::INFINITY { single } else { double }
+            }
             /// One lane, widened to `f64`.
             fn lane(self, lane: usize) -> f64;
             /// A number that does not depend on the state, one per lane; a dual ignores all but the first.

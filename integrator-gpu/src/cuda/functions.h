@@ -43,6 +43,7 @@ template <class R> DEVICE R pattern_less(unsigned long long word, R x) {
 template <class R> DEVICE R abs(R x) { return bits_xor(x, sign(x)); }
 template <class R> DEVICE R not_a_number() { return R(0.0) / R(0.0); }
 template <class R> DEVICE R least() { return R(sizeof(R) == sizeof(double) ? 0x1p-511 : 0x1p-63); }
+template <class R> DEVICE R huge() { return R(sizeof(R) == sizeof(double) ? 0x1p+896 : 0x1p+112); }
 template <class R> DEVICE R infinity() { return R(1.0) / R(0.0); }
 
 // Error-free transformations, and the beginnings of polynomials.

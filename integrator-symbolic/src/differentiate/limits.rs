@@ -4,6 +4,7 @@
 //! sum have the factor zero, the slope of its square root is infinite. The product is zero in both cases. This value is
 //! selected if the slope is infinite or exactly zero; all other products are bitwise unchanged.
 
+use super::quotient;
 use crate::graph::{Comparison, Graph, Node, NodeId};
 
 /// The limits that the adjoint of a node may have.
@@ -65,11 +66,17 @@ impl Limits {
 
     /// The product of an adjoint with these and a slope.
     pub(super) fn product(self, graph: &mut Graph, adjoint: NodeId, slope: NodeId) -> NodeId {
+        if let Some(quotient) = quotient::of_exponentials(graph, adjoint, slope) {
+            return quotient;
+        }
         let product = graph.mul(adjoint, slope);
         if self.vanishes && graph.grows(slope) {
-            let (factor, infinity) = (moving_factor(graph, slope), graph.constant(f64::INFINITY));
+            if let Some(divisor) = quotient::growing_divisor(graph, adjoint) {
+                return graph.zero_beyond(divisor, product);
+            }
+            let (_, factor) = quotient::scaled(graph, slope);
             let size = if graph.is_never_negative(factor) { factor } else { graph.call("abs", factor) };
-            return zero_where_equal(graph, [size, infinity], product);
+            return graph.zero_beyond(size, product);
         }
         let may_be_zero = match self.diverges {
             Divergence::Never => false,
@@ -105,15 +112,4 @@ fn zero_where_equal(graph: &mut Graph, [a, b]: [NodeId; 2], product: NodeId) -> 
     let zero = graph.constant(0.0);
     let equal = graph.compare(Comparison::Equal, a, b);
     graph.select(equal, zero, product)
-}
-
-/// A value without its sign and the factors that are prepared.
-fn moving_factor(graph: &Graph, id: NodeId) -> NodeId {
-    match graph.node(id) {
-        Node::Neg(inner) => moving_factor(graph, inner),
-        Node::Mul(a, b) if graph.is_prepared(a) => moving_factor(graph, b),
-        Node::Mul(a, b) if graph.is_prepared(b) => moving_factor(graph, a),
-        Node::Div(a, b) if graph.is_prepared(b) => moving_factor(graph, a),
-        _ => id,
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::{
     Comparison, Graph, Node, NodeId, ParameterId, Scope,
+    function::HUGE,
     index::{Index, IndexId, Loop, LoopId},
 };
 use std::collections::HashSet;
@@ -75,11 +76,19 @@ impl Graph {
     /// Whether a comparison may change along a motion.
     pub(crate) fn is_edge_of_motion(&self, id: NodeId) -> bool {
         match self.node(id) {
-            // A value that overflows has no edge there.
+            // A value that overflows, or is about to, has no edge there.
             Node::Compare(Comparison::Equal, _, b) if self.as_constant(b) == Some(f64::INFINITY) => false,
+            Node::Compare(Comparison::Less, a, _) if self.as_constant(a) == Some(HUGE) => false,
             Node::Compare(_, a, b) => self.moves(a) || self.moves(b),
             _ => false,
         }
+    }
+
+    /// A product that falls to zero while its divisor grows, and zero where this is so large that it soon overflows.
+    pub(crate) fn zero_beyond(&mut self, divisor: NodeId, product: NodeId) -> NodeId {
+        let (huge, zero) = (self.constant(HUGE), self.constant(0.0));
+        let is_far = self.compare(Comparison::Less, huge, divisor);
+        self.select(is_far, zero, product)
     }
 
     /// exact: !!c == c

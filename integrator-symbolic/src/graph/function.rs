@@ -7,6 +7,10 @@ use Device::{Exact, Kernel, Library};
 /// The smallest number whose square is a normal number. The runtime's reals have their own.
 pub(crate) const LEAST: f64 = f64::from_bits((1023 - 511) << 52);
 
+/// A number far above what divides a derivative where that matters, and so far below the largest number that derivatives of the
+/// divisor are finite. The runtime's reals have their own.
+pub(crate) const HUGE: f64 = f64::from_bits((1023 + 896) << 52);
+
 /// An elementary function, as a position in [`TABLE`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Function(u8);
@@ -275,7 +279,9 @@ pub(crate) const TABLE: &[Row] = &[
         .on(Library),
     unary("tanh", f64::tanh, [-3.0, 3.0], |g, x, _| {
         let cosine = g.call("cosh", x);
-        g.power(cosine, -4)
+        let square = g.power(cosine, 4);
+        let slope = over(g, square);
+        g.zero_beyond(square, slope)
     })
     .total()
     .with_fast("fast_tanh")

@@ -140,6 +140,7 @@ impl Machine<'_> {
         match (name, arguments) {
             ("of", [Value::Number(number)]) if number.kind == Kind::Plain => Ok(number.clone().of_kind(kind).into()),
             ("least", []) => Ok(Number::plain(2.0_f64.powi(-511)).of_kind(kind).into()),
+            ("huge", []) => Ok(Number::plain(2.0_f64.powi(896)).of_kind(kind).into()),
             ("splat", [Value::Number(number)]) if number.kind == Kind::Scalar => {
                 Ok(number.clone().of_kind(kind).into())
             }

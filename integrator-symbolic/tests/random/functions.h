@@ -36,6 +36,7 @@ DEVICE void sin_cos(double x, double& sine, double& cosine) {
 }
 template <class R> DEVICE R not_a_number() { return R(0.0) / R(0.0); }
 template <class R> DEVICE R least() { return R(sizeof(R) == sizeof(double) ? 0x1p-511 : 0x1p-63); }
+template <class R> DEVICE R huge() { return R(sizeof(R) == sizeof(double) ? 0x1p+896 : 0x1p+112); }
 template <class R> DEVICE R infinity() { return R(1.0) / R(0.0); }
 template <class R> DEVICE R fast_two_sum(R large, R small, R& lost) {
     const R sum = large + small;

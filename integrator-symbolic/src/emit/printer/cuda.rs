@@ -18,7 +18,7 @@ use super::{
 use crate::{
     graph::{
         Comparison, Element, Node, NodeId, ParameterId, Part,
-        function::{Function, LEAST},
+        function::{Function, HUGE, LEAST},
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Length, is_constant, is_field},
@@ -473,6 +473,7 @@ fn constant(value: f64) -> String {
     match value {
         _ if value.is_nan() => "not_a_number<R>()".to_owned(),
         LEAST => "least<R>()".to_owned(),
+        HUGE => "huge<R>()".to_owned(),
         f64::INFINITY => "infinity<R>()".to_owned(),
         f64::NEG_INFINITY => "(-infinity<R>())".to_owned(),
         _ => format!("R({value:?})"),

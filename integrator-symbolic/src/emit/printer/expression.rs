@@ -5,7 +5,7 @@ use crate::{
     graph::{
         Element, ExternalId, Graph, Node, NodeId, Part,
         external::Arguments,
-        function::{Function, LEAST},
+        function::{Function, HUGE, LEAST},
         index::{IndexId, LoopId, LoopSet},
     },
     model::{Method, Parameter, is_field, values::integer::number_literal},
@@ -247,6 +247,10 @@ impl Printer<'_> {
             Dialect::Generic if number == LEAST => {
                 let scalar = self.scalar;
                 Printed::new(Binding::Atom, quote!(#scalar::least()))
+            }
+            Dialect::Generic if number == HUGE => {
+                let scalar = self.scalar;
+                Printed::new(Binding::Atom, quote!(#scalar::huge()))
             }
             Dialect::Generic => Printed::new(Binding::Atom, self.lift(quote!(#value))),
             Dialect::Single => Printed::new(Binding::Atom, quote!(#value)),

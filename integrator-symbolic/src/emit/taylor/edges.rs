@@ -10,7 +10,7 @@ use crate::{
         frame::Frame,
         function::{Body, Lines},
     },
-    graph::{Comparison, Graph, Node, NodeId, Scope},
+    graph::{Comparison, Graph, Node, NodeId, Scope, function::HUGE},
     pattern::stores::lower_roots,
     program::{Constraints, Sink, Store, Watched},
     taylor::is_power,
@@ -143,7 +143,9 @@ impl Walk {
             Node::Unary(function, a) => graph.moves(a) && function.row().piecewise,
             Node::Binary(function, a, b) => {
                 self.kinked.contains(&a) && is_power(function)
-                    || function.row().piecewise && (graph.moves(a) || graph.moves(b))
+                    || function.row().piecewise
+                        && (graph.moves(a) || graph.moves(b))
+                        && ![a, b].iter().any(|id| graph.as_constant(*id) == Some(HUGE))
             }
             _ => false,
         }

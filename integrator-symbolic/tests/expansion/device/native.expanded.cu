@@ -37,7 +37,13 @@ struct System {
         library_sin_cos(q0, shared_0, shared_2);
         const R shared_1 = shared_0 + R(1.0);
         const R shared_3 = library_cosh(q0);
-        motion.p[0].fma(step, fma(motion.parameters.weight * abs(shared_2) / shared_1, shared_2, fma(-(motion.parameters.weight * library_ln(shared_1) * signum(shared_2)), shared_0, fma(motion.parameters.spring, library_sinh(q0), -(R(1.0) / (shared_3 * shared_3))))));
+        const R shared_4 = shared_3 * shared_3;
+        const bool condition_0 = (huge<R>() < shared_4);
+        R choice_0 = R(0.0);
+        if (!condition_0) {
+            choice_0 = R(1.0) / shared_4;
+        }
+        motion.p[0].fma(step, fma(motion.parameters.weight * abs(shared_2) / shared_1, shared_2, fma(-(motion.parameters.weight * library_ln(shared_1) * signum(shared_2)), shared_0, fma(motion.parameters.spring, library_sinh(q0), -choice_0))));
     }
 
     template <class R, class K> DEVICE static void middle(Motion<R, K>& motion, double duration, double at, bool backwards) {
@@ -52,17 +58,16 @@ struct System {
         const R shared_1 = shared_0 + R(1.0);
         const R shared_3 = abs(shared_2);
         const R shared_4 = library_cosh(q0);
-        const R shared_5 = library_sinh(q0);
-        const R shared_6 = signum(shared_2);
+        const R shared_5 = signum(shared_2);
+        const R shared_6 = shared_4 * shared_4;
+        const bool condition_0 = (huge<R>() < shared_6);
         const R shared_7 = R(1.0) / shared_1;
         const R shared_8 = motion.parameters.weight * p0;
         const R shared_9 = shared_8 * shared_2;
-        const bool condition_0 = (abs(shared_5) == infinity<R>());
-        R choice_0 = R(0.0);
         if (!condition_0) {
-            choice_0 = R(2.0) * p0 * shared_5 / (shared_4 * shared_4 * shared_4);
+            gradient[0] += R(2.0) * p0 * library_sinh(q0) / (shared_6 * shared_4);
         }
-        gradient[0] += fma(-shared_2, fma(shared_8 * shared_0 * shared_6, shared_7, fma(shared_8 * library_ln(shared_1), shared_6, shared_9 * shared_3 * (shared_7 * shared_7))), fma(-shared_0, fma(shared_9 * shared_6, shared_7, shared_8 * shared_3 * shared_7), fma(motion.parameters.spring * p0, shared_4, choice_0)));
+        gradient[0] += fma(-shared_2, fma(shared_8 * shared_0 * shared_5, shared_7, fma(shared_8 * library_ln(shared_1), shared_5, shared_9 * shared_3 * (shared_7 * shared_7))), fma(-shared_0, fma(shared_9 * shared_5, shared_7, shared_8 * shared_3 * shared_7), motion.parameters.spring * p0 * shared_4));
         for (int i = 0; i < 1; ++i) {
             motion.p[i] = Plain<R>{gradient[i]};
         }

@@ -55,8 +55,8 @@ const _: () = {
     ///
     /// ```text
     /// dq[k]/dt = p[k]   for k in 0..n
-    /// dp[0]/dt += Σ_{row in 0..outcomes.len()} (outcomes[row] - exp(q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]) / (1 + exp(q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1])))
-    /// dp[k + 1]/dt += covariates[row][k] (outcomes[row] - exp(q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]) / (1 + exp(q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1])))   for row in 0..outcomes.len(), k in 0..n - 1
+    /// dp[0]/dt += Σ_{row in 0..outcomes.len()} (outcomes[row] - 1 / (1 + min(exp(-q[0] - Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]), 2^896)))
+    /// dp[k + 1]/dt += covariates[row][k] (outcomes[row] - 1 / (1 + min(exp(-q[0] - Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]), 2^896)))   for row in 0..outcomes.len(), k in 0..n - 1
     /// ```
     ///
     /// `T` is quadratic in the momenta, with a constant mass matrix.
@@ -77,7 +77,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 6018378315042962994;
+        const FINGERPRINT: u64 = 4200909683314904883;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
@@ -155,8 +155,8 @@ const _: () = {
                     }
                         .run::<Iteration, _, _, _>(&mut [])
                 };
-                let shared_0 = (q0 + sum_0).exp();
-                let shared_1 = shared_0 / (shared_0 + Scalar::of(1.0))
+                let shared_0 = Scalar::of(1.0)
+                    / ((-(q0 + sum_0)).exp().min(Scalar::huge()) + Scalar::of(1.0))
                     - motion.parameters.outcomes[row];
                 {
                     struct Iteration;
@@ -168,13 +168,13 @@ const _: () = {
                             []: [[Wide; 1]; 0],
                             [constant_0,
                             ]: [Wide; 1],
-                            [shared_1,
+                            [shared_0,
                             ]: [Wide; 1],
                             []: [Wide; 0],
                             [mut gradient,
                             ]: [[Wide; 1]; 1],
                         ) -> ([Wide; 0], [[Wide; 1]; 1]) {
-                            gradient[0] = constant_0.scale_add(shared_1, gradient[0]);
+                            gradient[0] = constant_0.scale_add(shared_0, gradient[0]);
                             ([], [gradient])
                         }
                     }
@@ -182,11 +182,11 @@ const _: () = {
                         range: 0..motion.q.len().saturating_sub(1),
                         parts: [motion.q.as_chunks::<1>().0],
                         constants: [&motion.parameters.covariates[row][..]],
-                        common: [shared_1],
+                        common: [shared_0],
                     }
                         .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                 }
-                sum_1 += shared_1;
+                sum_1 += shared_0;
             }
             gradient[0] += sum_1;
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
@@ -301,7 +301,6 @@ const _: () = {
         ) {
             let mut gradient = runtime::repeated(motion.q.len(), Scalar::of(0.0));
             let q0 = motion.q[0].value();
-            let p0 = motion.p[0].value();
             let condition_0 = <Scalar::Mask as runtime::Mask>::of(
                 (0) < (motion.q.len().saturating_sub(1)),
             );
@@ -313,69 +312,70 @@ const _: () = {
                 let mut sum_2 = Scalar::of(0.0);
                 for row in 0..motion.parameters.prepared_2 {
                     if condition_0.any() {
-                        let [sum_1, sum_0] = {
-                            struct Iteration;
-                            impl runtime::Iteration<2, 1, 0, 2, 0, 1> for Iteration {
-                                const READS: [runtime::Near; 2] = [
-                                    runtime::Near {
-                                        part: 0,
-                                        offset: 1,
-                                    },
-                                    runtime::Near {
-                                        part: 1,
-                                        offset: 1,
-                                    },
-                                ];
-                                #[inline(always)]
-                                fn next<
-                                    Scalar: runtime::Real,
-                                    Wide: runtime::Block<Scalar>,
-                                >(
-                                    [[shared_0,
-                                    ],
-                                    [shared_6,
-                                    ],
-                                    ]: [[Wide; 1]; 2],
-                                    [constant_0,
-                                    ]: [Wide; 1],
-                                    []: [Wide; 0],
-                                    [mut sum_1,
-                                    mut sum_0,
-                                    ]: [Wide; 2],
-                                    []: [[Wide; 1]; 0],
-                                ) -> ([Wide; 2], [[Wide; 1]; 0]) {
-                                    let shared_1 = constant_0.scale(shared_0);
-                                    let shared_7 = constant_0.scale(shared_6);
-                                    sum_1 += shared_7;
-                                    sum_0 += shared_1;
-                                    ([sum_1, sum_0], [])
-                                }
-                            }
-                            runtime::Loop {
-                                range: 0..motion.q.len().saturating_sub(1),
-                                parts: [
-                                    motion.q.as_chunks::<1>().0,
-                                    motion.p.as_chunks::<1>().0,
-                                ],
-                                constants: [&motion.parameters.covariates[row][..]],
-                                common: [],
-                            }
-                                .run::<Iteration, _, _, _>(&mut [])
-                        };
+                        let mut sum_0 = Scalar::of(0.0);
+                        for k in 0..motion.q.len().saturating_sub(1) {
+                            let shared_0 = motion.q[k + 1].value();
+                            let shared_1 = motion
+                                .parameters
+                                .covariates[row][k]
+                                .scale(shared_0);
+                            sum_0 += shared_1;
+                        }
                         let shared_2 = q0 + sum_0;
-                        let shared_3 = shared_2.exp();
-                        let shared_4 = shared_3 + Scalar::of(1.0);
-                        let shared_5 = Scalar::of(1.0) / shared_4;
-                        let shared_8 = shared_3 * sum_1;
-                        let shared_10 = shared_5 * sum_1;
-                        let shared_11 = shared_5.square();
-                        let shared_12 = shared_8 * shared_11;
-                        let shared_13 = shared_10 - shared_12;
-                        sum_2 = Scalar::select(
-                            condition_0,
-                            shared_3.fma(shared_13, sum_2),
-                            sum_2,
-                        );
+                        let shared_3 = (-shared_2).exp();
+                        let shared_4 = shared_3.min(Scalar::huge());
+                        let shared_5 = shared_4 + Scalar::of(1.0);
+                        let shared_8 = shared_5.square();
+                        let condition_2 = Scalar::huge().less(shared_8);
+                        let mut choice_0 = Scalar::of(0.0);
+                        if condition_2.not().any() {
+                            let shared_9 = Scalar::of(1.0) / shared_8;
+                            let [sum_1] = {
+                                struct Iteration;
+                                impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                                    const READS: [runtime::Near; 1] = [
+                                        runtime::Near {
+                                            part: 0,
+                                            offset: 1,
+                                        },
+                                    ];
+                                    #[inline(always)]
+                                    fn next<
+                                        Scalar: runtime::Real,
+                                        Wide: runtime::Block<Scalar>,
+                                    >(
+                                        [[shared_6,
+                                        ],
+                                        ]: [[Wide; 1]; 1],
+                                        [constant_0,
+                                        ]: [Wide; 1],
+                                        []: [Wide; 0],
+                                        [mut sum_1,
+                                        ]: [Wide; 1],
+                                        []: [[Wide; 1]; 0],
+                                    ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                                        let shared_7 = constant_0.scale(shared_6);
+                                        sum_1 += shared_7;
+                                        ([sum_1], [])
+                                    }
+                                }
+                                runtime::Loop {
+                                    range: 0..motion.q.len().saturating_sub(1),
+                                    parts: [motion.p.as_chunks::<1>().0],
+                                    constants: [&motion.parameters.covariates[row][..]],
+                                    common: [],
+                                }
+                                    .run::<Iteration, _, _, _>(&mut [])
+                            };
+                            let shared_10 = sum_1 * shared_9;
+                            let shared_11 = shared_10 * shared_3;
+                            choice_0 = Scalar::select(
+                                condition_2.not(),
+                                -shared_11,
+                                choice_0,
+                            );
+                        }
+                        sum_2 = Scalar::select(condition_0, sum_2 - choice_0, sum_2);
                     }
                 }
                 gradient[0] = Scalar::select(
@@ -386,49 +386,86 @@ const _: () = {
             }
             let mut sum_3 = Scalar::of(0.0);
             for row in 0..motion.parameters.prepared_2 {
-                let [sum_0] = {
-                    struct Iteration;
-                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
-                        const READS: [runtime::Near; 1] = [
-                            runtime::Near {
-                                part: 0,
-                                offset: 1,
-                            },
-                        ];
-                        #[inline(always)]
-                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                            [[shared_0,
-                            ],
-                            ]: [[Wide; 1]; 1],
-                            [constant_0,
-                            ]: [Wide; 1],
-                            []: [Wide; 0],
-                            [mut sum_0,
-                            ]: [Wide; 1],
-                            []: [[Wide; 1]; 0],
-                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
-                            let shared_1 = constant_0.scale(shared_0);
-                            sum_0 += shared_1;
-                            ([sum_0], [])
-                        }
-                    }
-                    runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [],
-                    }
-                        .run::<Iteration, _, _, _>(&mut [])
-                };
+                let mut sum_0 = Scalar::of(0.0);
+                for k in 0..motion.q.len().saturating_sub(1) {
+                    let shared_0 = motion.q[k + 1].value();
+                    let shared_1 = motion.parameters.covariates[row][k].scale(shared_0);
+                    sum_0 += shared_1;
+                }
                 let shared_2 = q0 + sum_0;
-                let shared_3 = shared_2.exp();
-                let shared_4 = shared_3 + Scalar::of(1.0);
-                let shared_5 = Scalar::of(1.0) / shared_4;
-                let shared_11 = shared_5.square();
-                let shared_14 = (-(shared_3 * p0)).fma(shared_11, shared_5 * p0);
+                let shared_3 = (-shared_2).exp();
+                let shared_4 = shared_3.min(Scalar::huge());
+                let shared_5 = shared_4 + Scalar::of(1.0);
+                let shared_8 = shared_5.square();
+                let condition_2 = Scalar::huge().less(shared_8);
+                if condition_0.any() {
+                    let mut choice_0 = Scalar::of(0.0);
+                    if condition_2.not().any() {
+                        let shared_9 = Scalar::of(1.0) / shared_8;
+                        let [sum_1] = {
+                            struct Iteration;
+                            impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
+                                const READS: [runtime::Near; 1] = [
+                                    runtime::Near {
+                                        part: 0,
+                                        offset: 1,
+                                    },
+                                ];
+                                #[inline(always)]
+                                fn next<
+                                    Scalar: runtime::Real,
+                                    Wide: runtime::Block<Scalar>,
+                                >(
+                                    [[shared_6,
+                                    ],
+                                    ]: [[Wide; 1]; 1],
+                                    [constant_0,
+                                    ]: [Wide; 1],
+                                    []: [Wide; 0],
+                                    [mut sum_1,
+                                    ]: [Wide; 1],
+                                    []: [[Wide; 1]; 0],
+                                ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                                    let shared_7 = constant_0.scale(shared_6);
+                                    sum_1 += shared_7;
+                                    ([sum_1], [])
+                                }
+                            }
+                            runtime::Loop {
+                                range: 0..motion.q.len().saturating_sub(1),
+                                parts: [motion.p.as_chunks::<1>().0],
+                                constants: [&motion.parameters.covariates[row][..]],
+                                common: [],
+                            }
+                                .run::<Iteration, _, _, _>(&mut [])
+                        };
+                        let shared_10 = sum_1 * shared_9;
+                        let shared_11 = shared_10 * shared_3;
+                        choice_0 = Scalar::select(
+                            condition_2.not(),
+                            -shared_11,
+                            choice_0,
+                        );
+                    }
+                    for k in 0..motion.q.len().saturating_sub(1) {
+                        gradient[k + 1] = Scalar::select(
+                            condition_0,
+                            (-motion.parameters.covariates[row][k])
+                                .scale_add(choice_0, gradient[k + 1]),
+                            gradient[k + 1],
+                        );
+                    }
+                }
+                let mut choice_1 = Scalar::of(0.0);
+                if condition_2.not().any() {
+                    let shared_9 = Scalar::of(1.0) / shared_8;
+                    let shared_12 = motion.p[0].value() * shared_9 * shared_3;
+                    sum_3 = Scalar::select(condition_2.not(), sum_3 - shared_12, sum_3);
+                    choice_1 = Scalar::select(condition_2.not(), -shared_12, choice_1);
+                }
                 {
                     struct Iteration;
-                    impl runtime::Iteration<0, 1, 2, 0, 1, 1> for Iteration {
+                    impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
                         const READS: [runtime::Near; 0] = [];
                         const TARGET: isize = 1;
                         #[inline(always)]
@@ -436,15 +473,13 @@ const _: () = {
                             []: [[Wide; 1]; 0],
                             [constant_0,
                             ]: [Wide; 1],
-                            [shared_3,
-                            shared_14,
-                            ]: [Wide; 2],
+                            [choice_1,
+                            ]: [Wide; 1],
                             []: [Wide; 0],
                             [mut gradient,
                             ]: [[Wide; 1]; 1],
                         ) -> ([Wide; 0], [[Wide; 1]; 1]) {
-                            let shared_9 = constant_0.scale(shared_3);
-                            gradient[0] = shared_9.fma(shared_14, gradient[0]);
+                            gradient[0] = (-constant_0).scale_add(choice_1, gradient[0]);
                             ([], [gradient])
                         }
                     }
@@ -452,64 +487,12 @@ const _: () = {
                         range: 0..motion.q.len().saturating_sub(1),
                         parts: [motion.q.as_chunks::<1>().0],
                         constants: [&motion.parameters.covariates[row][..]],
-                        common: [shared_3, shared_14],
+                        common: [choice_1],
                     }
                         .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                 }
-                if condition_0.any() {
-                    let [sum_1] = {
-                        struct Iteration;
-                        impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
-                            const READS: [runtime::Near; 1] = [
-                                runtime::Near {
-                                    part: 0,
-                                    offset: 1,
-                                },
-                            ];
-                            #[inline(always)]
-                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                                [[shared_6,
-                                ],
-                                ]: [[Wide; 1]; 1],
-                                [constant_0,
-                                ]: [Wide; 1],
-                                []: [Wide; 0],
-                                [mut sum_1,
-                                ]: [Wide; 1],
-                                []: [[Wide; 1]; 0],
-                            ) -> ([Wide; 1], [[Wide; 1]; 0]) {
-                                let shared_7 = constant_0.scale(shared_6);
-                                sum_1 += shared_7;
-                                ([sum_1], [])
-                            }
-                        }
-                        runtime::Loop {
-                            range: 0..motion.q.len().saturating_sub(1),
-                            parts: [motion.p.as_chunks::<1>().0],
-                            constants: [&motion.parameters.covariates[row][..]],
-                            common: [],
-                        }
-                            .run::<Iteration, _, _, _>(&mut [])
-                    };
-                    let shared_8 = shared_3 * sum_1;
-                    let shared_10 = shared_5 * sum_1;
-                    let shared_12 = shared_8 * shared_11;
-                    let shared_13 = shared_10 - shared_12;
-                    for k in 0..motion.q.len().saturating_sub(1) {
-                        let shared_9 = motion
-                            .parameters
-                            .covariates[row][k]
-                            .scale(shared_3);
-                        gradient[k + 1] = Scalar::select(
-                            condition_0,
-                            shared_9.fma(shared_13, gradient[k + 1]),
-                            gradient[k + 1],
-                        );
-                    }
-                }
-                sum_3 = shared_3.fma(shared_14, sum_3);
             }
-            gradient[0] += sum_3;
+            gradient[0] -= sum_3;
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot) = *gradient;
             }
@@ -618,8 +601,8 @@ const _: () = {
                             .run::<Iteration, _, _, _>(&mut [])
                     };
                     let shared_0 = q0 + sum_0;
-                    let shared_1 = shared_0.exp();
-                    let shared_2 = shared_1 / (shared_1 + Scalar::of(1.0))
+                    let shared_1 = Scalar::of(1.0)
+                        / ((-shared_0).exp().min(Scalar::huge()) + Scalar::of(1.0))
                         - motion.parameters.outcomes[row];
                     {
                         struct Iteration;
@@ -631,13 +614,13 @@ const _: () = {
                                 []: [[Wide; 1]; 0],
                                 [constant_0,
                                 ]: [Wide; 1],
-                                [shared_2,
+                                [shared_1,
                                 ]: [Wide; 1],
                                 []: [Wide; 0],
                                 [mut gradient,
                                 ]: [[Wide; 1]; 1],
                             ) -> ([Wide; 0], [[Wide; 1]; 1]) {
-                                gradient[0] = constant_0.scale_add(shared_2, gradient[0]);
+                                gradient[0] = constant_0.scale_add(shared_1, gradient[0]);
                                 ([], [gradient])
                             }
                         }
@@ -645,14 +628,14 @@ const _: () = {
                             range: 0..motion.q.len().saturating_sub(1),
                             parts: [motion.q.as_chunks::<1>().0],
                             constants: [&motion.parameters.covariates[row][..]],
-                            common: [shared_2],
+                            common: [shared_1],
                         }
                             .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                     }
-                    sum_2 += shared_2;
+                    sum_2 += shared_1;
                     sum_1
                         += (-motion.parameters.outcomes[row])
-                            .scale_add(shared_0, shared_1.ln_1p());
+                            .scale_add(shared_0, shared_0.exp().ln_1p());
                 }
                 gradient[0] += sum_2;
                 sum_1
