@@ -236,8 +236,8 @@ pub mod __private {
                 iterations::{Iterations, Target, splat},
                 line::{Bundle, Ends, Few, Line},
                 series::{
-                    COEFFICIENTS, div_by_order, half_power, next_record, power_at_zero, power_sum, power_weight,
-                    power_weight_with, time_coefficients,
+                    COEFFICIENTS, bounded, div_by_order, half_power, next_record, power_at_zero, power_sum,
+                    power_weight, power_weight_with, time_coefficients,
                 },
                 table::{Coefficients, Layout, Table, Wide},
             },

@@ -3,6 +3,7 @@
 //! The coefficients of the motion of many small systems, at least one for every elementary function, are held against those
 //! that `reference.py` found with fifty digits without recurrences; runs are held against closed forms.
 
+mod barriers;
 mod branches;
 mod crossings;
 mod drift;

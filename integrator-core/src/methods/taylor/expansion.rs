@@ -10,7 +10,7 @@ use super::{
     segment::{Progress, Segment, digits},
     series::HIGHEST,
     states::To,
-    step_size::{step_size, step_within_radius, too_short},
+    step_size::{step_of_falling_terms, step_size, step_within_radius, too_short},
     table::{FEW, Layout, SmallTable, are_always_few},
     time::Time,
 };
@@ -324,6 +324,7 @@ fn choose_steps<H: Recurrences, R: Real, K: Precision>(
             }
             let norm = |group: usize, m: usize| halves[group / groups].norm(layout, group % groups, m).lane(lane);
             let mut step = step_size(order, tolerance, &norms[..2 * groups], norm);
+            step = step.min(step_of_falling_terms(order, step, &norms[..2 * groups], norm));
             if const { H::HAS_EDGES } {
                 step = step.min(step_within_radius(order, tolerance, step, 2 * groups, norm));
             }

@@ -31,6 +31,11 @@ impl Logarithm {
     /// The logarithm of infinity.
     pub(super) const OF_INFINITY: Self = Self(1024 * PARTS);
 
+    /// A number of sixteenths.
+    pub(super) const fn of_sixteenths(sixteenths: i64) -> Self {
+        Self(sixteenths * (PARTS / 16))
+    }
+
     /// The logarithm of a size. For NaN it is not below that of infinity.
     #[inline(always)]
     pub(super) fn of(size: f64) -> Self {

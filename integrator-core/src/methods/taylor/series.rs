@@ -152,6 +152,12 @@ pub fn half_power<R: Real>(x: R, halves: i32) -> R {
     if halves < 0 { R::of(1.0) / power } else { power }
 }
 
+/// An exponential, bounded so that its later coefficients are finite: they belong to the divisors of derivatives.
+#[inline(always)]
+pub fn bounded<R: Real>(exponential: R) -> R {
+    R::select(R::huge().less(exponential), R::huge(), exponential)
+}
+
 /// The coefficients of one and of the time at an expansion, in a unit of time.
 #[inline(always)]
 pub fn time_coefficients<R: Real>(k: usize, time: R, unit: R) -> (R, R) {

@@ -102,6 +102,48 @@ pub(super) fn step_within_radius(
     if least < step - Logarithm::of(2.0) { least } else { Logarithm::OF_INFINITY }
 }
 
+/// A difference of logarithms of two radii that may be an error: those of three sizes within 0.09, over the orders between them.
+const MOST_CONSTANT: Logarithm = Logarithm::of_sixteenths(1);
+
+/// The logarithm of a step within which the terms of the series fall to the end; that of infinity if they do so within `step`.
+///
+/// Far from a barrier the force is so small that even its last coefficients meet the tolerance in steps that pass the barrier: that
+/// of `exp(-x²)` at 20 has the coefficients of `exp(-400 + 40 t)`. Steps are kept to half of where the last terms exceed the ones
+/// in the middle, a part of the radius of convergence.
+#[inline(always)]
+pub(super) fn step_of_falling_terms(
+    order: usize,
+    step: Logarithm,
+    norms: &[Norms],
+    norm: impl Fn(usize, usize) -> f64,
+) -> Logarithm {
+    let mut least = Logarithm::OF_INFINITY;
+    for (group, norms) in norms.iter().enumerate() {
+        let [_, _, before, last] = norms.map(Logarithm::of);
+        // Where one of the two is zero, the other one has to be compared with those before.
+        let may_rise = before.min(last) == Logarithm::OF_ZERO && before != last || step + last > before;
+        if may_rise && before.max(last) < Logarithm::OF_INFINITY {
+            least = least.min(falling_in_group(order, step, &|m| norm(group, m)));
+        }
+    }
+    least
+}
+
+/// The same for one group, if the quotients of its coefficients grow with the order as those of an exponential or of a pole of a
+/// high order do. A weak singularity, as at a distance of a rounding from an axis, adds no more behind than it does in front.
+#[cold]
+fn falling_in_group(order: usize, step: Logarithm, norm: &dyn Fn(usize) -> f64) -> Logarithm {
+    // Even numbers of orders apart, as every other coefficient may be zero.
+    let apart = 2 * (order / 8);
+    let last = if norm(order) == 0.0 { order - 1 } else { order };
+    let sizes = [3, 2, 1, 0].map(|intervals| Logarithm::of(norm(last - intervals * apart)));
+    let radius = |interval: usize| (sizes[interval] - sizes[interval + 1]).root(apart);
+    let grows = |interval: usize| radius(interval + 1) - radius(interval) > MOST_CONSTANT;
+    let is_there = !sizes.contains(&Logarithm::OF_ZERO);
+    let within = radius(2);
+    if is_there && grows(0) && grows(1) && step > within { within - Logarithm::of(2.0) } else { Logarithm::OF_INFINITY }
+}
+
 /// The exponent of a power of two by which the unit of time is too short, if it is more than `near` binary digits from this
 /// step, so that high coefficients may overflow or underflow.
 #[inline(always)]
@@ -241,6 +283,28 @@ mod tests {
         assert_eq!(too_short(logarithm(20, 1e-13, line), 20, 20, 1, |_, m| line(m)), None);
         let singular = |m: usize| if m == 0 { 1.0 } else { f64::INFINITY };
         assert_eq!(too_short(logarithm(20, 1e-13, singular), 20, 20, 1, |_, m| singular(m)), None);
+    }
+
+    #[test]
+    fn a_step_ends_before_the_terms_of_a_tiny_force_rise() {
+        let factorial = |m: usize| (1..=m).map(|i| i as f64).product::<f64>();
+        let falling = |norm: &dyn Fn(usize) -> f64| {
+            let step = logarithm(26, 1e-16, norm);
+            let norms = [[0, 1, 25, 26].map(norm)];
+            (step.number(), super::step_of_falling_terms(26, step, &norms, |_, m| norm(m)).number())
+        };
+        // exp(-400 + 40 t): the terms rise until order 40 t.
+        let (step, least) =
+            falling(&|m| if m < 2 { 1.0 } else { (-400.0_f64).exp() * 40.0_f64.powi(m as i32) / factorial(m) });
+        assert!(step > 1e5 && (0.1..26.0 / 40.0).contains(&least), "{step}, {least}");
+        // The same with a gap in front of the last order.
+        let gap = |m: usize| if m == 25 { 0.0 } else { 1e-200 / factorial(m) };
+        let (step, least) = falling(&|m| if m < 2 { 1.0 } else { gap(m) });
+        assert!(step > 1e5 && (1.0..26.0).contains(&least), "{step}, {least}");
+        // Series that are as large as their scale, and polynomials, are not limited.
+        assert_eq!(falling(&|m| 0.7_f64.powi(m as i32)).1, f64::INFINITY);
+        assert_eq!(falling(&|m| 1.0 / factorial(m)).1, f64::INFINITY);
+        assert_eq!(falling(&|m| if m < 3 { 1.0 } else { 0.0 }).1, f64::INFINITY);
     }
 
     #[test]

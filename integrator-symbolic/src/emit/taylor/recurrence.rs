@@ -349,6 +349,10 @@ impl Writer<'_> {
                         let (a, halves) = (self.printer.expression(fields, a).tokens, Literal::i32_unsuffixed(halves));
                         quote!(#runtime::half_power(#a, #halves))
                     }
+                    Node::Unary(function, _) if matches!(function.name(), "exp" | "exp2") => {
+                        let exponential = self.printer.computation(fields, id).tokens;
+                        quote!(#runtime::bounded(#exponential))
+                    }
                     _ => self.printer.computation(fields, id).tokens,
                 };
                 let chained = self.chained(fields, id);
