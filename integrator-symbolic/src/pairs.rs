@@ -7,6 +7,7 @@
 mod attraction;
 mod canonical;
 mod central;
+mod components;
 mod cutoff;
 mod embedded;
 mod exchange;
@@ -29,6 +30,7 @@ use crate::{
 pub(crate) use attraction::{attraction, inverse_mass, softening};
 pub(crate) use canonical::canonical;
 pub(crate) use central::pull;
+pub(crate) use components::written_out;
 pub(crate) use cutoff::{Cutoff, cutoff};
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;

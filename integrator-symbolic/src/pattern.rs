@@ -17,7 +17,7 @@ use crate::{
     differentiate::{Contribution, fold_branches, gradient},
     graph::{NodeId, Part},
     model::{Model, Texts},
-    pairs::with_numbers_of_each,
+    pairs::{with_numbers_of_each, written_out},
     program::lanes::are_many,
     stencil::Stencil,
 };
@@ -74,6 +74,7 @@ impl Pattern {
             Self::AllPairs(pairs) => {
                 let mut texts = Texts::of_bodies(parameters, running, root, pairs.are_of_length());
                 for energy in [potential, stated] {
+                    *energy = written_out(graph, *energy, &mut texts);
                     for visited in &pairs.visited {
                         *energy = with_numbers_of_each(graph, *energy, *visited, &mut texts);
                     }

@@ -13,6 +13,7 @@ use crate::{
     model::{Length, Model, Texts},
     pairs::{
         Cutoff, Density, Embedded, Pairs, Visited, acting, cutoff, moving, over_all, pairs, per_body, points, pull,
+        written_out,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
     reason::Reason,
@@ -185,6 +186,7 @@ impl AllPairs {
         let is_length = !is_flat && first_acting.is_none();
         let Model { graph, parameters, running, root, .. } = &mut *model;
         let mut texts = Texts::of_bodies(parameters, running, root, is_length);
+        let potential = written_out(graph, potential, &mut texts);
         let Pairs {
             bodies,
             pair,

@@ -40,7 +40,7 @@ struct System {
     };
 
     static constexpr int BODIES = 6;
-    static constexpr bool CENTRAL = false;
+    static constexpr bool CENTRAL = true;
     static constexpr bool RECIPROCAL = true;
     static constexpr bool ALONE = false;
 
@@ -54,21 +54,15 @@ struct System {
         }
     }
 
-    template <class R, class K> DEVICE static void force(Motion<R, K>& motion, int i, int j, double at, R (&gradient)[3]) {
-        R sum_0 = R(0.0);
-        for (long long d = 0; d < 3; ++d) {
-            const R q_i_d = motion.q[i][d].value();
-            const R q_j_d = motion.q[j][d].value();
-            const R shared_0 = q_i_d - q_j_d;
-            sum_0 = fma(shared_0, shared_0, sum_0);
-        }
-        const R shared_1 = div_pow_3_2(motion.parameters.prepared_1[i] * motion.parameters.mass[j], sum_0);
-        for (long long d = 0; d < 3; ++d) {
-            const R q_i_d = motion.q[i][d].value();
-            const R q_j_d = motion.q[j][d].value();
-            const R shared_0 = q_i_d - q_j_d;
-            gradient[d] = shared_1 * shared_0;
-        }
+    template <class R, class K> DEVICE static R pull(Motion<R, K>& motion, int i, int j, double at) {
+        const R q_i_0 = motion.q[i][0].value();
+        const R q_i_1 = motion.q[i][1].value();
+        const R q_i_2 = motion.q[i][2].value();
+        const R shared_0 = q_i_0 - motion.q[j][0].value();
+        const R shared_1 = q_i_1 - motion.q[j][1].value();
+        const R shared_2 = q_i_2 - motion.q[j][2].value();
+        const R shared_3 = fma(shared_2, shared_2, fma(shared_1, shared_1, shared_0 * shared_0));
+        return div_pow_3_2(motion.parameters.prepared_1[i] * motion.parameters.mass[j], shared_3);
     }
 
     template <class R, class K> DEVICE static void kick(Motion<R, K>& motion, double duration, double at) {
@@ -81,35 +75,39 @@ struct System {
     template <class R> DEVICE static void hessian(Motion<R, Plain<R>>& motion, double at) {
         R gradient[6][3] = {};
         for (long long i = 0; i < 6; ++i) {
+            const R q_i_0 = motion.q[i][0].value();
+            const R q_i_1 = motion.q[i][1].value();
+            const R q_i_2 = motion.q[i][2].value();
+            const R p_i_0 = motion.p[i][0].value();
+            const R p_i_1 = motion.p[i][1].value();
+            const R p_i_2 = motion.p[i][2].value();
+            R sum_0 = R(0.0);
+            R sum_1 = R(0.0);
+            R sum_2 = R(0.0);
             for (long long j = 0; j < i; ++j) {
-                R sum_0 = R(0.0);
-                R sum_1 = R(0.0);
-                for (long long d = 0; d < 3; ++d) {
-                    const R q_i_d = motion.q[i][d].value();
-                    const R q_j_d = motion.q[j][d].value();
-                    const R shared_0 = q_i_d - q_j_d;
-                    const R p_i_d = motion.p[i][d].value();
-                    const R p_j_d = motion.p[j][d].value();
-                    const R shared_1 = p_i_d - p_j_d;
-                    sum_1 = fma(shared_0, shared_1, sum_1);
-                    sum_0 = fma(shared_0, shared_0, sum_0);
-                }
-                const R shared_2 = R(1.0) / sum_0;
-                const R shared_3 = sqrt(shared_2);
-                const R shared_4 = motion.parameters.prepared_1[i] * motion.parameters.mass_2[j] * (shared_2 * shared_3);
-                const R shared_5 = motion.parameters.prepared_4[i] * motion.parameters.mass_2[j] * sum_1 * (shared_2 * shared_2 * shared_3);
-                for (long long d = 0; d < 3; ++d) {
-                    const R q_i_d = motion.q[i][d].value();
-                    const R q_j_d = motion.q[j][d].value();
-                    const R shared_0 = q_i_d - q_j_d;
-                    const R p_i_d = motion.p[i][d].value();
-                    const R p_j_d = motion.p[j][d].value();
-                    const R shared_1 = p_i_d - p_j_d;
-                    const R shared_6 = fma(-shared_5, shared_0, shared_4 * shared_1);
-                    gradient[i][d] += shared_6;
-                    gradient[j][d] -= shared_6;
-                }
+                const R shared_0 = q_i_0 - motion.q[j][0].value();
+                const R shared_1 = q_i_1 - motion.q[j][1].value();
+                const R shared_2 = q_i_2 - motion.q[j][2].value();
+                const R shared_3 = p_i_0 - motion.p[j][0].value();
+                const R shared_4 = p_i_1 - motion.p[j][1].value();
+                const R shared_5 = p_i_2 - motion.p[j][2].value();
+                const R shared_6 = R(1.0) / fma(shared_2, shared_2, fma(shared_1, shared_1, shared_0 * shared_0));
+                const R shared_7 = sqrt(shared_6);
+                const R shared_8 = motion.parameters.prepared_1[i] * motion.parameters.mass_2[j] * (shared_6 * shared_7);
+                const R shared_9 = motion.parameters.prepared_4[i] * motion.parameters.mass_2[j] * fma(shared_2, shared_5, fma(shared_1, shared_4, shared_0 * shared_3)) * (shared_6 * shared_6 * shared_7);
+                const R shared_10 = fma(-shared_9, shared_2, shared_8 * shared_5);
+                const R shared_11 = fma(-shared_9, shared_1, shared_8 * shared_4);
+                const R shared_12 = fma(-shared_9, shared_0, shared_8 * shared_3);
+                gradient[j][0] -= shared_12;
+                gradient[j][1] -= shared_11;
+                gradient[j][2] -= shared_10;
+                sum_2 += shared_12;
+                sum_1 += shared_11;
+                sum_0 += shared_10;
             }
+            gradient[i][0] += sum_2;
+            gradient[i][1] += sum_1;
+            gradient[i][2] += sum_0;
         }
         for (int i = 0; i < 6; ++i) {
             for (int d = 0; d < 3; ++d) {

@@ -102,7 +102,7 @@ const _: () = {
             1,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4961391995637370863;
+        const FINGERPRINT: u64 = 5870201615866640870;
         const WIDE: bool = true;
         const LAYOUT: &'static [&'static str] = &["pairs", "pairs"];
         const ENERGIES_IN_LANES: bool = true;
@@ -182,8 +182,8 @@ const _: () = {
     impl runtime::ManyBody<3, 1> for Cluster {
         const SOME_STAY: bool = true;
         const RECIPROCAL: bool = true;
-        const CENTRAL: bool = false;
-        type Force<Wide: ::core::marker::Copy> = [Wide; 3];
+        const CENTRAL: bool = true;
+        type Force<Wide: ::core::marker::Copy> = [Wide; 1];
         #[inline(always)]
         fn drift_body<
             Scalar: runtime::Real,
@@ -210,21 +210,19 @@ const _: () = {
             constants_j: [Wide; 1],
             _time: f64,
         ) -> Self::Force<Wide> {
-            let mut gradient = [Wide::of(0.0); 3];
-            let masses_of_i = constants_i[0];
-            let masses_of_j = constants_j[0];
-            let mut sum_0 = Wide::of(0.0);
-            for k in 0..3 {
-                let shared_0 = q_i[k] - q_j[k];
-                sum_0 = shared_0.square_add(sum_0);
-            }
-            let shared_1 = (sum_0 + Wide::splat(parameters.softening)).sqrt();
-            let shared_2 = masses_of_i * masses_of_j / shared_1.square() / shared_1;
-            for k in 0..3 {
-                let shared_0 = q_i[k] - q_j[k];
-                gradient[k] = shared_2 * shared_0;
-            }
-            gradient
+            let radial = {
+                let masses_of_i = constants_i[0];
+                let masses_of_j = constants_j[0];
+                let shared_0 = q_i[0] - q_j[0];
+                let shared_1 = q_i[1] - q_j[1];
+                let shared_2 = q_i[2] - q_j[2];
+                let shared_3 = (shared_2
+                    .square_add(shared_1.square_add(shared_0.square()))
+                    + Wide::splat(parameters.softening))
+                    .sqrt();
+                masses_of_i * masses_of_j / shared_3.square() / shared_3
+            };
+            [radial]
         }
         #[inline(always)]
         fn energy<Scalar: runtime::Real, Wide: runtime::Row<Scalar>>(
@@ -237,13 +235,13 @@ const _: () = {
         ) -> Wide {
             let masses_of_i = constants_i[0];
             let masses_of_j = constants_j[0];
-            let mut sum_0 = Wide::of(0.0);
-            for k in 0..3 {
-                let shared_0 = q_i[k] - q_j[k];
-                sum_0 = shared_0.square_add(sum_0);
-            }
+            let shared_0 = q_i[0] - q_j[0];
+            let shared_1 = q_i[1] - q_j[1];
+            let shared_2 = q_i[2] - q_j[2];
             -(masses_of_i * masses_of_j
-                / (sum_0 + Wide::splat(parameters.softening)).sqrt())
+                / (shared_2.square_add(shared_1.square_add(shared_0.square()))
+                    + Wide::splat(parameters.softening))
+                    .sqrt())
         }
     }
     impl runtime::BodyConstants<1> for Parameters<f64> {

@@ -118,7 +118,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4265528796467257173;
+        const FINGERPRINT: u64 = 9805594202298683833;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["row", "row"];
@@ -212,26 +212,34 @@ const _: () = {
             {
                 let mut gradient = [[Scalar::of(0.0); 3]; 6];
                 for i in 0..6 {
+                    let q_i_0 = motion.q[i][0].value();
+                    let q_i_1 = motion.q[i][1].value();
+                    let q_i_2 = motion.q[i][2].value();
+                    let mut sum_0 = Scalar::of(0.0);
+                    let mut sum_1 = Scalar::of(0.0);
+                    let mut sum_2 = Scalar::of(0.0);
                     for j in 0..i {
-                        let mut sum_0 = Scalar::of(0.0);
-                        for d in 0..3 {
-                            let q_i_d = motion.q[i][d].value();
-                            let q_j_d = motion.q[j][d].value();
-                            let shared_0 = q_i_d - q_j_d;
-                            sum_0 = shared_0.square_add(sum_0);
-                        }
-                        let shared_1 = (motion.parameters.prepared_1[i]
+                        let shared_0 = q_i_0 - motion.q[j][0].value();
+                        let shared_1 = q_i_1 - motion.q[j][1].value();
+                        let shared_2 = q_i_2 - motion.q[j][2].value();
+                        let shared_3 = shared_2
+                            .square_add(shared_1.square_add(shared_0.square()));
+                        let shared_4 = (motion.parameters.prepared_1[i]
                             * motion.parameters.mass_2[j])
-                            .div_pow_3_2(sum_0);
-                        for d in 0..3 {
-                            let q_i_d = motion.q[i][d].value();
-                            let q_j_d = motion.q[j][d].value();
-                            let shared_0 = q_i_d - q_j_d;
-                            let shared_2 = shared_1 * shared_0;
-                            gradient[i][d] -= shared_2;
-                            gradient[j][d] += shared_2;
-                        }
+                            .div_pow_3_2(shared_3);
+                        let shared_5 = shared_4 * shared_2;
+                        let shared_6 = shared_4 * shared_1;
+                        let shared_7 = shared_4 * shared_0;
+                        gradient[j][0] += shared_7;
+                        gradient[j][1] += shared_6;
+                        gradient[j][2] += shared_5;
+                        sum_2 += shared_7;
+                        sum_1 += shared_6;
+                        sum_0 += shared_5;
                     }
+                    gradient[i][0] -= sum_2;
+                    gradient[i][1] -= sum_1;
+                    gradient[i][2] -= sum_0;
                 }
                 for (slot, gradient) in ::core::iter::zip(
                     moved.p.iter_mut(),
@@ -275,23 +283,26 @@ const _: () = {
             let jacobi = motion;
             let motion = &jacobi.to_inertial().plain::<Self::Coords>();
             let energy = {
-                let mut sum_2 = Scalar::of(0.0);
+                let mut sum_1 = Scalar::of(0.0);
                 for i in 0..6 {
-                    let mut sum_1 = Scalar::of(0.0);
+                    let q_i_0 = motion.q[i][0].value();
+                    let q_i_1 = motion.q[i][1].value();
+                    let q_i_2 = motion.q[i][2].value();
+                    let mut sum_0 = Scalar::of(0.0);
                     for j in 0..i {
-                        let mut sum_0 = Scalar::of(0.0);
-                        for d in 0..3 {
-                            let shared_0 = motion.q[i][d].value()
-                                - motion.q[j][d].value();
-                            sum_0 = shared_0.square_add(sum_0);
-                        }
-                        sum_1
+                        let shared_0 = q_i_0 - motion.q[j][0].value();
+                        let shared_1 = q_i_1 - motion.q[j][1].value();
+                        let shared_2 = q_i_2 - motion.q[j][2].value();
+                        sum_0
                             += motion.parameters.prepared_1[i]
-                                * motion.parameters.mass_2[j] / sum_0.sqrt();
+                                * motion.parameters.mass_2[j]
+                                / shared_2
+                                    .square_add(shared_1.square_add(shared_0.square()))
+                                    .sqrt();
                     }
-                    sum_2 += sum_1;
+                    sum_1 += sum_0;
                 }
-                -sum_2
+                -sum_1
             };
             energy + jacobi.attraction()
         }
@@ -309,8 +320,8 @@ const _: () = {
     #[automatically_derived]
     impl runtime::ManyBody<3, 3> for Solar {
         const RECIPROCAL: bool = true;
-        const CENTRAL: bool = false;
-        type Force<Wide: ::core::marker::Copy> = [Wide; 3];
+        const CENTRAL: bool = true;
+        type Force<Wide: ::core::marker::Copy> = [Wide; 1];
         #[inline(always)]
         fn drift_body<
             Scalar: runtime::Real,
@@ -339,20 +350,17 @@ const _: () = {
             constants_j: [Wide; 3],
             _time: f64,
         ) -> Self::Force<Wide> {
-            let mut gradient = [Wide::of(0.0); 3];
-            let prepared_1_of_i = constants_i[1];
-            let mass_of_j = constants_j[2];
-            let mut sum_0 = Wide::of(0.0);
-            for d in 0..3 {
-                let shared_0 = q_i[d] - q_j[d];
-                sum_0 = shared_0.square_add(sum_0);
-            }
-            let shared_1 = (prepared_1_of_i * mass_of_j).div_pow_3_2(sum_0);
-            for d in 0..3 {
-                let shared_0 = q_i[d] - q_j[d];
-                gradient[d] = shared_1 * shared_0;
-            }
-            gradient
+            let radial = {
+                let prepared_1_of_i = constants_i[1];
+                let mass_of_j = constants_j[2];
+                let shared_0 = q_i[0] - q_j[0];
+                let shared_1 = q_i[1] - q_j[1];
+                let shared_2 = q_i[2] - q_j[2];
+                let shared_3 = shared_2
+                    .square_add(shared_1.square_add(shared_0.square()));
+                (prepared_1_of_i * mass_of_j).div_pow_3_2(shared_3)
+            };
+            [radial]
         }
     }
     impl runtime::BodyConstants<3> for Parameters<f64> {
@@ -390,39 +398,47 @@ const _: () = {
             let motion = &mut bodies.plain::<Self::Coords>();
             let mut gradient = [[Scalar::of(0.0); 3]; 6];
             for i in 0..6 {
+                let q_i_0 = motion.q[i][0].value();
+                let q_i_1 = motion.q[i][1].value();
+                let q_i_2 = motion.q[i][2].value();
+                let p_i_0 = motion.p[i][0].value();
+                let p_i_1 = motion.p[i][1].value();
+                let p_i_2 = motion.p[i][2].value();
+                let mut sum_0 = Scalar::of(0.0);
+                let mut sum_1 = Scalar::of(0.0);
+                let mut sum_2 = Scalar::of(0.0);
                 for j in 0..i {
-                    let mut sum_0 = Scalar::of(0.0);
-                    let mut sum_1 = Scalar::of(0.0);
-                    for d in 0..3 {
-                        let q_i_d = motion.q[i][d].value();
-                        let q_j_d = motion.q[j][d].value();
-                        let shared_0 = q_i_d - q_j_d;
-                        let p_i_d = motion.p[i][d].value();
-                        let p_j_d = motion.p[j][d].value();
-                        let shared_1 = p_i_d - p_j_d;
-                        sum_1 = shared_0.fma(shared_1, sum_1);
-                        sum_0 = shared_0.square_add(sum_0);
-                    }
-                    let shared_2 = Scalar::of(1.0) / sum_0;
-                    let shared_3 = shared_2.sqrt();
-                    let shared_4 = (motion.parameters.prepared_1[i]
+                    let shared_0 = q_i_0 - motion.q[j][0].value();
+                    let shared_1 = q_i_1 - motion.q[j][1].value();
+                    let shared_2 = q_i_2 - motion.q[j][2].value();
+                    let shared_3 = p_i_0 - motion.p[j][0].value();
+                    let shared_4 = p_i_1 - motion.p[j][1].value();
+                    let shared_5 = p_i_2 - motion.p[j][2].value();
+                    let shared_6 = Scalar::of(1.0)
+                        / shared_2.square_add(shared_1.square_add(shared_0.square()));
+                    let shared_7 = shared_6.sqrt();
+                    let shared_8 = (motion.parameters.prepared_1[i]
                         * motion.parameters.mass_2[j])
-                        .scale(shared_2 * shared_3);
-                    let shared_5 = (motion.parameters.prepared_5[i]
+                        .scale(shared_6 * shared_7);
+                    let shared_9 = (motion.parameters.prepared_5[i]
                         * motion.parameters.mass_2[j])
-                        .scale(sum_1) * (shared_2.square() * shared_3);
-                    for d in 0..3 {
-                        let q_i_d = motion.q[i][d].value();
-                        let q_j_d = motion.q[j][d].value();
-                        let shared_0 = q_i_d - q_j_d;
-                        let p_i_d = motion.p[i][d].value();
-                        let p_j_d = motion.p[j][d].value();
-                        let shared_1 = p_i_d - p_j_d;
-                        let shared_6 = (-shared_5).fma(shared_0, shared_4 * shared_1);
-                        gradient[i][d] += shared_6;
-                        gradient[j][d] -= shared_6;
-                    }
+                        .scale(
+                            shared_2
+                                .fma(shared_5, shared_1.fma(shared_4, shared_0 * shared_3)),
+                        ) * (shared_6.square() * shared_7);
+                    let shared_10 = (-shared_9).fma(shared_2, shared_8 * shared_5);
+                    let shared_11 = (-shared_9).fma(shared_1, shared_8 * shared_4);
+                    let shared_12 = (-shared_9).fma(shared_0, shared_8 * shared_3);
+                    gradient[j][0] -= shared_12;
+                    gradient[j][1] -= shared_11;
+                    gradient[j][2] -= shared_10;
+                    sum_2 += shared_12;
+                    sum_1 += shared_11;
+                    sum_0 += shared_10;
                 }
+                gradient[i][0] += sum_2;
+                gradient[i][1] += sum_1;
+                gradient[i][2] += sum_0;
             }
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 for (slot, gradient) in ::core::iter::zip(slot, gradient) {

@@ -1,0 +1,89 @@
+//! Spellings of one energy of pairs: the generated code of the pairs is the same.
+
+use integrator_symbolic::hamiltonian;
+
+const POINTS: &str = "&[[f64; 3]]";
+const OF_POINTS: &str = "let mut t = 0.0; for i in 0..p.len() { for d in 0..3 { t += 0.5 * p[i][d] * p[i][d]; } } t";
+const BEFORE: &str = "let mut v = 0.0; for i in 0..q.len() { for j in 0..i {";
+const ATTRACTION: &str = "v -= self.m[i] * self.m[j] / (r2 + self.softening).sqrt(); } } v";
+
+/// Squares of distances, as they are written in loops over pairs.
+const SQUARES: [&str; 5] = [
+    "let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2) + (q[i][2] - q[j][2]).powi(2);",
+    "let mut r2 = 0.0; for k in 0..3 { r2 += (q[i][k] - q[j][k]).powi(2); }",
+    "let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum();",
+    "let r2: f64 = q[i].iter().zip(&q[j]).map(|(a, b)| (a - b).powi(2)).sum();",
+    "let d = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]]; let r2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];",
+];
+
+/// The generated functions of pairs, or nothing where pairs are not recognised.
+fn of_pairs([coordinates, kinetic, potential]: [&str; 3]) -> Option<String> {
+    let text = format!(
+        "impl Bodies {{ fn kinetic(&self, p: {coordinates}) -> f64 {{ {kinetic} }} \
+         fn potential(&self, q: {coordinates}) -> f64 {{ {potential} }} }}"
+    );
+    let text = hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string();
+    assert!(!text.contains("compile_error"), "{potential}: {text}");
+    let (_, from) = text.split_once("impl runtime :: ManyBody")?;
+    from.split_once("impl runtime :: BodyConstants").map(|(text, _)| text.to_owned())
+}
+
+/// Asserts that all potentials have the same code of pairs, and returns it.
+fn one_code(coordinates: &str, kinetic: &str, potentials: &[String]) -> String {
+    let mut texts = potentials.iter().map(|potential| of_pairs([coordinates, kinetic, potential]).expect("pairs"));
+    let first = texts.next().expect("a potential");
+    for (text, potential) in texts.zip(&potentials[1..]) {
+        assert_eq!(text, first, "{potential}");
+    }
+    first
+}
+
+#[test]
+fn distances_have_one_code() {
+    let potentials = SQUARES.map(|square| format!("{BEFORE} {square} {ATTRACTION}"));
+    let of_points = one_code(POINTS, OF_POINTS, &potentials);
+    assert!(of_points.contains("CENTRAL : bool = true"), "{of_points}");
+    let kinetic = "p.iter().map(|p| 0.5 * p * p).sum()";
+    let flat = format!(
+        "let mut v = 0.0; for i in 0..q.len() / 3 {{ for j in 0..i {{ \
+         let mut r2 = 0.0; for k in 0..3 {{ r2 += (q[3 * i + k] - q[3 * j + k]).powi(2); }} {ATTRACTION}"
+    );
+    let flat = one_code("&[f64]", kinetic, &[flat]);
+    let pair = |text: &str| text.split_once("fn pair").map(|(_, text)| text.to_owned());
+    assert_eq!(pair(&flat), pair(&of_points));
+}
+
+/// A number of each component, such as the sides of a box, and a product with a matrix.
+#[test]
+fn numbers_of_components_have_one_code() {
+    let anisotropic = [
+        "let mut u = 0.0; for k in 0..3 { u += self.side[k] * (q[i][k] - q[j][k]).powi(2); }",
+        "let u = self.side[0] * (q[i][0] - q[j][0]).powi(2) + self.side[1] * (q[i][1] - q[j][1]).powi(2) \
+         + self.side[2] * (q[i][2] - q[j][2]).powi(2);",
+    ];
+    let metric = [
+        "let mut u = 0.0; for a in 0..2 { for b in 0..2 { u += self.g[a][b] * (q[i][a] - q[j][a]) * (q[i][b] - q[j][b]); } }",
+        "let (x, y) = (q[i][0] - q[j][0], q[i][1] - q[j][1]); \
+         let u = (self.g[0][0] * x * x + self.g[0][1] * x * y) + (self.g[1][0] * y * x + self.g[1][1] * y * y);",
+    ];
+    for squares in [anisotropic, metric] {
+        let potentials = squares.map(|square| format!("{BEFORE} {square} v += u.exp(); }} }} v"));
+        let text = one_code(POINTS, OF_POINTS, &potentials);
+        assert!(!text.contains("for k in") && !text.contains("for a in"), "{text}");
+    }
+}
+
+/// Sixteen terms at most are written out.
+#[test]
+fn long_sums_stay_loops() {
+    let sum = |of: u32| {
+        format!(
+            "{BEFORE} let mut u = 0.0; for a in 0..{of} {{ for b in 0..{of} {{ u += ((q[i][a] - q[j][a]) * (q[i][b] - q[j][b])).cos(); }} }} \
+             v += u; }} }} v"
+        )
+    };
+    let kinetic = OF_POINTS.replace("..3", "..5");
+    let text = |of| of_pairs(["&[[f64; 5]]", &kinetic, &sum(of)]).expect("pairs");
+    assert!(!text(4).contains("for a in"), "{}", text(4));
+    assert!(text(5).contains("for a in"), "{}", text(5));
+}
