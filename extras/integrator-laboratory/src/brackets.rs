@@ -32,7 +32,7 @@ impl Brackets {
 const POINTS: u32 = 40;
 
 /// Measures brackets of Euler's methods; none if `H` is no `T(p) + V(q)`, or a step has no end. The formula for backward Euler is
-/// that of one degree of freedom.
+/// that of one degree of freedom without a drive, whose force at the end of the step is another one.
 pub(crate) fn brackets<H: Hamiltonian>(problem: &Problem<'_, H>) -> Option<Vec<Brackets>> {
     if !H::SEPARABLE {
         return None;
@@ -69,7 +69,7 @@ pub(crate) fn brackets<H: Hamiltonian>(problem: &Problem<'_, H>) -> Option<Vec<B
         row("forward Euler", &*forward, &|from| Some(1.0 + sheared(from)?))?,
         row("symplectic Euler", &*problem.by(Euler), &|_| Some(1.0))?,
     ];
-    if n == 1 {
+    if n == 1 && H::AUTONOMOUS {
         rows.push(row("backward Euler", &*backward, &inverse)?);
     }
     Some(rows)

@@ -301,7 +301,7 @@ const CLAIMS: [Claim; 31] = [
         name: "backward_euler_bracket_is_the_inverse",
         shown: ("brackets", "", SOLVED),
         says: "After a step of backward Euler {q₁, p₁} is 1 / (1 + h² T″V″), at the end of the step: the largest distance along a period",
-        applies: |study| study.brackets.is_some() && study.freedom == 1,
+        applies: |study| study.brackets.as_ref().is_some_and(|rows| rows.len() > 2),
         value: |study| off(study, "backward Euler"),
         within: [0.0, BRACKET],
     },

@@ -489,3 +489,16 @@ fn steps_follow_a_fast_drive() {
     study.half_drive = Some(0.99 * study.step);
     assert!(warns(&study));
 }
+
+/// Tests that brackets by formula agree with those of steps under a drive, where the force at the end of a step is another one.
+#[test]
+fn brackets_of_a_shaken_pendulum_are_those_of_the_formulas() {
+    let shaken = Driven { shake: 0.3, frequency: 2.0 };
+    let laboratory = Laboratory::new(&shaken, Phase::new(vec![0.5], vec![0.0]), 6.3).step(0.1);
+    let rows = crate::brackets::brackets(&laboratory.problem).expect("brackets");
+    assert!(
+        rows.len() == 2 && rows.iter().all(|row| row.off() < 1e-13),
+        "{:?}",
+        rows.iter().map(|row| row.off()).collect::<Vec<_>>()
+    );
+}
