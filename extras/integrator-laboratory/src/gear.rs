@@ -4,7 +4,8 @@
 //! take steps for this transient, also where nothing is left of it. See Hairer and Wanner, Solving Ordinary Differential Equations
 //! II (1996), sections IV.1 and V.2.
 
-use crate::roots::{Complex, minus, modulus, plus, roots, times, turned};
+use crate::roots::{Complex, roots, turned};
+use nalgebra::ComplexField;
 use std::f64::consts::PI;
 
 /// `λ`, as in Hairer and Wanner.
@@ -113,11 +114,11 @@ fn last_off(points: &[(f64, f64)], solution: impl Fn(f64) -> f64) -> f64 {
 fn border(order: usize) -> Vec<Complex> {
     const POINTS: u32 = 4_000;
     let of = |angle: f64| {
-        let back = minus([1.0, 0.0], turned(-angle));
-        let mut power = [1.0, 0.0];
-        (1..=order).fold([0.0; 2], |sum, j| {
-            power = times(power, back);
-            plus(sum, [power[0] / j as f64, power[1] / j as f64])
+        let back = 1.0 - turned(-angle);
+        let mut power = Complex::ONE;
+        (1..=order).fold(Complex::ZERO, |sum, j| {
+            power *= back;
+            sum + power / j as f64
         })
     };
     (0..=POINTS).map(|point| of(2.0 * PI * f64::from(point) / f64::from(POINTS))).collect()
@@ -126,16 +127,16 @@ fn border(order: usize) -> Vec<Complex> {
 /// The largest `α` in degrees for which the sector of this angle around the negative axis is free of the border.
 fn angle(border: &[Complex]) -> f64 {
     // At the origin the border is the imaginary axis, up to rounding.
-    let left = border.iter().filter(|[x, _]| *x < -1e-12);
-    left.map(|[x, y]| y.abs().atan2(-x).to_degrees()).fold(90.0, f64::min)
+    let left = border.iter().filter(|point| point.re < -1e-12);
+    left.map(|point| point.im.abs().atan2(-point.re).to_degrees()).fold(90.0, f64::min)
 }
 
 /// The largest modulus of a root other than 1.
 fn parasitic(order: usize) -> f64 {
-    let polynomial: Vec<Complex> = coefficients(order).into_iter().map(|weight| [weight, 0.0]).collect();
+    let polynomial: Vec<Complex> = coefficients(order).into_iter().map(Complex::from).collect();
     let all = roots(&polynomial);
-    let others = all.into_iter().filter(|root| modulus(minus(*root, [1.0, 0.0])) > 1e-6);
-    others.map(modulus).fold(0.0, f64::max)
+    let others = all.into_iter().filter(|root| (root - 1.0).modulus() > 1e-6);
+    others.map(ComplexField::modulus).fold(0.0, f64::max)
 }
 
 /// Measures backward differences.

@@ -1,8 +1,9 @@
 //! The roots of multistep methods on an oscillator: the one that follows the motion, and parasitic ones, which may grow.
 
-use crate::roots::{Complex, METHODS, minus, modulus, sorted, turned};
+use crate::roots::{Complex, METHODS, sorted, turned};
 use integrator_core::prelude::*;
 use integrator_reference::{AdamsBashforth4, AnyReference};
+use nalgebra::ComplexField;
 
 /// The oscillator, on which roots are compared with steps.
 struct Oscillator;
@@ -48,7 +49,7 @@ pub(crate) const GROWING: f64 = 0.6;
 pub(crate) fn multistep() -> Option<Multistep> {
     let roots = METHODS.iter().map(|name| follow(name)).collect::<Option<_>>()?;
     let (principal, parasitic) = sorted(METHODS[0], GROWING)?;
-    let largest = principal.iter().chain(&parasitic).map(|root| modulus(*root)).fold(0.0, f64::max);
+    let largest = principal.iter().chain(&parasitic).map(|root| root.modulus()).fold(0.0, f64::max);
     Some(Multistep { roots, growth: growth()? / largest })
 }
 
@@ -57,7 +58,7 @@ fn follow(name: &'static str) -> Option<Roots> {
     for step in 1..=LONGEST {
         let x = f64::from(step) / f64::from(STEPS);
         let (principal, parasitic) = sorted(name, x)?;
-        let outside = principal.iter().chain(&parasitic).any(|root| modulus(*root) > 1.001);
+        let outside = principal.iter().chain(&parasitic).any(|root| root.modulus() > 1.001);
         if outside && roots.leaves.is_none() {
             roots.leaves = Some(x);
         }
@@ -66,7 +67,7 @@ fn follow(name: &'static str) -> Option<Roots> {
     }
     let off = |x: f64| {
         let (principal, _) = sorted(name, x)?;
-        principal.iter().map(|root| modulus(minus(*root, turned(x)))).reduce(f64::min)
+        principal.iter().map(|root| (root - turned(x)).modulus()).reduce(f64::min)
     };
     roots.exponent = (off(0.04)? / off(0.02)?).log2();
     Some(roots)

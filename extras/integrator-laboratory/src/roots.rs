@@ -1,40 +1,25 @@
 //! Roots of polynomials with complex coefficients, and the polynomials of multistep methods on the oscillator.
 
-/// A complex number.
-pub(crate) type Complex = [f64; 2];
+use nalgebra::ComplexField;
 
-pub(crate) fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
-    [a * c - b * d, a * d + b * c]
-}
-
-pub(crate) fn plus([a, b]: Complex, [c, d]: Complex) -> Complex {
-    [a + c, b + d]
-}
-
-pub(crate) fn minus([a, b]: Complex, [c, d]: Complex) -> Complex {
-    [a - c, b - d]
-}
-
-fn over(a: Complex, [c, d]: Complex) -> Complex {
-    let [x, y] = times(a, [c, -d]);
-    [x / (c * c + d * d), y / (c * c + d * d)]
-}
-
-pub(crate) fn modulus([a, b]: Complex) -> f64 {
-    a.hypot(b)
-}
+pub(crate) type Complex = nalgebra::Complex<f64>;
 
 /// The number on the unit circle at an angle.
 pub(crate) fn turned(angle: f64) -> Complex {
-    [angle.cos(), angle.sin()]
+    Complex::new(angle.cos(), angle.sin())
+}
+
+/// The numbers of a curve for a picture.
+pub(crate) fn points(numbers: &[Complex]) -> impl Iterator<Item = (f64, f64)> {
+    numbers.iter().map(|number| (number.re, number.im))
 }
 
 /// The product of polynomials, highest powers first.
 fn product(a: &[Complex], b: &[Complex]) -> Vec<Complex> {
-    let mut product = vec![[0.0; 2]; a.len() + b.len() - 1];
+    let mut product = vec![Complex::ZERO; a.len() + b.len() - 1];
     for (i, a) in a.iter().enumerate() {
         for (j, b) in b.iter().enumerate() {
-            product[i + j] = plus(product[i + j], times(*a, *b));
+            product[i + j] += a * b;
         }
     }
     product
@@ -44,7 +29,7 @@ fn product(a: &[Complex], b: &[Complex]) -> Vec<Complex> {
 fn add(to: &mut [Complex], factor: Complex, polynomial: &[f64]) {
     let first = to.len() - polynomial.len();
     for (to, coefficient) in to[first..].iter_mut().zip(polynomial) {
-        *to = plus(*to, times(factor, [*coefficient, 0.0]));
+        *to += factor * *coefficient;
     }
 }
 
@@ -53,19 +38,19 @@ const ROUNDS: usize = 200;
 
 /// The roots of a polynomial, highest power first: all at once by the iteration of Weierstrass (1891), Durand and Kerner.
 pub(crate) fn roots(polynomial: &[Complex]) -> Vec<Complex> {
-    let monic: Vec<Complex> = polynomial.iter().map(|coefficient| over(*coefficient, polynomial[0])).collect();
+    let monic: Vec<Complex> = polynomial.iter().map(|coefficient| coefficient / polynomial[0]).collect();
     let mut roots: Vec<Complex> = Vec::new();
     for _ in 1..monic.len() {
-        roots.push(times(roots.last().copied().unwrap_or([1.0, 0.0]), [0.4, 0.9]));
+        roots.push(roots.last().copied().unwrap_or(Complex::ONE) * Complex::new(0.4, 0.9));
     }
     for _ in 0..ROUNDS {
         for i in 0..roots.len() {
             let at = roots[i];
-            let value = monic.iter().fold([0.0; 2], |sum, coefficient| plus(times(sum, at), *coefficient));
+            let value = monic.iter().fold(Complex::ZERO, |sum, coefficient| sum * at + coefficient);
             let others = roots.iter().enumerate().filter(|(j, _)| *j != i);
-            let slope = others.fold([1.0, 0.0], |slope, (_, other)| times(slope, minus(at, *other)));
-            if modulus(slope) > 0.0 {
-                roots[i] = minus(at, over(value, slope));
+            let slope = others.fold(Complex::ONE, |slope, (_, other)| slope * (at - other));
+            if slope.modulus() > 0.0 {
+                roots[i] = at - value / slope;
             }
         }
     }
@@ -87,25 +72,25 @@ pub(crate) const METHODS: [&str; 4] = ["Adams–Bashforth 4", "Adams–Bashforth
 /// - with the predicted force (PEC): `(ζ − 1)(ζ⁴ − μ B) = μ ζ (9 ζ³ + 19 ζ² − 5 ζ + 1)`;
 /// - Störmer, of `q'' = −ω² q`: `ζ⁴ − 2 ζ³ + ζ² + x²/12 (14 ζ³ − 5 ζ² + 4 ζ − 1) = 0`.
 pub(crate) fn characteristic(method: &str, x: f64) -> Option<Vec<Complex>> {
-    let real = |numbers: [f64; 5]| numbers.map(|number| [number, 0.0]).to_vec();
-    let mu = [0.0, x / 24.0];
-    let back = [0.0, -x / 24.0];
+    let real = |numbers: [f64; 5]| numbers.map(Complex::from).to_vec();
+    let mu = Complex::new(0.0, x / 24.0);
+    let back = -mu;
     let mut polynomial = real([1.0, -1.0, 0.0, 0.0, 0.0]);
     match METHODS.iter().position(|name| *name == method)? {
         0 => add(&mut polynomial, back, &BASHFORTH),
         1 => {
             add(&mut polynomial, back, &[28.0, -5.0, 1.0, 0.0]);
-            add(&mut polynomial, times(back, times(mu, [9.0, 0.0])), &BASHFORTH);
+            add(&mut polynomial, back * mu * 9.0, &BASHFORTH);
         }
         2 => {
             let mut predicted = real([1.0, 0.0, 0.0, 0.0, 0.0]);
             add(&mut predicted, back, &BASHFORTH);
-            polynomial = product(&[[1.0, 0.0], [-1.0, 0.0]], &predicted);
+            polynomial = product(&[Complex::ONE, -Complex::ONE], &predicted);
             add(&mut polynomial, back, &[9.0, 19.0, -5.0, 1.0, 0.0]);
         }
         _ => {
             polynomial = real([1.0, -2.0, 1.0, 0.0, 0.0]);
-            add(&mut polynomial, [x * x / 12.0, 0.0], &STOERMER);
+            add(&mut polynomial, (x * x / 12.0).into(), &STOERMER);
         }
     }
     Some(polynomial)
@@ -117,31 +102,33 @@ pub(crate) fn sorted(method: &str, x: f64) -> Option<(Vec<Complex>, Vec<Complex>
     let mut all = roots(&characteristic(method, x)?);
     let count = if method == METHODS[3] { 2 } else { 1 };
     let away = |root: &Complex| {
-        let [there, back] = [x, -x].map(|angle| modulus(minus(*root, turned(angle))));
+        let [there, back] = [x, -x].map(|angle| (root - turned(angle)).modulus());
         if count == 2 { there.min(back) } else { there }
     };
     all.sort_by(|a, b| away(a).total_cmp(&away(b)));
     let mut parasitic = all.split_off(count);
-    parasitic.sort_by(|a, b| modulus(*b).total_cmp(&modulus(*a)));
+    parasitic.sort_by(|a, b| b.modulus().total_cmp(&a.modulus()));
     Some((all, parasitic))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{characteristic, minus, modulus, roots, turned};
+    use super::{Complex, characteristic, roots, turned};
+    use nalgebra::ComplexField;
 
     #[test]
     fn roots_are_those_of_known_polynomials() {
         // (z - 1)(z - 2)(z - i) = z³ − (3 + i) z² + (2 + 3i) z − 2i.
-        let found = roots(&[[1.0, 0.0], [-3.0, -1.0], [2.0, 3.0], [0.0, -2.0]]);
-        for exact in [[1.0, 0.0], [2.0, 0.0], [0.0, 1.0]] {
-            assert!(found.iter().any(|root| modulus(minus(*root, exact)) < 1e-12), "{found:?}");
+        let of = |numbers: &[[f64; 2]]| numbers.iter().map(|[re, im]| Complex::new(*re, *im)).collect::<Vec<_>>();
+        let found = roots(&of(&[[1.0, 0.0], [-3.0, -1.0], [2.0, 3.0], [0.0, -2.0]]));
+        for exact in of(&[[1.0, 0.0], [2.0, 0.0], [0.0, 1.0]]) {
+            assert!(found.iter().any(|root| (root - exact).modulus() < 1e-12), "{found:?}");
         }
         // The fifth roots of one.
-        let found = roots(&[[1.0, 0.0], [0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2], [-1.0, 0.0]]);
+        let found = roots(&of(&[[1.0, 0.0], [0.0; 2], [0.0; 2], [0.0; 2], [0.0; 2], [-1.0, 0.0]]));
         for k in 0..5 {
             let exact = turned(std::f64::consts::TAU * f64::from(k) / 5.0);
-            assert!(found.iter().any(|root| modulus(minus(*root, exact)) < 1e-12), "{found:?}");
+            assert!(found.iter().any(|root| (root - exact).modulus() < 1e-12), "{found:?}");
         }
         assert_eq!(characteristic("Verlet", 0.1), None);
     }

@@ -38,9 +38,7 @@ impl Content<'_> {
             measured = paragraph(measured, "b"),
         ))
     }
-}
 
-impl Content<'_> {
     /// Links to the claims that a picture or a table shows.
     pub(super) fn links(&self, picture: &str) -> String {
         let claims: Vec<String> = self

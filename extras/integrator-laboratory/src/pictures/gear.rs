@@ -3,6 +3,7 @@
 use crate::{
     gear::{GEAR, LONG, ORDERS, SHORT, STIFFNESS},
     numbers::plain,
+    roots::points,
     study::Study,
 };
 use integrator_plot::{
@@ -75,7 +76,7 @@ pub(super) fn regions(study: &Study) -> Chart {
         .up(Axis::linear("Im hλ").between(-14.0, 14.0))
         .with_equal_units();
     gear.borders.iter().zip(1..).fold(chart, |chart, (border, order)| {
-        let points = border.iter().step_by(20).map(|point| (*point).into());
+        let points = points(border).step_by(20);
         chart.line(format!("BDF {order}"), points).coloured(COLOURS[order]).wide(1.5)
     })
 }

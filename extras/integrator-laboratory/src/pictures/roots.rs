@@ -1,6 +1,11 @@
 //! The roots of multistep methods in the complex plane.
 
-use crate::{multistep::GROWING, numbers::plain, roots::turned, study::Study};
+use crate::{
+    multistep::GROWING,
+    numbers::plain,
+    roots::{Complex, points, turned},
+    study::Study,
+};
 use integrator_plot::{
     Axis, Chart, Mark, Panels,
     colour::{GREY, INK},
@@ -20,7 +25,7 @@ pub(super) fn roots(study: &Study) -> Option<Panels> {
         ))
         .columns(4)
         .panel(320, 320);
-    let circle = || (0..=120).map(|part| turned(TAU * f64::from(part) / 120.0).into());
+    let circle: Vec<Complex> = (0..=120).map(|part| turned(TAU * f64::from(part) / 120.0)).collect();
     Some(multistep.roots.iter().fold(panels, |panels, roots| {
         let leaves = match roots.leaves {
             Some(x) => format!("a root leaves the circle at hω = {}", plain(x)),
@@ -31,13 +36,13 @@ pub(super) fn roots(study: &Study) -> Option<Panels> {
             .along(Axis::linear("Re ζ").between(-1.6, 1.6))
             .up(Axis::linear("Im ζ").between(-1.6, 1.6))
             .with_equal_units()
-            .line("", circle())
+            .line("", points(&circle))
             .coloured(INK)
             .wide(0.75)
-            .series(Mark::Dots, "", roots.parasitic.iter().map(|root| (*root).into()))
+            .series(Mark::Dots, "", points(&roots.parasitic))
             .coloured(GREY)
             .wide(0.4)
-            .series(Mark::Dots, "", roots.principal.iter().map(|root| (*root).into()))
+            .series(Mark::Dots, "", points(&roots.principal))
             .coloured(crate::colour(roots.name).unwrap_or(INK))
             .wide(0.8);
         panels.chart(chart)
