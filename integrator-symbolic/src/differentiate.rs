@@ -18,7 +18,7 @@ mod quotient;
 
 use crate::graph::{
     Element, FoldSlope, Graph, Node, NodeId, Part, Scope,
-    function::{Function, HUGE, LEAST},
+    function::{Function, LEAST},
     index::LoopId,
     like_terms::with_like_terms_collected,
 };
@@ -381,7 +381,7 @@ impl Sweep {
                 }
             }
             // The quotient whose divisor is bounded has no slope beyond the bound, by its limits.
-            Node::Binary(_, a, bound) | Node::Binary(_, bound, a) if graph.as_constant(bound) == Some(HUGE) => {
+            Node::Binary(_, a, bound) | Node::Binary(_, bound, a) if graph.is_huge(bound) => {
                 self.push(graph, a, context, adjoint);
             }
             Node::Binary(function, a, b) => {

@@ -2,7 +2,8 @@
 //!
 //! Far from a step such as `1 / (1 + eˣ)`, the slope of the reciprocal is zero when `eˣ` overflows. If all items of a
 //! sum have the factor zero, the slope of its square root is infinite. The product is zero in both cases. This value is
-//! selected if the slope is infinite or exactly zero; all other products are bitwise unchanged.
+//! selected if the divisor, or without one the slope, exceeds [`HUGE`](crate::graph::function::HUGE), or if the slope is exactly
+//! zero; all other products are bitwise unchanged, but for those of [`quotient`].
 
 use super::quotient;
 use crate::graph::{Comparison, Graph, Node, NodeId};
@@ -85,7 +86,8 @@ impl Limits {
         };
         if may_be_zero {
             let (factor, zero) = (graph.without_sign(slope), graph.constant(0.0));
-            return zero_where_equal(graph, [factor, zero], product);
+            let is_zero = graph.compare(Comparison::Equal, factor, zero);
+            return graph.select(is_zero, zero, product);
         }
         product
     }
@@ -105,11 +107,4 @@ fn is_mask(graph: &Graph, id: NodeId) -> bool {
         Node::Binary(function, ..) => function.row().chooses.is_some(),
         _ => false,
     }
-}
-
-/// A product, and zero where two values are the same.
-fn zero_where_equal(graph: &mut Graph, [a, b]: [NodeId; 2], product: NodeId) -> NodeId {
-    let zero = graph.constant(0.0);
-    let equal = graph.compare(Comparison::Equal, a, b);
-    graph.select(equal, zero, product)
 }

@@ -12,6 +12,9 @@ const MOST_EXPONENTIALS: usize = 2;
 /// The product of an adjoint that has the factor `1 / cosh u`, or one over a sum of exponentials and prepared addends, and of the
 /// slope `sinh u`, or one of the exponentials.
 pub(super) fn of_exponentials(graph: &mut Graph, adjoint: NodeId, slope: NodeId) -> Option<NodeId> {
+    if !graph.grows(slope) {
+        return None;
+    }
     let (scale, exponential) = scaled(graph, slope);
     let Node::Unary(function, argument) = graph.node(exponential) else { return None };
     let (sign, factors) = factors(graph, adjoint);

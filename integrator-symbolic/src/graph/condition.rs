@@ -76,12 +76,16 @@ impl Graph {
     /// Whether a comparison may change along a motion.
     pub(crate) fn is_edge_of_motion(&self, id: NodeId) -> bool {
         match self.node(id) {
-            // A value that overflows, or is about to, has no edge there.
-            Node::Compare(Comparison::Equal, _, b) if self.as_constant(b) == Some(f64::INFINITY) => false,
-            Node::Compare(Comparison::Less, a, _) if self.as_constant(a) == Some(HUGE) => false,
+            // A value that is about to overflow has no edge there.
+            Node::Compare(Comparison::Less, a, _) if self.is_huge(a) => false,
             Node::Compare(_, a, b) => self.moves(a) || self.moves(b),
             _ => false,
         }
+    }
+
+    /// Whether a node is the bound of divisors.
+    pub(crate) fn is_huge(&self, id: NodeId) -> bool {
+        self.as_constant(id) == Some(HUGE)
     }
 
     /// A product that falls to zero while its divisor grows, and zero where this is so large that it soon overflows.

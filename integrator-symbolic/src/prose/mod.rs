@@ -7,7 +7,6 @@ use crate::{
     differentiate::{Contribution, fold_branches},
     graph::{
         Comparison, Element, Fold, Node, NodeId, ParameterId, Part, Scope,
-        function::HUGE,
         index::{Index, IndexId, LoopId, LoopSet},
     },
     model::{Called, ExactPart, Model, PartFunction, Split},
@@ -234,7 +233,7 @@ impl Formulas<'_> {
     pub(crate) fn computed(&self, id: NodeId) -> Formula {
         let graph = &self.model.graph;
         match graph.node(id) {
-            Node::Constant(bits) if f64::from_bits(bits) == HUGE => Formula::atom(Kind::Size, "2^896".to_owned()),
+            Node::Constant(_) if graph.is_huge(id) => Formula::atom(Kind::Size, "2^896".to_owned()),
             Node::Constant(bits) => Formula::number(f64::from_bits(bits)),
             Node::Parameter(parameter) => written(&self.model.own_text(parameter)),
             Node::Entry(table, ..) => self.read(table),

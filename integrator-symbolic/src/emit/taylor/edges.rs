@@ -10,7 +10,7 @@ use crate::{
         frame::Frame,
         function::{Body, Lines},
     },
-    graph::{Comparison, Graph, Node, NodeId, Scope, function::HUGE},
+    graph::{Comparison, Graph, Node, NodeId, Scope},
     pattern::stores::lower_roots,
     program::{Constraints, Sink, Store, Watched},
     taylor::is_power,
@@ -145,7 +145,7 @@ impl Walk {
                 self.kinked.contains(&a) && is_power(function)
                     || function.row().piecewise
                         && (graph.moves(a) || graph.moves(b))
-                        && ![a, b].iter().any(|id| graph.as_constant(*id) == Some(HUGE))
+                        && ![a, b].iter().any(|id| graph.is_huge(*id))
             }
             _ => false,
         }
