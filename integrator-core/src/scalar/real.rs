@@ -130,16 +130,19 @@ macro_rules! declare_real {
             /// The smallest number whose square is a normal number.
             #[inline(always)]
             fn least() -> Self {
-                const LEAST: [f64; 2] = [f64::from_bits((1023 - 511) << 52), f64::from_bits((1023 - 63) << 52)];
-                let (double, single) = (Self::of(LEAST[0]), Self::of(LEAST[1]));
-                if double.lane(0) == 0.0 { single } else { double }
+                Self::power_of_two(-511, -63)
             }
             /// A number far above all divisors that matter, and far below those that overflow.
             #[inline(always)]
             fn huge() -> Self {
-                const HUGE: [f64; 2] = [f64::from_bits((1023 + 896) << 52), f64::from_bits((1023 + 112) << 52)];
-                let (double, single) = (Self::of(HUGE[0]), Self::of(HUGE[1]));
-                if double.lane(0) == f64::INFINITY { single } else { double }
+                Self::power_of_two(896, 112)
+            }
+            /// A power of two with one exponent in the range of `f64`, and another one where scalars are `f32`.
+            #[inline(always)]
+            fn power_of_two(double: i16, single: i16) -> Self {
+                let is_single = Self::of(f64::MIN_POSITIVE).lane(0) == 0.0;
+                let exponent = 1023 + if is_single { single } else { double };
+                Self::of(f64::from_bits((exponent as u64) << 52))
             }
             /// One lane, widened to `f64`.
             fn lane(self, lane: usize) -> f64;
