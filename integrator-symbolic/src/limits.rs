@@ -48,15 +48,23 @@ fn too_deep(tokens: TokenStream) -> Option<Span> {
     None
 }
 
-/// What nests without brackets: signs in front of an expression, and calls after one.
+/// What nests without brackets: signs in front of an expression, calls after one, and arguments of types.
 #[derive(Default)]
 struct Run {
     signs: usize,
     calls: usize,
+    /// `<` among names alone, as in `Option<Option<..`.
+    types: usize,
 }
 
 impl Run {
     fn see(&mut self, tree: &TokenTree) {
+        self.types = match tree {
+            TokenTree::Punct(mark) if mark.as_char() == '<' => self.types + 1,
+            TokenTree::Punct(mark) if mark.as_char() == ':' => self.types,
+            TokenTree::Ident(_) => self.types,
+            _ => 0,
+        };
         match tree {
             TokenTree::Punct(mark) if mark.as_char() == '.' => self.calls += 1,
             TokenTree::Punct(mark) if matches!(mark.as_char(), '-' | '!' | '*' | '&') => {
@@ -69,7 +77,7 @@ impl Run {
     }
 
     fn nested(&self) -> usize {
-        self.signs + self.calls
+        self.signs + self.calls + self.types
     }
 }
 
@@ -85,7 +93,9 @@ mod tests {
     #[test]
     fn depth_is_counted_through_brackets_signs_and_calls() {
         let nested = |open: &str, close: &str, count| format!("{}x{}", open.repeat(count), close.repeat(count));
-        for (open, close) in [("(", ")"), ("{", "}"), ("[", "]"), ("- ", ""), ("!", ""), ("", ".sin()")] {
+        for (open, close) in
+            [("(", ")"), ("{", "}"), ("[", "]"), ("- ", ""), ("!", ""), ("", ".sin()"), ("std::option::Option<", ">")]
+        {
             assert!(passes(&nested(open, close, 100)), "{open}{close}");
             assert!(!passes(&nested(open, close, 300)), "{open}{close}");
         }
@@ -95,5 +105,6 @@ mod tests {
     fn length_is_not_depth() {
         let long = vec!["-q[0].cos() * (x - 1.0).powi(2)"; 5000].join(" + ");
         assert!(passes(&long));
+        assert!(passes(&vec!["x < 1.0 || x < y"; 5000].join(" && ")));
     }
 }
