@@ -4,6 +4,7 @@ mod parts;
 mod schemes;
 mod systems;
 
+mod any_units;
 mod edges;
 mod flows;
 mod modified;

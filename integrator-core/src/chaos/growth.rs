@@ -9,7 +9,7 @@ use crate::{
         tolerance::largest,
     },
     state::{coords::Coords, phase::Phase},
-    trajectory::tangent::{BETWEEN_SCALES, numbers, square},
+    trajectory::tangent::{BETWEEN_SCALES, Units, numbers, squares},
 };
 use nalgebra::DMatrix;
 use std::{
@@ -137,13 +137,13 @@ pub(super) fn relative_change<C: Coords>(before: &Phase<C>, after: &Phase<C>, ex
     (change / length).sqrt()
 }
 
-/// The logarithm of the length of a vector times a power of two. If squares overflow or underflow, the vector is
-/// divided by its largest number first.
-pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64) -> f64 {
-    let square = square(vector);
+/// The logarithm of the length in these units of a vector times a power of two. If squares overflow or underflow, the
+/// vector is divided by its largest number first.
+pub(super) fn logarithm<C: Coords>(vector: &Phase<C>, exponent: i64, units: Units) -> f64 {
+    let square = units.square(squares(vector));
     let mut of_square = [square];
     logarithms(&mut of_square);
-    of_length(square, of_square[0], exponent, || vector.clone())
+    of_length(square, of_square[0], exponent, || units.measured(vector.clone()))
 }
 
 /// Returns the logarithm of the length, where the sum of the squares and its logarithm are known.
@@ -323,6 +323,7 @@ mod tests {
     #[test]
     fn lengths_beyond_the_squares_of_numbers_have_logarithms() {
         let long = Phase::new([3e300, 0.0], [0.0, 4e300]);
-        assert!(within(logarithm(&long, 10) - (5e300_f64.ln() + 10.0 * LN_2), 1e-12));
+        let units = Units::balancing([1.0; 2]);
+        assert!(within(logarithm(&long, 10, units) - (5e300_f64.ln() + 10.0 * LN_2), 1e-12));
     }
 }

@@ -13,7 +13,7 @@ use crate::{
     system::Shaped,
     trajectory::{
         method::Differentiable,
-        tangent::{TOGETHER, Tangent, numbers},
+        tangent::{TOGETHER, Tangent, Units, numbers},
     },
 };
 use core::fmt;
@@ -143,13 +143,18 @@ pub fn indicators<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     h: f64,
     steps: u64,
 ) -> Result<Indicators, CheckError> {
-    let Start { phase, time } = start.into_start();
-    let count = (2 * phase.q.flat().len()).min(TOGETHER);
-    let vectors = generic_directions(&phase, count);
-    let parameters = system.parameters(phase.q.length());
-    let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
+    let start = start.into_start();
+    let parameters = system.parameters(start.phase.q.length());
     let field = |tangent: &Tangent<Shaped<H, K>>| field_at::<H, K>(&parameters, &tangent.state(), tangent.time());
-    of_tangent(tangent, steps, &field)
+    let directions = |phase: &Phase<Shaped<H, K>>, units: Units| {
+        let count = (2 * phase.q.flat().len()).min(TOGETHER);
+        (0..count).map(|vector| units.stretched(generic_direction(phase, vector))).collect()
+    };
+    let vector = |tangent: &Tangent<Shaped<H, K>>, vector| {
+        at_equal_times(tangent.vector(vector), tangent.time_slope(vector), &field(tangent))
+    };
+    let (tangent, units) = begin::<H, X, K>(system, method, start, h, directions, vector)?;
+    of_tangent(tangent, steps, units, &field)
 }
 
 /// The velocities and the forces at a state, as a list.
@@ -170,9 +175,29 @@ fn field_at<H: Hamiltonian, K: Precision>(
 /// The smallest number of steps for a meaningful result.
 pub(super) const LEAST: u64 = 16;
 
+/// The part of a step after which probes are read: so short that images do not depend on the method.
+pub(super) const OF_A_STEP: f64 = 1.0 / (1_u64 << 16) as f64;
+
+/// An orbit with vectors, and the units in which these are measured, from a short step of both probes.
+pub(super) fn begin<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
+    system: &H,
+    method: X,
+    Start { phase, time }: Start<Shaped<H, K>>,
+    h: f64,
+    vectors: impl FnOnce(&Phase<Shaped<H, K>>, Units) -> Vec<Phase<Shaped<H, K>>>,
+    vector: impl Fn(&Tangent<Shaped<H, K>>, usize) -> Phase<Shaped<H, K>>,
+) -> Result<(Tangent<Shaped<H, K>>, Units), CheckError> {
+    let start = |vectors, h| Tangent::start::<H, X, K>(system, method, phase.clone(), vectors, h);
+    let mut probes = start(Units::probes(&generic_direction(&phase, 0)).into(), OF_A_STEP * h)?.at_time(time);
+    probes.advance(1)?;
+    let units = Units::of_images([0, 1].map(|probe| vector(&probes, probe)).each_ref());
+    Ok((start(vectors(&phase, units), h)?.at_time(time), units))
+}
+
 fn of_tangent<C: Coords>(
     mut tangent: Tangent<C>,
     steps: u64,
+    units: Units,
     field: &dyn Fn(&Tangent<C>) -> Vec<f64>,
 ) -> Result<Indicators, CheckError> {
     if steps < LEAST {
@@ -182,8 +207,11 @@ fn of_tangent<C: Coords>(
     let lengths = |tangent: &Tangent<C>| {
         let motion = field(tangent);
         let vector = at_equal_times(tangent.vector(0), tangent.time_slope(0), &motion);
-        let length = logarithm(&vector, tangent.exponents()[0]);
-        [length, length + orthogonal_part(&vector, &motion).ln()]
+        let length = logarithm(&vector, tangent.exponents()[0], units);
+        let mut motion = motion;
+        let positions = motion.len() / 2;
+        motion[..positions].iter_mut().for_each(|rate| *rate = units.measured_position(*rate));
+        [length, length + orthogonal_part(&units.measured(vector), &motion).ln()]
     };
     let [length, first] = lengths(&tangent);
     let (mut growth, mut highest) = (Growth::new(length), first);
@@ -191,9 +219,10 @@ fn of_tangent<C: Coords>(
     while tangent.steps() < steps {
         let portion = every.min(steps - tangent.steps());
         tangent.advance(portion - 1)?;
-        let (before, exponent) = (tangent.vector(0), tangent.exponents()[0]);
+        let (before, exponent) = (units.measured(tangent.vector(0)), tangent.exponents()[0]);
         tangent.advance(1)?;
-        let change = relative_change(&before, &tangent.vector(0), tangent.exponents()[0] - exponent);
+        let after = units.measured(tangent.vector(0));
+        let change = relative_change(&before, &after, tangent.exponents()[0] - exponent);
         growth.change(portion as f64 * change);
         let (energy, time) = (tangent.energy(), tangent.time());
         if !energy.is_finite() {
@@ -205,7 +234,8 @@ fn of_tangent<C: Coords>(
     }
     let motion = field(&tangent);
     let vectors = tangent.vectors().into_iter().zip(tangent.time_slopes());
-    let vectors: Vec<_> = vectors.map(|(vector, slope)| at_equal_times(vector, slope, &motion)).collect();
+    let vectors: Vec<_> =
+        vectors.map(|(vector, slope)| units.measured(at_equal_times(vector, slope, &motion))).collect();
     Ok(Indicators {
         exponent: growth.exponent(),
         megno: growth.megno(),
@@ -232,15 +262,12 @@ fn at_equal_times<C: Coords>(vector: Phase<C>, slope: f64, motion: &[f64]) -> Ph
     moved
 }
 
-/// Directions that no symmetry of a system knows: sines at distances that no two coordinates share.
-pub(super) fn generic_directions<C: Coords>(like: &Phase<C>, count: usize) -> Vec<Phase<C>> {
-    let direction = |vector: usize| {
-        let mut direction = like.clone();
-        for (place, leaf) in direction.q.flat_mut().iter_mut().chain(direction.p.flat_mut()).enumerate() {
-            let angle = 1.0 + (vector as f64 + 1.0) * (0.7 + std::f64::consts::SQRT_2 * place as f64);
-            *leaf = C::Leaf::from_parts([angle.sin(), 0.0]);
-        }
-        direction
-    };
-    (0..count).map(direction).collect()
+/// A direction that no symmetry of a system knows, one for each number: sines at distances that no two coordinates share.
+pub(super) fn generic_direction<C: Coords>(like: &Phase<C>, number: usize) -> Phase<C> {
+    let mut direction = like.clone();
+    for (place, leaf) in direction.q.flat_mut().iter_mut().chain(direction.p.flat_mut()).enumerate() {
+        let angle = 1.0 + (number as f64 + 1.0) * (0.7 + std::f64::consts::SQRT_2 * place as f64);
+        *leaf = C::Leaf::from_parts([angle.sin(), 0.0]);
+    }
+    direction
 }

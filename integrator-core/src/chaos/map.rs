@@ -3,7 +3,7 @@
 use crate::{
     chaos::{
         growth::{Growth, logarithm, logarithms, of_length, steps_between_samples},
-        indicators::{LEAST, generic_directions},
+        indicators::{LEAST, OF_A_STEP, generic_direction},
     },
     check::CheckError,
     ensemble::{in_lanes, lane_scalars::LaneScalars, member, members::refusal},
@@ -24,7 +24,7 @@ use crate::{
         engine::Engine,
         method::Memoryless,
         motions::{Form, Motions, show},
-        tangent::{BETWEEN_SCALES, far_exponent, may_be_far, refused, scaled, square},
+        tangent::{self, BETWEEN_SCALES, Units, far_exponent, may_be_far, refused, scaled},
     },
 };
 use std::sync::{Arc, Mutex, PoisonError};
@@ -205,7 +205,7 @@ where
         let look = Look { stays, energy: &|state, time| energy::<H, K>(&parameters, state, time, None).total };
         let follow = |members: &[usize]| {
             let starts = members.iter().map(|member| starts[*member].clone()).collect();
-            Batch::new(&*like, starts).follow(clock, steps, indicator, look)
+            Batch::new(&*like, starts, h).follow(clock, steps, indicator, look)
         };
         for (member, mapped) in side_by_side(&members, group, &follow) {
             found[member] = Some(mapped);
@@ -278,14 +278,18 @@ struct Batch<C: Coords> {
     engine: Engine,
     orbits: Vec<Orbit>,
     shape: Phase<C>,
-    /// The sums of the squares of the vectors in all lanes at the last sample, and their logarithms.
-    squares: Vec<f64>,
+    /// The sums of the squares of the positions and momenta of all vectors at the last sample.
+    squares: Vec<[f64; 2]>,
+    /// The squares of the lengths of these vectors in their units, and their logarithms.
+    lengths: Vec<f64>,
     logarithms: Vec<f64>,
 }
 
 /// An orbit of a batch.
 struct Orbit {
     growth: Growth,
+    /// The units in which its vector is measured.
+    units: Units,
     /// The power of two by which its vector was divided.
     exponent: i64,
     /// The outcome of the orbit, if it has ended: another orbit uses its lanes.
@@ -297,19 +301,19 @@ const BETWEEN_ENERGIES: u64 = 8;
 
 impl<C: Coords> Batch<C> {
     /// The orbits from some starts; there is one at least.
-    fn new(like: &dyn Motions, starts: Vec<Phase<C>>) -> Self {
-        let vectors: Vec<_> = starts.iter().flat_map(|start| generic_directions(start, 1)).collect();
-        let orbit = |vector| Orbit { growth: Growth::new(logarithm(vector, 0)), exponent: 0, end: None };
-        let orbits = vectors.iter().map(orbit).collect();
-        let lanes: Vec<_> = starts.into_iter().zip(vectors).flat_map(|(start, vector)| [start, vector]).collect();
-        let count = lanes.len().next_multiple_of(like.lanes() * like.together());
-        Self {
-            engine: Engine::single(like, all_lanes(&lanes, count)),
-            orbits,
-            shape: lanes[0].clone(),
-            squares: vec![0.0; count / LANES_OF_ORBIT],
-            logarithms: Vec::new(),
-        }
+    fn new(like: &dyn Motions, starts: Vec<Phase<C>>, h: f64) -> Self {
+        let shape = starts[0].clone();
+        let units = units_of(like, &starts, h);
+        let vectors = starts.iter().zip(&units).map(|(start, units)| units.stretched(generic_direction(start, 0)));
+        let lanes: Vec<_> = starts.iter().cloned().zip(vectors).flat_map(|(start, vector)| [start, vector]).collect();
+        let engine = engine(like, &lanes);
+        let orbit = |(number, units): (usize, Units)| {
+            let length = logarithm(&lanes[LANES_OF_ORBIT * number + 1], 0, units);
+            Orbit { growth: Growth::new(length), units, exponent: 0, end: None }
+        };
+        let orbits: Vec<_> = units.into_iter().enumerate().map(orbit).collect();
+        let squares = vec![[0.0; 2]; engine.motions.lanes() * engine.motions.count() / LANES_OF_ORBIT];
+        Self { engine, orbits, shape, squares, lengths: Vec::new(), logarithms: Vec::new() }
     }
 
     /// Returns the values of an indicator after this number of steps.
@@ -361,14 +365,17 @@ impl<C: Coords> Batch<C> {
     /// Reads all vectors, and divides those by powers of two that are far from one.
     fn sample(&mut self, clock: Clock) {
         self.read_squares(clock);
-        self.logarithms.clone_from(&self.squares);
+        self.lengths.clear();
+        self.lengths.extend(self.orbits.iter().zip(&self.squares).map(|(orbit, sums)| orbit.units.square(*sums)));
+        self.logarithms.clone_from(&self.lengths);
         logarithms(&mut self.logarithms);
         let (time, engine) = (clock.at(clock.steps), &self.engine);
         let vector = |number| vector(engine, clock, number, &self.shape);
-        let known = self.squares.iter().zip(&self.logarithms);
+        let known = self.lengths.iter().zip(&self.logarithms);
         for ((number, orbit), (square, of_square)) in self.orbits.iter_mut().enumerate().zip(known) {
             if orbit.end.is_none() {
-                let length = of_length(*square, *of_square, orbit.exponent, || vector(number));
+                let vector = || orbit.units.measured(vector(number));
+                let length = of_length(*square, *of_square, orbit.exponent, vector);
                 orbit.growth.sample(time, length);
             }
         }
@@ -378,16 +385,16 @@ impl<C: Coords> Batch<C> {
         }
     }
 
-    /// Finds the sums of the squares of all vectors.
+    /// Finds the sums of the squares of the positions and momenta of all vectors.
     fn read_squares(&mut self, clock: Clock) {
         let (mut point, squares) = (self.shape.clone(), &mut self.squares);
         self.engine.read(clock, |completed, shown| {
             if shown.is_none() && completed.squares(&mut point, squares) {
                 return;
             }
-            for (number, sum) in squares.iter_mut().enumerate() {
+            for (number, sums) in squares.iter_mut().enumerate() {
                 show(completed, shown, LANES_OF_ORBIT * number + 1, &mut point);
-                *sum = square(&point);
+                *sums = tangent::squares(&point);
             }
         });
     }
@@ -395,7 +402,7 @@ impl<C: Coords> Batch<C> {
     /// Divides vectors by powers of two that are far from one.
     fn scale(&mut self, clock: Clock) {
         let exponent = |(number, orbit): (usize, &Orbit)| {
-            let far = orbit.end.is_none() && may_be_far(&self.shape, self.squares[number]);
+            let far = orbit.end.is_none() && may_be_far(&self.shape, self.squares[number].iter().sum());
             if far { far_exponent(&vector(&self.engine, clock, number, &self.shape)) } else { 0 }
         };
         let exponents: Vec<_> = self.orbits.iter().enumerate().map(exponent).collect();
@@ -457,6 +464,28 @@ impl<C: Coords> Batch<C> {
         let motions = &self.engine.motions;
         self.engine.resume(Form::Own, &all_lanes(lanes, motions.lanes() * motions.count()));
     }
+}
+
+/// Lanes in an engine, those after the last orbit repeat it.
+fn engine<C: Coords>(like: &dyn Motions, lanes: &[Phase<C>]) -> Engine {
+    Engine::single(like, all_lanes(lanes, lanes.len().next_multiple_of(like.lanes() * like.together())))
+}
+
+/// The units in which the vectors of orbits are measured, from a short step of both probes of each. If it fails for one of
+/// them, each takes it alone, since no orbit depends on others.
+fn units_of<C: Coords>(like: &dyn Motions, starts: &[Phase<C>], h: f64) -> Vec<Units> {
+    let probes =
+        starts.iter().flat_map(|start| Units::probes(&generic_direction(start, 0)).map(|probe| [start.clone(), probe]));
+    let lanes: Vec<_> = probes.flatten().collect();
+    let mut engine = engine(like, &lanes);
+    let (mut clock, mut taken) = (Clock { t0: 0.0, h: OF_A_STEP * h, steps: 0 }, 0);
+    engine.advance(clock, 1, &mut taken);
+    if taken == 0 && starts.len() > 1 {
+        return starts.chunks(1).flat_map(|start| units_of(like, start, h)).collect();
+    }
+    clock.steps += taken;
+    let image = |orbit| vector(&engine, clock, orbit, &starts[0]);
+    (0..starts.len()).map(|orbit| Units::of_images([image(2 * orbit), image(2 * orbit + 1)].each_ref())).collect()
 }
 
 /// The vector of an orbit, with the current step completed.

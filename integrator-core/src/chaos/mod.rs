@@ -13,8 +13,9 @@
 //!
 //! Spectra and maps require a composition or an implicit method; indicators accept every method with deviation vectors.
 //!
-//! Lengths of vectors are Euclidean norms over all coordinates, in the units of the system. Other units change indicators
-//! at short times, but not exponents.
+//! Lengths of vectors are Euclidean norms over all coordinates. The unit of positions is a power of two, chosen for each
+//! orbit so that its first step mixes positions and momenta equally. Indicators therefore do not depend on the units of the
+//! system.
 
 mod growth;
 mod indicators;

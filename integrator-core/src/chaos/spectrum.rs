@@ -1,14 +1,14 @@
 //! All Lyapunov exponents of an orbit.
 
 use crate::{
-    chaos::indicators::LEAST,
-    check::{CheckError, IntoStart, Start},
+    chaos::indicators::{LEAST, begin},
+    check::{CheckError, IntoStart},
     hamiltonian::Hamiltonian,
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::Shaped,
     trajectory::{
         method::Memoryless,
-        tangent::{BETWEEN_SCALES, Tangent, numbers, scaled, unit_vectors},
+        tangent::{BETWEEN_SCALES, Tangent, Units, numbers, scaled, unit_vectors},
     },
 };
 use nalgebra::DMatrix;
@@ -75,13 +75,15 @@ pub fn lyapunov_spectrum<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
     h: f64,
     steps: u64,
 ) -> Result<Spectrum, CheckError> {
-    let Start { phase, time } = start.into_start();
-    let vectors = unit_vectors(&phase);
-    let tangent = Tangent::start::<H, X, K>(system, method, phase, vectors, h)?.at_time(time);
-    of_tangent(tangent, steps)
+    let directions = |phase: &Phase<Shaped<H, K>>, units: Units| {
+        unit_vectors(phase).into_iter().map(|vector| units.stretched(vector)).collect()
+    };
+    let (tangent, units) =
+        begin::<H, X, K>(system, method, start.into_start(), h, directions, |tangent, vector| tangent.vector(vector))?;
+    of_tangent(tangent, steps, units)
 }
 
-fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum, CheckError> {
+fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64, units: Units) -> Result<Spectrum, CheckError> {
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
@@ -97,7 +99,7 @@ fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64) -> Result<Spectrum
         while tangent.steps() < end {
             let (before, portion) = (tangent.clone(), every.min(end - tangent.steps()));
             tangent.advance(portion)?;
-            let triangle = triangle(&tangent);
+            let triangle = triangle(&tangent, units);
             let growths = growths(&triangle, tangent.exponents());
             let apart = largest(&growths) - smallest(&growths);
             if apart > MOST_APART && portion > 1 {
@@ -150,8 +152,8 @@ fn exponent(of_spans: &[(f64, Vec<f64>)], vector: usize) -> (f64, f64) {
 }
 
 /// The triangular factor of the matrix whose columns are the vectors.
-fn triangle<C: Coords>(tangent: &Tangent<C>) -> DMatrix<f64> {
-    let vectors = tangent.vectors();
+fn triangle<C: Coords>(tangent: &Tangent<C>, units: Units) -> DMatrix<f64> {
+    let vectors: Vec<_> = tangent.vectors().into_iter().map(|vector| units.measured(vector)).collect();
     let rows = numbers(&vectors[0]).count();
     DMatrix::from_iterator(rows, vectors.len(), vectors.iter().flat_map(numbers)).qr().r()
 }

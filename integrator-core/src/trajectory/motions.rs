@@ -61,10 +61,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn has_energy(&self) -> bool;
     /// The energy of the first motion at the end of a step, if it is computed from the motion.
     fn energy(&self, time: f64) -> Option<Parts>;
-    /// Writes the sums of the squares of the vectors after all states, one for each state, by way of a point of their
-    /// shape; `false`, where they are to be had from the lanes alone.
+    /// Writes the sums of the squares of the positions and the momenta of the vectors after all states, by way of a point
+    /// of their shape; `false`, where they are to be had from the lanes alone.
     #[cfg(feature = "check")]
-    fn squares(&self, point: &mut dyn Point, squares: &mut [f64]) -> bool;
+    fn squares(&self, point: &mut dyn Point, squares: &mut [[f64; 2]]) -> bool;
     /// Writes the state of a lane in the coordinates of the motion.
     fn store_own(&self, lane: usize, to: &mut dyn Point);
     /// Takes the motion a while into the step that the other one begins at the clock; `false`, and unchanged, where the
@@ -366,7 +366,7 @@ where
     }
 
     #[cfg(feature = "check")]
-    fn squares(&self, point: &mut dyn Point, squares: &mut [f64]) -> bool {
+    fn squares(&self, point: &mut dyn Point, squares: &mut [[f64; 2]]) -> bool {
         let Some(write) = self.functions.squares else { return false };
         write(&self.motions, point, squares);
         true

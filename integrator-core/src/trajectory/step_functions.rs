@@ -25,7 +25,7 @@ use crate::{
         point::{Point, shaped_mut},
     },
     system::Shaped,
-    trajectory::tangent::square,
+    trajectory::tangent::squares,
 };
 
 /// The function table of a motion type, which an engine calls a few times per block of steps.
@@ -58,7 +58,7 @@ pub struct StepFunctions<M> {
 
 /// From motions, a point to write to, and a list to write, one number for each state.
 #[cfg(feature = "check")]
-pub(crate) type Squares<M> = fn(&[M], &mut dyn Point, &mut [f64]);
+pub(crate) type Squares<M> = fn(&[M], &mut dyn Point, &mut [[f64; 2]]);
 
 impl<M> Clone for StepFunctions<M> {
     fn clone(&self) -> Self {
@@ -275,7 +275,7 @@ fn all_finite_in_lanes<H: System, R: Real, K: Precision>(motions: &[H::Motion<R,
 fn squares_in_lanes<H: System, R: Real, K: Precision>(
     motions: &[H::Motion<R, K>],
     point: &mut dyn Point,
-    squares: &mut [f64],
+    squares: &mut [[f64; 2]],
 ) {
     R::enter(SquaresOf::<H, R, K> { motions, point: shaped_mut(point), squares });
 }
@@ -284,7 +284,7 @@ fn squares_in_lanes<H: System, R: Real, K: Precision>(
 struct SquaresOf<'m, H: System, R: Real, K: Precision> {
     motions: &'m [H::Motion<R, K>],
     point: &'m mut Phase<Shaped<H, K>>,
-    squares: &'m mut [f64],
+    squares: &'m mut [[f64; 2]],
 }
 
 #[cfg(feature = "check")]
@@ -293,10 +293,10 @@ impl<H: System, R: Real, K: Precision> Kernel for SquaresOf<'_, H, R, K> {
 
     #[inline(always)]
     fn call(self) {
-        for (motion, squares) in self.motions.iter().zip(self.squares.chunks_mut(R::MEMBERS)) {
-            for (member, sum) in squares.iter_mut().enumerate() {
+        for (motion, of_motion) in self.motions.iter().zip(self.squares.chunks_mut(R::MEMBERS)) {
+            for (member, sums) in of_motion.iter_mut().enumerate() {
                 motion.store(2 * member + 1, self.point);
-                *sum = square(self.point);
+                *sums = squares(self.point);
             }
         }
     }

@@ -6,6 +6,8 @@
 
 #[cfg(feature = "checkpoint")]
 mod stored;
+#[cfg(feature = "check")]
+mod units;
 mod vectors;
 mod within_step;
 
@@ -26,7 +28,10 @@ use alloc::{boxed::Box, vec, vec::Vec};
 use core::{fmt, mem::take, ops::Range};
 pub(crate) use vectors::{far_exponent, numbers, scaled};
 #[cfg(feature = "check")]
-pub(crate) use vectors::{may_be_far, square, unit_vectors};
+pub(crate) use {
+    units::Units,
+    vectors::{may_be_far, squares, unit_vectors},
+};
 
 /// The number of steps after which the lengths of vectors are tested for a rescaling.
 pub(crate) const BETWEEN_SCALES: u64 = 64;

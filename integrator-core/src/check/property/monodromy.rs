@@ -15,7 +15,7 @@ use crate::{
     system::Shaped,
     trajectory::{
         method::Memoryless,
-        tangent::{Tangent, numbers, unit_vectors},
+        tangent::{Tangent, Units, numbers, unit_vectors},
     },
 };
 use core::fmt;
@@ -122,26 +122,40 @@ pub fn monodromy<H: Hamiltonian, X: Memoryless<H>, K: Precision>(
         numbers(column).map(move |number| number * power)
     });
     let matrix = DMatrix::from_iterator(columns.len(), columns.len(), scaled);
-    let largest = largest(matrix.iter().copied());
+    let measured = measured(&matrix);
+    let largest = largest(measured.iter().copied());
     // Products of entries have to be finite.
     if largest.is_nan() || largest > f64::MAX.sqrt() / matrix.len() as f64 {
         return Err(CheckError::Growth { steps });
     }
     let roundings = method.facts().roundings_in(steps) * K::EPSILON.max(f64::EPSILON);
-    Ok(of_matrix(matrix, roundings, gap(&phase, &tangent.state())))
+    Ok(of_matrices(&matrix, &measured, roundings, gap(&phase, &tangent.state())))
 }
 
 fn gap<C: Coords>(start: &Phase<C>, end: &Phase<C>) -> f64 {
     largest(numbers(start).zip(numbers(end)).map(|(start, end)| end - start))
 }
 
-fn of_matrix(matrix: DMatrix<f64>, roundings: f64, gap: f64) -> Monodromy {
+/// The matrix in units that balance it, so that its size does not depend on the units of the system.
+fn measured(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let half = matrix.nrows() / 2;
+    let size = |row, column| largest(matrix.view((row, column), (half, half)).iter().copied());
+    let units = Units::balancing([size(0, half), size(half, 0)]);
+    DMatrix::from_fn(2 * half, 2 * half, |row, column| match (row < half, column < half) {
+        (true, false) => units.measured_position(matrix[(row, column)]),
+        (false, true) => units.stretched_position(matrix[(row, column)]),
+        _ => matrix[(row, column)],
+    })
+}
+
+/// From the matrix in the units of the system, and in those that balance it.
+fn of_matrices(matrix: &DMatrix<f64>, measured: &DMatrix<f64>, roundings: f64, gap: f64) -> Monodromy {
     let mut multipliers: Vec<_> =
-        matrix.complex_eigenvalues().iter().map(|number| Multiplier { re: number.re, im: number.im }).collect();
+        measured.complex_eigenvalues().iter().map(|number| Multiplier { re: number.re, im: number.im }).collect();
     multipliers.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     // The double multiplier of a matrix that is off by δ is off by the root of δ; every flow of the steps rounds the
     // matrix once.
-    let uncertainty = (roundings * matrix.norm()).sqrt();
+    let uncertainty = (roundings * measured.norm()).sqrt();
     let matrix = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
     Monodromy { matrix, multipliers, uncertainty, gap }
 }
