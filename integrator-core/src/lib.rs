@@ -224,7 +224,7 @@ pub mod __private {
                 window::Window,
             },
             lists::{Addend, Read, Term, Terms},
-            loops::{Iteration, Loop, Near},
+            loops::{Iteration, Loop, Near, apart},
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
