@@ -5,6 +5,7 @@
 //! form yet. The last lines are the largest such ratio of each group (`ratio_<group>=`).
 
 mod bodies;
+mod fields;
 mod liquids;
 mod pairs;
 mod sums;
@@ -51,7 +52,13 @@ pub(crate) use spellings;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut table, mut lines) = (Table::new("spelling", &["group", "spelling", "us/step", "to fastest"]), Vec::new());
-    for group in liquids::groups().into_iter().chain(pairs::groups()).chain(bodies::groups()).chain(sums::groups()) {
+    for group in liquids::groups()
+        .into_iter()
+        .chain(pairs::groups())
+        .chain(bodies::groups())
+        .chain(sums::groups())
+        .chain(fields::groups())
+    {
         let Group { name, steps, racers, energies } = group;
         // Sums of up to a million terms in different orders.
         let differ = |energy: &f64| (energy - energies[0]).abs() > 1e-9 * energies[0].abs();

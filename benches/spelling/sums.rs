@@ -17,6 +17,9 @@ struct Data {
     couplings: Vec<Vec<f64>>,
     flat: Vec<f64>,
     neighbours: Vec<Vec<usize>>,
+    /// The same as one list: where that of each site begins, and the neighbours.
+    offsets: Vec<usize>,
+    targets: Vec<usize>,
     edges: Vec<[usize; 2]>,
     width: usize,
     strength: f64,
@@ -31,6 +34,8 @@ fn data() -> Data {
         couplings: (0..SIZE).map(|i| (0..SIZE).map(|j| coupling(i, j)).collect()).collect(),
         flat: (0..SIZE * SIZE).map(|k| coupling(k / SIZE, k % SIZE)).collect(),
         neighbours: (0..SITES).map(links).collect(),
+        offsets: (0..=SITES).map(|i| 4 * i).collect(),
+        targets: (0..SITES).flat_map(links).collect(),
         edges: (0..SITES).flat_map(|i| [1, 17].map(|step| [i, (i + step) % SITES])).collect(),
         width: WIDTH,
         strength: 0.1,
@@ -60,7 +65,7 @@ macro_rules! sums {
     };
 }
 
-sums!(Array, [f64; COVARIATES + 1], |self, b| {
+sums!(Array, [f64; 21], |self, b| {
     let mut v = 0.0;
     for row in 0..self.0.outcomes.len() {
         let mut z = b[0];
@@ -122,6 +127,23 @@ sums!(Triangle, |self, q| {
     v
 });
 
+sums!(OthersThanItself, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            if i != j {
+                v += 0.5 * self.0.couplings[i][j] * q[i] * q[j];
+            }
+        }
+    }
+    v
+});
+sums!(SquareByIterators, |self, q| q
+    .iter()
+    .zip(&self.0.couplings)
+    .map(|(qi, row)| 0.5 * qi * row.iter().zip(q).map(|(c, qj)| c * qj).sum::<f64>())
+    .sum());
+
 sums!(Edges, |self, q| {
     let mut v = 0.0;
     for &[i, j] in &self.0.edges {
@@ -137,6 +159,20 @@ sums!(Neighbours, |self, q| {
         }
     }
     v
+});
+
+sums!(Offsets, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for k in self.0.offsets[i]..self.0.offsets[i + 1] {
+            v -= 0.5 * (q[i] - q[self.0.targets[k]]).cos();
+        }
+    }
+    v
+});
+sums!(NeighboursByIterators, |self, q| {
+    let around = |i: usize| self.0.neighbours[i].iter().map(|&j| (q[i] - q[j]).cos()).sum::<f64>();
+    -0.5 * (0..q.len()).map(around).sum::<f64>()
 });
 
 struct Rows(Data);
@@ -169,6 +205,20 @@ sums!(FlatPlane, |self, q| {
     v
 });
 
+sums!(PlaneByIf, |self, q| {
+    let (w, h) = (self.0.width, q.len() / self.0.width);
+    let mut v = 0.0;
+    for y in 0..h {
+        for x in 0..w {
+            let right = if x + 1 == w { q[y * w] } else { q[y * w + x + 1] };
+            let below = if y + 1 == h { q[x] } else { q[(y + 1) * w + x] };
+            let here = q[y * w + x];
+            v += 0.5 * (here - right).powi(2) + 0.5 * (here - below).powi(2) + self.0.strength * here.powi(4);
+        }
+    }
+    v
+});
+
 sums!(Walls, |self, q| {
     let n = q.len();
     let mut v = 0.5 * (q[0] * q[0] + q[n - 1] * q[n - 1]);
@@ -189,6 +239,16 @@ sums!(EndsByIf, |self, q| {
         let left = if i == 0 { 0.0 } else { q[i - 1] };
         let right = if i == n { 0.0 } else { q[i] };
         v += 0.5 * (right - left).powi(2) + self.0.strength * right.powi(4);
+    }
+    v
+});
+
+sums!(NeighbourByIf, |self, q| {
+    let n = q.len();
+    let mut v = 0.5 * q[n - 1] * q[n - 1];
+    for i in 0..n {
+        let left = if i == 0 { 0.0 } else { q[i - 1] };
+        v += 0.5 * (q[i] - left).powi(2) + self.0.strength * q[i].powi(4);
     }
     v
 });
@@ -215,9 +275,13 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut matrix = Group::new("matrix", 50);
     spellings!(matrix, data(), waves(SIZE), STEP;
         "half of all entries" Square, "the same, flat" FlatSquare, "lower triangle" Triangle,
+        "others than itself" OthersThanItself, "iterators" SquareByIterators,
     );
     let mut graph = Group::new("graph", 100);
-    spellings!(graph, data(), waves(SITES), STEP; "edges" Edges, "lists of neighbours" Neighbours);
+    spellings!(graph, data(), waves(SITES), STEP;
+        "edges" Edges, "lists of neighbours" Neighbours, "one list and offsets" Offsets,
+        "neighbours by iterators" NeighboursByIterators,
+    );
     let mut plane = Group::new("plane", 1000);
     let wave = |k: usize| (0.37 * k as f64).sin();
     let rows = || {
@@ -225,10 +289,10 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
         Phase::new((0..WIDTH).map(row).collect(), vec![[0.0; WIDTH]; WIDTH])
     };
     spellings!(plane, data(), rows(), STEP; "rows" Rows);
-    spellings!(plane, data(), waves(WIDTH * WIDTH), STEP; "flat coordinates" FlatPlane);
+    spellings!(plane, data(), waves(WIDTH * WIDTH), STEP; "flat coordinates" FlatPlane, "ends by if" PlaneByIf);
     let mut chain = Group::new("chain", 2000);
     spellings!(chain, data(), waves(SITES), STEP;
-        "loop over bonds" Walls, "windows" Windows, "ends by if" EndsByIf,
+        "loop over bonds" Walls, "windows" Windows, "ends by if" EndsByIf, "left end by if" NeighbourByIf,
     );
     let mut mean_field = Group::new("mean field", 500);
     spellings!(mean_field, data(), waves(SITES), STEP; "iterators" MeanField, "loop" MeanFieldByLoop);

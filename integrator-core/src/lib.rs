@@ -224,7 +224,7 @@ pub mod __private {
                 window::Window,
             },
             lists::{Addend, Read, Term, Terms},
-            loops::{Iteration, Loop, Near},
+            loops::{Iteration, Loop, Near, apart},
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
@@ -265,6 +265,7 @@ pub mod __private {
             counts::Counts,
             device_text::{DeviceText, push_constants, push_lists},
             elements::Elements,
+            entries::{distinct_pairs, entries, weights},
             equal_values::{Both, SmallInteger},
             extremes::{greatest, least},
             flows::Flows,
@@ -303,17 +304,6 @@ pub mod __private {
             elsewhere::{began, go_on_from, positions_in, unfinished},
         },
     };
-
-    /// Returns the entries of a number of lists, one list after the other.
-    pub fn entries<T>(lists: usize, length: &dyn Fn(usize) -> usize, entry: &dyn Fn(usize, usize) -> T) -> Vec<T> {
-        let mut entries = Vec::new();
-        for list in 0..lists {
-            for place in 0..length(list) {
-                entries.push(entry(list, place));
-            }
-        }
-        entries
-    }
 
     /// Returns a list of `length` copies of an element.
     pub fn repeated<T: Clone>(length: usize, element: T) -> Vec<T> {

@@ -34,9 +34,11 @@ pub(crate) use components::written_out;
 pub(crate) use cutoff::{Cutoff, cutoff};
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
+pub(crate) use exchange::{are_equal, sign_of_exchange};
 use order::Order;
 pub(crate) use order::{rewritten, with_numbers_of_each};
-pub(crate) use partners::Visited;
+pub(crate) use partners::{Visited, addend_of_distinct_pair};
+pub(crate) use renamed::renamed;
 use terms::{Terms, addends};
 pub(crate) use terms::{acting, moving};
 

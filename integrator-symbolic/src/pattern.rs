@@ -9,6 +9,7 @@ pub(crate) mod all_pairs;
 pub(crate) mod bodies;
 mod energy;
 mod flat;
+mod once;
 mod ragged;
 pub(crate) mod sites;
 pub(crate) mod stores;
@@ -65,7 +66,7 @@ pub(crate) fn recognise(model: &mut Model, [kinetic, potential]: [&[Contribution
 
 impl Pattern {
     /// Replaces the potential, and the same as stated, by equal ones: of pairs by one that prepares less, of lists of lists by one of
-    /// one list. `false` if nothing changes.
+    /// one list, of loops over all pairs of indices by one that visits each pair once. `false` if nothing changes.
     pub(crate) fn restate(&self, model: &mut Model, stated: &mut NodeId) -> bool {
         let may_be_flat = model.is_separable() && model.sensitive.is_empty() && are_many(&model.graph, &model.lengths);
         let Model { graph, parameters, running, potential, root, .. } = model;
@@ -83,6 +84,7 @@ impl Pattern {
             Self::Sites([_, None]) if may_be_flat => {
                 let mut texts = Texts::new(parameters, running, root);
                 for energy in [potential, stated] {
+                    *energy = once::visited_once(graph, *energy, &mut texts).unwrap_or(*energy);
                     *energy = ragged::flattened(graph, *energy, &mut texts).unwrap_or(*energy);
                 }
             }

@@ -14,6 +14,7 @@ pub(crate) mod lanes;
 pub(crate) mod lists;
 pub(crate) mod nest;
 mod order;
+pub(crate) mod phases;
 mod place;
 pub(crate) mod results;
 mod store;
@@ -68,7 +69,7 @@ pub(crate) struct Store {
 }
 
 /// A statement of a block.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Item {
     /// A named value.
     Let(NodeId),

@@ -132,6 +132,8 @@ macro_rules! potential {
     };
 }
 
+mod indices;
+
 potential!(
     matrix,
     |self, q, v| {

@@ -29,8 +29,8 @@ pub struct Near {
     pub offset: isize,
 }
 
-/// An iteration, on points with `D` components each: the numbers that it adds to sums, and to one point of a gradient if
-/// `TARGETS` is one. It computes them from the points that it reads, from constants of its own, and from numbers that are
+/// An iteration, on points with `D` components each: the numbers that it adds to sums, and to one point of each of `TARGETS`
+/// gradients. It computes them from the points that it reads, from constants of its own, and from numbers that are
 /// the same in all iterations. Written by `#[hamiltonian]`.
 pub trait Iteration<
     const READS: usize,
@@ -43,7 +43,7 @@ pub trait Iteration<
 {
     /// The points that it reads.
     const READS: [Near; READS];
-    /// The index of the point of the gradient that it adds to, less that of the iteration.
+    /// The index of the point of a gradient that it adds to, less that of the iteration.
     const TARGET: isize = 0;
 
     /// The sums and the gradient after a vector of iterations.
@@ -72,29 +72,48 @@ pub struct Loop<'m, R, S, const PARTS: usize, const CONSTANTS: usize, const COMM
 impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize>
     Loop<'_, R, S, PARTS, CONSTANTS, COMMON, D>
 {
-    /// Runs all iterations. They add to the gradient, and the result is the sums.
+    /// Runs all iterations. They add to the gradient, if to any, and the result is the sums.
     #[inline(always)]
     pub fn run<T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
-        mut self,
+        self,
         gradient: &mut [[R; D]],
     ) -> [R; SUMS]
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
+        let mut gradient = Some(gradient);
+        self.run_apart::<T, READS, SUMS, TARGETS>([(); TARGETS].map(|()| gradient.take().unwrap_or_default()))
+    }
+
+    /// The same with iterations that add to several gradients.
+    #[inline(always)]
+    pub fn run_apart<T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
+        mut self,
+        mut gradients: [&mut [[R; D]]; TARGETS],
+    ) -> [R; SUMS]
+    where
+        T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
+    {
         let grouped = self.range.len() / GROUP * GROUP;
-        let mut partial = [[R::of(0.0); PARTIAL]; SUMS];
-        let done = self.run_blocks::<R::Block, T, READS, SUMS, TARGETS>(0..grouped, &mut partial, gradient);
-        if const { R::Block::WIDTH > GROUP } {
-            self.run_blocks::<R, T, READS, SUMS, TARGETS>(done..grouped, &mut partial, gradient);
+        let mut of_groups = [R::of(0.0); SUMS];
+        if grouped > 0 {
+            let mut partial = [[R::of(0.0); PARTIAL]; SUMS];
+            let done = self.run_blocks::<R::Block, T, READS, SUMS, TARGETS>(0..grouped, &mut partial, &mut gradients);
+            if const { R::Block::WIDTH > GROUP } {
+                self.run_blocks::<R, T, READS, SUMS, TARGETS>(done..grouped, &mut partial, &mut gradients);
+            }
+            for sum in 0..SUMS {
+                of_groups[sum] = total::<R, R::Block>(partial[sum]);
+            }
         }
         let mut rest = [R::of(0.0); SUMS];
         let common = self.common;
         for number in self.range.clone() {
-            rest = self.run_block::<R, T, READS, SUMS, TARGETS>(number, common, rest, gradient);
+            rest = self.run_block::<R, T, READS, SUMS, TARGETS>(number, common, rest, &mut gradients);
         }
         if grouped > 0 {
             for sum in 0..SUMS {
-                rest[sum] = total::<R, R::Block>(partial[sum]) + rest[sum];
+                rest[sum] = of_groups[sum] + rest[sum];
             }
         }
         rest
@@ -106,7 +125,7 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         &mut self,
         mut numbers: Range<usize>,
         partial: &mut [[R; PARTIAL]; SUMS],
-        gradient: &mut [[R; D]],
+        gradients: &mut [&mut [[R; D]]; TARGETS],
     ) -> usize
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
@@ -115,21 +134,42 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         for number in 0..COMMON {
             common[number] = W::splat(self.common[number]);
         }
+        // In whole rounds, the places of partial sums are constants, which lets these stay in registers.
+        while numbers.len() >= PARTIAL {
+            for place in (0..PARTIAL).step_by(W::WIDTH) {
+                self.add_block::<W, T, READS, SUMS, TARGETS>(place, common, partial, gradients);
+            }
+            numbers.start += PARTIAL;
+        }
         while numbers.len() >= W::WIDTH {
             // A block does not extend beyond the last partial sum, since its width divides their number.
             let place = numbers.start & (PARTIAL - W::WIDTH);
-            let mut sums = [W::of(0.0); SUMS];
-            for sum in 0..SUMS {
-                sums[sum] = W::read(&partial[sum][place..]);
-            }
-            let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(self.range.start, common, sums, gradient);
-            for sum in 0..SUMS {
-                sums[sum].write(&mut partial[sum][place..]);
-            }
-            self.range.start += W::WIDTH;
+            self.add_block::<W, T, READS, SUMS, TARGETS>(place, common, partial, gradients);
             numbers.start += W::WIDTH;
         }
         numbers.start
+    }
+
+    /// Runs the next block of iterations, which add to the partial sums from a place on.
+    #[inline(always)]
+    fn add_block<W: Block<R>, T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
+        &mut self,
+        place: usize,
+        common: [W; COMMON],
+        partial: &mut [[R; PARTIAL]; SUMS],
+        gradients: &mut [&mut [[R; D]]; TARGETS],
+    ) where
+        T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
+    {
+        let mut sums = [W::of(0.0); SUMS];
+        for sum in 0..SUMS {
+            sums[sum] = W::read(&partial[sum][place..]);
+        }
+        let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(self.range.start, common, sums, gradients);
+        for sum in 0..SUMS {
+            sums[sum].write(&mut partial[sum][place..]);
+        }
+        self.range.start += W::WIDTH;
     }
 
     /// Runs a block of iterations, and returns the sums after it.
@@ -139,7 +179,7 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         first: usize,
         common: [W; COMMON],
         sums: [W; SUMS],
-        gradient: &mut [[R; D]],
+        gradients: &mut [&mut [[R; D]]; TARGETS],
     ) -> [W; SUMS]
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
@@ -155,15 +195,20 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         }
         let target = first.wrapping_add_signed(T::TARGET);
         let mut moved = [[W::of(0.0); D]; TARGETS];
-        if const { TARGETS > 0 } {
-            moved[0] = points(&gradient[target..]);
+        for number in 0..TARGETS {
+            moved[number] = points(&gradients[number][target..]);
         }
         let (sums, moved) = T::next::<R, W>(reads, constants, common, sums, moved);
-        if const { TARGETS > 0 } {
-            write(moved[0], &mut gradient[target..]);
+        for number in 0..TARGETS {
+            write(moved[number], &mut gradients[number][target..]);
         }
         sums
     }
+}
+
+/// Returns the parts of a gradient before an index and from it on. Without an iteration, there may be none from it on.
+pub fn apart<T>(gradient: &mut [T], from: usize) -> [&mut [T]; 2] {
+    gradient.split_at_mut(from.min(gradient.len())).into()
 }
 
 /// A block of the first points of a slice.

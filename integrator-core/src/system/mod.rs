@@ -7,6 +7,7 @@ pub(crate) mod counts;
 pub(crate) mod device_text;
 pub(crate) mod elements;
 pub(crate) mod energy;
+pub(crate) mod entries;
 pub(crate) mod equal_values;
 pub(crate) mod external;
 pub(crate) mod extremes;

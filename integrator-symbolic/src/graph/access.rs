@@ -65,16 +65,22 @@ impl Loops {
         let (Index::Running(of), Some(by)) = (self.index(index), self.literal(by)) else { return false };
         let Loop { from, to, .. } = self.get(of);
         match self.index(id) {
-            Index::Add(..) => match self.index(to) {
-                Index::Sub(end, less) | Index::Monus(end, less) => {
-                    self.is_extent(end) && self.literal(less).is_some_and(|less| by <= less)
-                }
-                _ => false,
-            },
+            Index::Add(..) => self.ends_before(to, by),
             Index::Sub(..) => {
                 let begins = self.literal(from).is_some_and(|from| by <= from);
                 begins && self.extents().any(|extent| self.is_at_most(to, extent, DEEPEST))
             }
+            _ => false,
+        }
+    }
+
+    /// Whether the end of a loop is at least as far before that of the coordinates.
+    fn ends_before(&self, to: IndexId, by: u64) -> bool {
+        match self.index(to) {
+            Index::Sub(end, less) | Index::Monus(end, less) => {
+                self.is_extent(end) && self.literal(less).is_some_and(|less| by <= less)
+            }
+            Index::Min(a, b) => self.ends_before(a, by) || self.ends_before(b, by),
             _ => false,
         }
     }

@@ -6,12 +6,14 @@
 mod bounds;
 mod fold;
 mod kind;
+mod linear;
 mod span;
 mod values;
 
 use super::{Element, ParameterId};
 pub(super) use bounds::DEEPEST;
 pub(crate) use kind::IntegerType;
+pub(crate) use linear::Linear;
 use std::collections::{HashMap, HashSet};
 
 /// An integer expression.

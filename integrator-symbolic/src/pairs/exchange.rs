@@ -79,6 +79,31 @@ pub(super) fn is_symmetric(
     Some(forms.of(graph, id, false)? == forms.of(graph, id, true)?)
 }
 
+/// Whether two expressions are equal up to the order of their sums and products.
+pub(crate) fn are_equal(
+    graph: &mut Graph,
+    [a, b]: [NodeId; 2],
+    pair: [LoopId; 2],
+    parameters: &mut dyn Parameters,
+) -> Option<bool> {
+    let mut forms = Forms::new(pair, None, parameters);
+    Some(forms.of(graph, a, false)? == forms.of(graph, b, false)?)
+}
+
+/// Whether an expression changes its sign if the indices of a pair are exchanged; `None` if it becomes another one, or if a
+/// parameter cannot be exchanged.
+pub(crate) fn sign_of_exchange(
+    graph: &mut Graph,
+    id: NodeId,
+    pair: [LoopId; 2],
+    parameters: &mut dyn Parameters,
+) -> Option<bool> {
+    let mut forms = Forms::new(pair, None, parameters);
+    let (here, there) = (forms.of(graph, id, false)?, forms.of(graph, id, true)?);
+    let opposite = here.opposite() == there;
+    (here == there || opposite).then_some(opposite)
+}
+
 impl<'p> Forms<'p> {
     pub(super) fn new(pair: [LoopId; 2], order: Option<Order>, parameters: &'p mut dyn Parameters) -> Self {
         Self { pair, order, parameters, ids: HashMap::new(), known: HashMap::new() }

@@ -38,7 +38,7 @@ pub(super) fn is_before(graph: &Graph, by: LoopId, other: LoopId) -> bool {
 }
 
 /// The addend where the two indices differ, if nothing is added where they are equal.
-pub(super) fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
+pub(crate) fn addend_of_distinct_pair(graph: &Graph, first: LoopId, second: LoopId, body: NodeId) -> Option<NodeId> {
     let Node::Select(condition, same, other) = graph.node(body) else { return None };
     let (condition, same, other) = match graph.node(condition) {
         Node::Not(inner) => (inner, other, same),

@@ -8,7 +8,7 @@ use crate::graph::{
 };
 
 /// A node with other indices; `None` where a parameter has no such text.
-pub(super) fn renamed(
+pub(crate) fn renamed(
     graph: &mut Graph,
     root: NodeId,
     renaming: Renaming,

@@ -4,13 +4,15 @@
 //! prepared once per run. So terms share vectors, however short the inner lists are. Always true: the terms are the same, in the
 //! order of the loops.
 
+use super::once::add_terms;
 use crate::{
     graph::{
-        Element, Graph, Node, NodeId,
+        Element, Graph, Node, NodeId, ParameterId,
         index::{Index, IndexId, Loop, LoopId, LoopSet},
         rename::Parameters,
     },
     model::{Entries, Texts},
+    pairs::{are_equal, rewritten},
 };
 use std::collections::HashMap;
 
@@ -46,7 +48,14 @@ impl Terms<'_, '_> {
             Node::Sum(by, body) if is_from_zero(graph, by) && graph.loops.of_range(by).is_empty() => {
                 self.of_loop(graph, by, body, None)
             }
-            _ => id,
+            _ => match graph.guarded_sum(id) {
+                Some(sum) => {
+                    let count = self.count;
+                    let flat = self.of_sum(graph, sum);
+                    if self.count > count { flat } else { id }
+                }
+                None => id,
+            },
         }
     }
 
@@ -85,20 +94,26 @@ impl Terms<'_, '_> {
         }
     }
 
-    /// The sum over all entries of the lists of a loop.
+    /// The sum over all entries of the lists of a loop, or over all pairs that these name.
     fn flat(&mut self, graph: &mut Graph, [by, inner]: [LoopId; 2], term: NodeId) -> Option<NodeId> {
-        let Loop { parent, to, .. } = graph.loops.get(inner);
-        let is_list = parent == Some(by) && is_from_zero(graph, inner) && graph.loops.of_index(to).contains(by);
+        let Loop { parent, from, to } = graph.loops.get(inner);
+        let is_list = parent == Some(by) && graph.loops.of_index(to).contains(by);
         // Bounds that are indices themselves, as in triangular loops, need no lists.
         if !is_list || graph.loops.is_without_lists(to) || graph.loops.count() >= LoopSet::CAPACITY {
             return None;
         }
-        let rows = [graph.loops.get(by).to, to];
-        let total = self.texts.total_of(graph, rows, by)?;
-        let [from, to] = [Index::Literal(0), Index::Parameter(total)].map(|bound| graph.loops.intern(bound));
-        let all = graph.loops.range(Loop { parent: None, from, to });
-        self.texts.name_if_new(all, inner);
-        let entries = Entries { rows, loops: [by, inner], all };
+        let rows = [graph.loops.get(by).to, graph.loops.span(from, to)];
+        let entries = Entries { rows, loops: [by, inner], from };
+        let sum = self.of_pairs(graph, term, entries).or_else(|| self.of_entries(graph, term, entries))?;
+        self.count += 1;
+        Some(sum)
+    }
+
+    /// The sum of a term of each entry.
+    fn of_entries(&mut self, graph: &mut Graph, term: NodeId, entries: Entries) -> Option<NodeId> {
+        let total = self.texts.total_of(graph, entries)?;
+        let all = self.over(graph, total, entries);
+        let [by, inner] = entries.loops;
         let mut new: HashMap<NodeId, NodeId> = HashMap::new();
         for id in graph.reachable([term]) {
             let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
@@ -106,16 +121,12 @@ impl Terms<'_, '_> {
             let node = match graph.node(id) {
                 _ if !loops.contains(by) && !loops.contains(inner) => id,
                 Node::Parameter(parameter) => {
-                    let entry = self.texts.entry_of(graph, parameter, entries)?;
+                    let entry = self.texts.entry_of(graph, parameter, entries, all)?;
                     graph.parameter(entry)
                 }
                 Node::Coordinate(element) => {
-                    let index = self.index(graph, element.index, entries)?;
-                    let is_apart = element.component.is_none_or(|component| {
-                        let loops = graph.loops.of_index(component);
-                        !loops.contains(by) && !loops.contains(inner)
-                    });
-                    is_apart.then(|| graph.coordinate(Element { index, ..element }))?
+                    let index = self.index(graph, element.index, entries, all)?;
+                    entries.is_point(graph, element).then(|| graph.coordinate(Element { index, ..element }))?
                 }
                 Node::Sum(within, body) if graph.loops.of_range(within).is_empty() => graph.sum(within, of(body)),
                 Node::Sum(..)
@@ -130,19 +141,84 @@ impl Terms<'_, '_> {
             };
             new.insert(id, node);
         }
-        self.count += 1;
         Some(graph.sum(all, new[&term]))
     }
 
+    /// The sum of a term that is the same if its two points are exchanged, over the pairs that entries name: bonds that are in the
+    /// lists of both ends come once.
+    fn of_pairs(&mut self, graph: &mut Graph, term: NodeId, entries: Entries) -> Option<NodeId> {
+        let mut points: Vec<IndexId> = Vec::new();
+        for id in graph.reachable([term]) {
+            if let Node::Coordinate(element) = graph.node(id)
+                && entries.has(graph.loops.of_element(element))
+                && !points.contains(&element.index)
+            {
+                entries.is_point(graph, element).then(|| points.push(element.index))?;
+            }
+        }
+        let &[a, b] = &points[..] else { return None };
+        let moved = |graph: &mut Graph, rest, to: &dyn Fn(IndexId) -> IndexId| {
+            rewritten(graph, rest, |graph, id| match graph.node(id) {
+                Node::Coordinate(element) => Some(graph.coordinate(Element { index: to(element.index), ..element })),
+                _ => None,
+            })
+        };
+        let exchange = |index| [(a, b), (b, a)].iter().find(|(from, _)| *from == index).map_or(index, |(_, to)| *to);
+        let (one, mut terms) = (graph.constant(1.0), Vec::new());
+        add_terms(graph, term, one, &mut terms);
+        let mut numbers = Vec::new();
+        for (coefficient, rest) in &terms {
+            let exchanged = moved(graph, *rest, &exchange);
+            let is_same = are_equal(graph, [*rest, exchanged], entries.loops, self.texts)?;
+            (is_same && !has_numbers(graph, *rest, entries)).then_some(())?;
+            numbers.push(match entries.has(graph.loops_of(*coefficient)) {
+                true => Some(self.texts.as_parameter(graph, *coefficient)?),
+                false => None,
+            });
+        }
+        let pair = [a, b];
+        let total = self.texts.count_of_pairs(graph, pair, entries)?;
+        let all = self.over(graph, total, entries);
+        let mut lists = [a, b];
+        for (member, list) in lists.iter_mut().enumerate() {
+            let member = self.texts.member_of_pair(graph, pair, member, entries, all)?;
+            *list = graph.loops.intern(Index::Parameter(member));
+        }
+        let listed = |index| pair.iter().position(|own| *own == index).map_or(index, |member| lists[member]);
+        let mut sum = graph.constant(0.0);
+        for ((coefficient, rest), number) in terms.into_iter().zip(numbers) {
+            let weight = self.texts.weight_of_pair(graph, pair, number, entries, all)?;
+            let weight = graph.parameter(weight);
+            let weight = if number.is_some() { weight } else { graph.mul(coefficient, weight) };
+            let rest = moved(graph, rest, &listed);
+            let value = graph.mul(weight, rest);
+            sum = graph.add(sum, value);
+        }
+        Some(graph.sum(all, sum))
+    }
+
+    /// The loop over a number of entries or pairs.
+    fn over(&mut self, graph: &mut Graph, total: ParameterId, entries: Entries) -> LoopId {
+        let [from, to] = [Index::Literal(0), Index::Parameter(total)].map(|bound| graph.loops.intern(bound));
+        let all = graph.loops.range(Loop { parent: None, from, to });
+        self.texts.name_if_new(all, entries.loops[1]);
+        all
+    }
+
     /// The index of a coordinate as an element of a list of all entries.
-    fn index(&mut self, graph: &mut Graph, index: IndexId, entries: Entries) -> Option<IndexId> {
-        let own = graph.loops.of_index(index);
-        if !entries.loops.into_iter().any(|by| own.contains(by)) {
+    fn index(&mut self, graph: &mut Graph, index: IndexId, entries: Entries, all: LoopId) -> Option<IndexId> {
+        if !entries.has(graph.loops.of_index(index)) {
             return Some(index);
         }
-        let list = self.texts.list_of(graph, index, entries)?;
+        let list = self.texts.list_of(graph, index, entries, all)?;
         Some(graph.loops.intern(Index::Parameter(list)))
     }
+}
+
+/// Whether a value reads numbers of an entry.
+fn has_numbers(graph: &Graph, value: NodeId, entries: Entries) -> bool {
+    let of_entry = |id: &NodeId| graph.is_prepared(*id) && entries.has(graph.loops_of(*id));
+    graph.reachable([value]).iter().any(of_entry)
 }
 
 fn is_from_zero(graph: &Graph, by: LoopId) -> bool {

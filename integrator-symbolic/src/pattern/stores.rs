@@ -23,8 +23,8 @@ pub(crate) struct Pass {
 }
 
 /// What moves each coordinate by `step` times its component: on the spot where every coordinate gets one contribution,
-/// else collected in a buffer, and each half in one of its own. A mean field is collected as well, since loops that collect
-/// compute functions in lanes.
+/// else collected in a buffer, and each half in one of its own. Functions are collected as well, since loops that collect
+/// compute these in lanes.
 pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -> Vec<Pass> {
     if gradient.is_empty() {
         return Vec::new();
@@ -32,7 +32,7 @@ pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -
     let folded = fold_branches(&mut model.graph, gradient);
     let apart = gradient.iter().any(|contribution| is_protected(&mut model.graph, contribution));
     let in_lanes = are_many(&model.graph, &model.lengths)
-        && folded.iter().any(|contribution| has_functions_and_sums(&model.graph, contribution.value));
+        && folded.iter().any(|contribution| has_functions(&model.graph, contribution.value));
     if !apart && !in_lanes && is_direct(&model.graph.loops, &folded) {
         return vec![Pass { stores: stores(model, &folded, Sink::Update), moved: None }];
     }
@@ -46,22 +46,20 @@ pub(crate) fn passes(model: &mut Model, gradient: &[Contribution], part: Part) -
     vec![collected(part, &own), collected(part.other(), &other)]
 }
 
-/// Whether a value is computed from sums over coordinates, and by functions or divisions outside of these.
-fn has_functions_and_sums(graph: &Graph, value: NodeId) -> bool {
-    let (mut has_functions, mut has_sums) = (false, false);
+/// Whether a value is computed by functions or divisions outside of sums that are the same in all iterations.
+fn has_functions(graph: &Graph, value: NodeId) -> bool {
     let (mut open, mut seen) = (vec![value], HashSet::new());
     while let Some(id) = open.pop() {
-        if graph.is_prepared(id) || !seen.insert(id) {
+        let is_sum = graph.loops_of(id).is_empty() && !graph.summed_in(id).is_empty();
+        if graph.is_prepared(id) || is_sum || !seen.insert(id) {
             continue;
         }
-        if graph.loops_of(id).is_empty() && !graph.summed_in(id).is_empty() {
-            has_sums = true;
-            continue;
+        if is_function(graph.node(id)) {
+            return true;
         }
-        has_functions |= is_function(graph.node(id));
         open.extend(graph.node(id).children());
     }
-    has_functions && has_sums
+    false
 }
 
 /// What collects a gradient in a buffer. Where loops may be in lanes, those over components are written out.

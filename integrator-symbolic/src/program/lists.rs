@@ -46,11 +46,16 @@ pub(crate) struct ListSum<'p> {
 /// Whether an iteration of a loop adds to coordinates that a list names: values are rounded before they are added, so that
 /// those of several iterations may be computed in lanes.
 pub(crate) fn is_over_list(graph: &Graph, by: LoopId, body: &[Item]) -> bool {
-    body.iter().any(|item| match item {
+    body.iter().any(|line| adds_to_list(graph, by, line))
+}
+
+/// Whether a line adds to such coordinates.
+pub(super) fn adds_to_list(graph: &Graph, by: LoopId, line: &Item) -> bool {
+    match line {
         Item::Sink(Sink::Collect(element), _) => is_listed(graph, by, element.index),
         Item::Branch { body, .. } => is_over_list(graph, by, body),
         _ => false,
-    })
+    }
 }
 
 /// Whether an index is an element of a list of the system, the loop's index being the last of its own.

@@ -58,11 +58,10 @@ impl NestContext<'_> {
 
     /// A loop without others inside, which may add to sums of the surrounding lines. A branch reads no coordinate that the
     /// lines around it do not read.
-    pub(crate) fn innermost<'p>(&self, by: LoopId, body: &'p [Item]) -> Option<Nest<'p>> {
+    pub(crate) fn innermost<'p>(&self, by: LoopId, body: Vec<&'p Item>) -> Option<Nest<'p>> {
         if body.iter().any(|item| matches!(item, Item::Loop { .. })) {
             return None;
         }
-        let body: Vec<&Item> = body.iter().collect();
         let mut needs = Needs { may_sum: true, ..Needs::new(self, made(&body), BTreeSet::new()) };
         let (branches, lines): (Vec<_>, Vec<_>) =
             body.iter().copied().partition(|item| matches!(item, Item::Branch { .. }));

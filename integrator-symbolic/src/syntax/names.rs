@@ -27,6 +27,9 @@ pub(crate) struct Names {
     pub(crate) tape: Ident,
     /// What the structs of the iterations of its loops begin with.
     pub(crate) iteration: Ident,
+    /// Values that loops keep of each iteration, and results of other ones.
+    pub(crate) kept: Ident,
+    pub(crate) results: Ident,
 }
 
 impl Names {
@@ -54,6 +57,8 @@ impl Names {
             leaf: free("Leaf"),
             tape: free("Tape"),
             iteration: free("Iteration"),
+            kept: free("kept"),
+            results: free("results"),
         }
     }
 }

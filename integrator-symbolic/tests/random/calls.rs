@@ -1,6 +1,7 @@
 //! Calls by path, and methods of numbers, integers, truths and options.
 
 use crate::{
+    lists::chunk_length,
     machine::Machine,
     number::{Kind, Number},
     value::{Integer, IntegerType, Outcome, USIZE, Value, argument, foreign, panic},
@@ -230,6 +231,12 @@ impl Machine<'_> {
                 _ => foreign(format!("`{name}` of a slot")),
             };
         }
+        if name == "as_chunks" {
+            let (items, length) = (receiver.items()?, chunk_length(call)?);
+            let chunks = items.chunks_exact(length);
+            let rest = Value::list(chunks.remainder().iter().cloned());
+            return Ok(Value::tuple([Value::list(chunks.map(|chunk| Value::list(chunk.iter().cloned()))), rest]));
+        }
         let arguments = self.all(call.args.iter())?;
         if let Value::Told = &receiver {
             self.told.push((name, arguments));
@@ -261,6 +268,9 @@ impl Machine<'_> {
             (Value::Option(option), "unwrap_or") => {
                 let other = argument(&arguments, 0)?;
                 Ok(option.as_ref().map_or_else(|| other.clone(), |value| (**value).clone()))
+            }
+            (Value::Option(option), "unwrap_or_default") => {
+                Ok(option.as_ref().map_or_else(|| Value::list([]), |value| (**value).clone()))
             }
             (Value::Option(option), "unwrap" | "expect") => match option {
                 Some(value) => Ok((**value).clone()),

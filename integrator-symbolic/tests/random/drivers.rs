@@ -124,7 +124,7 @@ impl Machine<'_> {
         if name == "add_to" {
             return Some(self.list_sum(call));
         }
-        if name == "run" {
+        if name == "run" || name == "run_apart" {
             return Some(self.loop_in_lanes(call));
         }
         if !matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("motion")) {

@@ -44,7 +44,12 @@ impl Machine<'_> {
             let results = self.call(values, vec![Value::list(points), constants, common.clone()])?;
             for addend in &addends {
                 let value = results.at(integer(addend, "value")?)?.number()?.clone().of_kind(Kind::Scalar);
-                let sum = part_of(&mut sums, point(integer(addend, "list")?)?, integer(addend, "component")?, is_flat)?;
+                let sum = part_of(
+                    &mut sums,
+                    point(integer(addend, "list")?)?,
+                    integer(addend, "component")?,
+                    is_flat.is_some(),
+                )?;
                 let before = sum.number()?;
                 *sum = if truth(addend, "negative")? { before.sub(&value) } else { before.add(&value) }.into();
             }
@@ -90,21 +95,35 @@ fn truth(of: &ExprStruct, name: &str) -> Outcome<bool> {
     }
 }
 
-/// The buffer that sums go to, and whether it has one number for each point.
-pub(crate) fn sums_of(sums: &Expr) -> Outcome<(&Expr, bool)> {
+/// The buffer that sums go to, and how many of its numbers are a point if these are no lists of their own.
+pub(crate) fn sums_of(sums: &Expr) -> Outcome<(&Expr, Option<usize>)> {
     match sums {
         // `&mut gradient[..]`
         Expr::Reference(reference) => match &*reference.expr {
-            Expr::Index(index) => Ok((&index.expr, false)),
+            Expr::Index(index) => Ok((&index.expr, None)),
             _ => foreign("a place of sums"),
         },
         // `gradient.as_chunks_mut::<1>().0`
         Expr::Field(field) => match &*field.base {
-            Expr::MethodCall(chunks) if chunks.method == "as_chunks_mut" => Ok((&chunks.receiver, true)),
+            Expr::MethodCall(chunks) if chunks.method == "as_chunks_mut" => {
+                Ok((&chunks.receiver, Some(chunk_length(chunks)?)))
+            }
             _ => foreign("a place of sums"),
         },
         _ => foreign("a place of sums"),
     }
+}
+
+/// `2` of `as_chunks::<2>()`.
+pub(crate) fn chunk_length(call: &syn::ExprMethodCall) -> Outcome<usize> {
+    let length = call.turbofish.as_ref().and_then(|turbofish| match turbofish.args.first() {
+        Some(syn::GenericArgument::Const(Expr::Lit(literal))) => match &literal.lit {
+            Lit::Int(length) => length.base10_parse().ok(),
+            _ => None,
+        },
+        _ => None,
+    });
+    length.map_or_else(|| foreign("chunks without a length"), Ok)
 }
 
 /// The sum of a component of a point.

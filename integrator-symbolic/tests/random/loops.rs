@@ -18,19 +18,19 @@ impl Machine<'_> {
         let reads = structures(&iteration, "READS")?;
         let Some(next) = function(&iteration, "next") else { return foreign("an iteration without `next`") };
         let target = constant(&iteration, "TARGET").map_or(Ok(0), signed)?;
-        let gradient = match call.args.first() {
-            Some(Expr::Reference(empty)) if matches!(&*empty.expr, Expr::Array(_)) => None,
-            Some(gradient) => Some(sums_of(gradient)?),
+        let gradients = match call.args.first() {
+            Some(Expr::Reference(empty)) if matches!(&*empty.expr, Expr::Array(_)) => Vec::new(),
+            Some(gradient) if call.method == "run" => {
+                let (place, group) = sums_of(gradient)?;
+                vec![Gradient { place: place.clone(), from: 0, group }]
+            }
+            Some(several) => self.several(several)?,
             None => return foreign("a loop without a gradient"),
         };
         let Value::Range(from, to) = run.field("range")?.clone() else { return foreign("a loop without a range") };
         let [parts, constants] = ["parts", "constants"].map(|name| run.field(name).and_then(Value::items));
         let (parts, constants) = (parts?, constants?);
         let common = run.field("common")?.lifted(Kind::Wide);
-        let mut points = match gradient {
-            Some((place, _)) => self.expression(place)?.items()?.to_vec(),
-            None => Vec::new(),
-        };
         let mut sums =
             Value::list((0..sums_of_type(&next.sig)?).map(|_| Number::plain(0.0).of_kind(Kind::Wide).into()));
         for number in from.value..to.value {
@@ -46,27 +46,84 @@ impl Machine<'_> {
             let own = constants.iter().map(|table| Ok(table.at(near(0)?)?.lifted(Kind::Wide)));
             let own = Value::list(own.collect::<Outcome<Vec<_>>>()?);
             let place = near(target)?;
-            let moved = match gradient {
-                Some(_) => match points.get(place) {
-                    Some(point) => vec![row(&components(point)?)],
-                    None => return panic("a point out of bounds"),
-                },
-                None => Vec::new(),
-            };
+            let mut moved = Vec::new();
+            for gradient in &gradients {
+                let numbers = self.expression(&gradient.place)?.items()?.to_vec();
+                moved.push(row(&components(&gradient.point(&numbers, place)?)?));
+            }
             let arguments = vec![Value::list(read), own, common.clone(), sums, Value::list(moved)];
             let Value::Tuple(results) = self.call(next, arguments)? else {
                 return foreign("an iteration without a pair");
             };
             sums = argument(&results, 0)?.clone();
-            if let Some((_, is_flat)) = gradient {
-                let point = argument(argument(&results, 1)?.items()?, 0)?.lifted(Kind::Scalar);
-                points[place] = if is_flat { point.at(0)?.clone() } else { point };
+            for (gradient, point) in gradients.iter().zip(argument(&results, 1)?.items()?) {
+                let mut numbers = self.expression(&gradient.place)?.items()?.to_vec();
+                gradient.set(&mut numbers, place, &point.lifted(Kind::Scalar))?;
+                self.store(&gradient.place, Value::list(numbers))?;
             }
         }
-        if let Some((place, _)) = gradient {
-            self.store(place, Value::list(points))?;
-        }
         Ok(sums.lifted(Kind::Scalar))
+    }
+}
+
+/// A gradient that iterations add to.
+struct Gradient {
+    place: Expr,
+    /// The index of the first number or point that belongs to it.
+    from: usize,
+    /// How many numbers are a point, if points are no lists of their own.
+    group: Option<usize>,
+}
+
+impl Gradient {
+    fn numbers(&self, place: usize) -> std::ops::Range<usize> {
+        let length = self.group.unwrap_or(1);
+        self.from + length * place..self.from + length * (place + 1)
+    }
+
+    fn point(&self, numbers: &[Value], place: usize) -> Outcome<Value> {
+        match (numbers.get(self.numbers(place)), self.group) {
+            (Some([point]), None) => Ok(point.clone()),
+            (Some(numbers), Some(_)) => Ok(Value::list(numbers.iter().cloned())),
+            _ => panic("a point out of bounds"),
+        }
+    }
+
+    fn set(&self, numbers: &mut [Value], place: usize, point: &Value) -> Outcome<()> {
+        let range = self.numbers(place);
+        match self.group {
+            None => numbers[range.start] = point.clone(),
+            Some(_) => numbers[range].clone_from_slice(point.items()?),
+        }
+        Ok(())
+    }
+}
+
+impl Machine<'_> {
+    /// Both parts of a gradient, `apart(&mut gradient[..], from)`, or these as chunks; or the results of all iterations,
+    /// `results.each_mut()`, as chunks.
+    fn several(&mut self, several: &Expr) -> Outcome<Vec<Gradient>> {
+        let (several, group) = match several {
+            Expr::MethodCall(map) if map.method == "map" => match map.args.first() {
+                Some(Expr::Closure(chunks)) => (&*map.receiver, sums_of(&chunks.body)?.1),
+                _ => return foreign("chunks of a gradient"),
+            },
+            several => (several, None),
+        };
+        match several {
+            Expr::MethodCall(each) if each.method == "each_mut" => {
+                let (list, count) = (&each.receiver, self.expression(&each.receiver)?.items()?.len());
+                Ok((0..count).map(|n| Gradient { place: syn::parse_quote!(#list[#n]), from: 0, group }).collect())
+            }
+            Expr::Call(call) => {
+                let (Some(gradient), Some(from)) = (call.args.first(), call.args.get(1)) else {
+                    return foreign("parts of no gradient");
+                };
+                let (place, from) = (sums_of(gradient)?.0.clone(), self.expression(from)?.index()?);
+                Ok([0, from].map(|from| Gradient { place: place.clone(), from, group }).into())
+            }
+            _ => foreign("parts of a gradient"),
+        }
     }
 }
 

@@ -151,14 +151,18 @@ impl Machine<'_> {
             "windows" => size().and_then(|size| parts(items.windows(size).map(part).collect())),
             "chunks_exact" => size().and_then(|size| parts(items.chunks_exact(size).map(part).collect())),
             "chunks" => size().and_then(|size| parts(items.chunks(size).map(part).collect())),
-            // In chunks of one, of which nothing is left.
-            "as_chunks" => {
-                Ok(Value::tuple([Value::list(items.iter().map(|item| Value::list([item.clone()]))), Value::list([])]))
-            }
             "first" => Ok(Value::Option(items.first().cloned().map(Rc::new))),
             "last" => Ok(Value::Option(items.last().cloned().map(Rc::new))),
-            "get" => match argument(arguments, 0).and_then(Value::index) {
-                Ok(index) => Ok(Value::Option(items.get(index).cloned().map(Rc::new))),
+            "get" => match argument(arguments, 0) {
+                // All from an index on.
+                Ok(Value::Range(from, _)) => {
+                    let part = usize::try_from(from.value).ok().and_then(|from| items.get(from..));
+                    Ok(Value::Option(part.map(|part| Rc::new(Value::list(part.iter().cloned())))))
+                }
+                Ok(index) => match index.index() {
+                    Ok(index) => Ok(Value::Option(items.get(index).cloned().map(Rc::new))),
+                    Err(stop) => Err(stop),
+                },
                 Err(stop) => Err(stop),
             },
             "as_slice" | "to_vec" => Ok(Value::List(items.clone())),

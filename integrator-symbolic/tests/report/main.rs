@@ -235,7 +235,12 @@ fn slower_kicks_have_reasons_and_fast_ones_have_none() {
         (numbers("for i in 0..q.len() - 1 { v += (q[i + 1] - q[i]).powi(4); }"), &[]),
         (numbers("for &(a, b) in &self.bonds { v += (q[a] - q[b]).powi(4); }"), &[]),
         (numbers("v = q[0] * q[1];"), &[]),
-        (numbers("for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }"), &[]),
+        (
+            numbers("for i in 0..q.len() { for j in 0..q.len() { v += self.k[i][j] * q[i] * q[j]; } }"),
+            &[
+                "not `pairs`: the energy of a pair reads other bodies, or a parameter or condition of both bodies at once",
+            ],
+        ),
         (
             pair("if r2 < 1.0 { v += (1.0 - r2).powi(2); } v += r2;"),
             &["not `lists`: a term of a pair is outside of the condition on the distance"],

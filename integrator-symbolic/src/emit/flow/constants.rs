@@ -123,7 +123,7 @@ impl Constants {
                 };
                 slopes.extend(quote!(#name: #slope,));
             }
-            let value = values.declared(table.prepared(value, content, names));
+            let value = values.declared(values.named_in(table.prepared(value, content, names)));
             prepared.common.extend(match (content, table.levels.first()) {
                 (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),

@@ -5,6 +5,7 @@ use super::{
     fields::Fields,
     frame::Frame,
     function::Lines,
+    lanes::point_of_gradient,
 };
 use crate::{
     graph::{
@@ -21,7 +22,7 @@ use crate::{
 };
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// What functions are emitted from: the model, the names of generated items, and the fields that lines read so far.
 pub(crate) struct Emitter<'m> {
@@ -90,8 +91,8 @@ pub(super) enum Accumulation {
     Rounded,
     /// In the results of terms that share vectors, which the runtime scatters.
     Lanes(Results),
-    /// In the point of the gradient that an iteration in lanes has as an argument.
-    Point,
+    /// In the points of the gradient that an iteration in lanes has as arguments: the point and the component of each coordinate.
+    Points(BTreeMap<Element, (usize, usize)>),
 }
 
 impl Accumulation {
@@ -99,7 +100,7 @@ impl Accumulation {
     pub(super) fn results(self) -> Results {
         match self {
             Self::Lanes(results) => results,
-            Self::Fused | Self::Rounded | Self::Point => Results::default(),
+            Self::Fused | Self::Rounded | Self::Points(_) => Results::default(),
         }
     }
 }
@@ -154,12 +155,16 @@ impl<'m> Block<'m> {
         }
     }
 
-    fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
+    pub(super) fn items(&mut self, fields: &mut Fields, items: &[Item]) -> TokenStream {
         let lanes: Vec<_> = items.iter().map(|item| self.loop_in_lanes(items, item)).collect();
-        let sums: BTreeSet<NodeId> = lanes.iter().flatten().flat_map(|lanes| lanes.sums.iter().copied()).collect();
-        let lines = items.iter().zip(&lanes).map(|(item, lanes)| match (item, lanes) {
+        let phases: Vec<_> = items.iter().map(|item| self.phases(items, item)).collect();
+        let in_phases = phases.iter().flatten().map(|phases| &phases.middle);
+        let in_lanes = lanes.iter().flatten().chain(in_phases);
+        let sums: BTreeSet<NodeId> = in_lanes.flat_map(|lanes| lanes.sums.iter().copied()).collect();
+        let lines = items.iter().zip(lanes.iter().zip(&phases)).map(|(item, found)| match (item, found) {
             (Item::Begin(id), _) if sums.contains(id) => TokenStream::new(),
-            (Item::Loop { by, .. }, Some(lanes)) => self.in_lanes(fields, *by, lanes),
+            (Item::Loop { by, .. }, (Some(lanes), _)) => self.in_lanes(fields, *by, lanes),
+            (Item::Loop { by, .. }, (None, Some(phases))) => self.in_phases(fields, *by, phases),
             _ => self.item(fields, item),
         });
         lines.collect()
@@ -227,11 +232,11 @@ impl<'m> Block<'m> {
                     return number.map(|number| self.result(fields, number, *value)).unwrap_or_default();
                 }
                 let (at, value) = (printer.at(fields, *element), *value);
-                match self.accumulation {
-                    Accumulation::Point => {
-                        let component =
-                            element.component.map_or(quote!(0), |component| printer.index(fields, component));
-                        self.accumulate(fields, quote!(gradient[#component]), value, 0)
+                match &self.accumulation {
+                    Accumulation::Points(targets) => {
+                        let (point, component) = targets.get(element).copied().unwrap_or_default();
+                        let (point, component) = (point_of_gradient(point), Literal::usize_unsuffixed(component));
+                        self.accumulate(fields, quote!(#point[#component]), value, 0)
                     }
                     Accumulation::Rounded => self.accumulate_rounded(fields, quote!(gradient #at), value, 0),
                     _ => self.accumulate(fields, quote!(gradient #at), value, 0),

@@ -10,7 +10,10 @@ use super::{
 };
 use crate::{
     graph::{NodeId, index::LoopId},
-    program::{Item, lanes::LoopInLanes},
+    program::{
+        Item,
+        lanes::{LoopInLanes, Points},
+    },
     syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -48,8 +51,11 @@ impl Block<'_> {
                 .map(|(number, id)| given.entry(*id).or_insert_with(|| format_ident!("{kind}_{number}")).clone());
             named.collect()
         };
-        let (constants, mut common) = (named(&lanes.constants, "constant"), named(&lanes.common, "common"));
-        let components = lanes.components.unwrap_or(1);
+        let mut constants = named(&lanes.constants, "constant");
+        let kept: Vec<NodeId> = lanes.kept.iter().map(|(id, _)| *id).collect();
+        constants.extend(named(&kept, "kept"));
+        let mut common = named(&lanes.common, "common");
+        let components = lanes.points.components();
         let mut reads = vec![vec![format_ident!("_"); components]; lanes.reads.len()];
         for (id, point, component) in &lanes.coordinates {
             let read = &mut reads[*point][*component];
@@ -61,10 +67,16 @@ impl Block<'_> {
         }
 
         let mut block = Block::new(Printer { names: given, scalar: wide, ..*printer }, names);
-        block.accumulation = Accumulation::Point;
+        block.accumulation = Accumulation::Points(lanes.targets.clone());
         let coordinates = lanes.coordinates.iter().map(|(id, ..)| *id);
-        block.arguments = lanes.constants.iter().chain(&lanes.common).copied().chain(coordinates).collect();
-        let lines = Body::new(lanes.body.iter().map(|item| block.item(fields, item)).collect());
+        let numbers = lanes.constants.iter().chain(&kept).chain(&lanes.common).copied();
+        block.arguments = numbers.chain(coordinates).collect();
+        let mut lines: TokenStream = lanes.body.iter().map(|item| block.item(fields, item)).collect();
+        for (number, id) in lanes.results.iter().enumerate() {
+            let (point, result) = (point_of_gradient(number), &block.printer.names[id]);
+            lines.extend(quote!(#point[0] = #result;));
+        }
+        let lines = Body::new(lines);
         let reads_time = lines.mentions("time");
         common.extend(reads_time.then(|| format_ident!("time")));
         let read_by = lanes.reads.iter().map(|(part, offset)| {
@@ -76,7 +88,9 @@ impl Block<'_> {
             quote!(const TARGET: isize = #offset;)
         });
         let sums: Vec<_> = lanes.sums.iter().map(|sum| &printer.names[sum]).collect();
-        let point = lanes.target.map(|_| quote!(gradient)).into_iter().collect::<Vec<_>>();
+        let of_gradient = if lanes.apart.is_some() { 2 } else { usize::from(lanes.target.is_some()) };
+        let targets = of_gradient.max(lanes.results.len());
+        let point: Vec<Ident> = (0..targets).map(point_of_gradient).collect();
         let counts = [reads.len(), constants.len(), common.len(), sums.len(), point.len(), components];
         let counts = counts.map(Literal::usize_unsuffixed);
         let ([of_reads, of_constants, of_common, of_sums, of_targets, of_components], lines) = (&counts, &lines.0);
@@ -105,15 +119,44 @@ impl Block<'_> {
     /// The call of the runtime.
     fn call_of_loop(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>, reads_time: bool) -> TokenStream {
         let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
-        let (range, operands) =
-            printer.operands(fields, by, &lanes.parts, lanes.components, [&lanes.constants, &lanes.common], reads_time);
-        let gradient = lanes.target.map_or_else(|| quote!(&mut []), |_| gradient_of_points(lanes.components));
+        let range = printer.range(fields, by);
+        let mut constants: Vec<_> = lanes.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
+        let kept = &self.names.kept;
+        constants.extend(lanes.kept.iter().map(|(_, number)| {
+            let number = Literal::usize_unsuffixed(*number);
+            quote!(&#kept[#number][..])
+        }));
+        let operands = (&lanes.parts[..], lanes.points, &constants[..], &lanes.common[..]);
+        let operands = printer.operands(fields, operands, reads_time);
+        let (method, gradient) = match (lanes.target, lanes.apart) {
+            (None, _) if !lanes.results.is_empty() => {
+                let results = &self.names.results;
+                (quote!(run_apart), quote!(#results.each_mut().map(|values| values.as_chunks_mut::<1>().0)))
+            }
+            (None, _) => (quote!(run), quote!(&mut [])),
+            (Some(_), None) => (quote!(run), gradient_of_points(lanes.points)),
+            (Some(_), Some(from)) => {
+                let from = printer.index(fields, from);
+                let both = quote!(#runtime::apart(&mut gradient[..], #from));
+                let count = Literal::usize_unsuffixed(lanes.points.components());
+                let both = match lanes.points {
+                    Points::Components(_) => both,
+                    Points::Numbers | Points::Groups(_) => quote!(#both.map(|part| part.as_chunks_mut::<#count>().0)),
+                };
+                (quote!(run_apart), both)
+            }
+        };
         quote! {
             #runtime::Loop {
                 range: #range,
                 #operands
             }
-            .run::<#iteration, _, _, _>(#gradient)
+            .#method::<#iteration, _, _, _>(#gradient)
         }
     }
+}
+
+/// The name of a point of the gradient in an iteration.
+pub(super) fn point_of_gradient(number: usize) -> Ident {
+    if number == 0 { format_ident!("gradient") } else { format_ident!("gradient_{number}") }
 }

@@ -10,11 +10,16 @@ use super::{
 };
 use crate::{
     graph::{
-        NodeId, Part,
+        NodeId,
         index::{Index, IndexId, LoopId},
     },
     layout::list_sum,
-    program::{Item, lists::ListSum, results::Results},
+    program::{
+        Item,
+        lanes::{Coordinates, Points},
+        lists::ListSum,
+        results::Results,
+    },
     syntax::names::Names,
 };
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -101,10 +106,13 @@ impl Block<'_> {
     /// The call of the runtime.
     fn call(&self, fields: &mut Fields, by: LoopId, sum: &ListSum<'_>, reads_time: bool) -> TokenStream {
         let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
-        let (range, operands) =
-            printer.operands(fields, by, &sum.parts, sum.components, [&sum.constants, &sum.common], reads_time);
+        let points = sum.components.map_or(Points::Numbers, Points::Components);
+        let parts: Vec<Coordinates> = sum.parts.iter().copied().map(Coordinates::from).collect();
+        let range = printer.range(fields, by);
+        let constants: Vec<_> = sum.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
+        let operands = printer.operands(fields, (&parts, points, &constants, &sum.common), reads_time);
         let lists: Vec<_> = sum.lists.iter().map(|list| printer.list(fields, by, *list)).collect();
-        let sums = gradient_of_points(sum.components);
+        let sums = gradient_of_points(points);
         quote! {
             #runtime::Terms {
                 range: #range,
@@ -116,44 +124,61 @@ impl Block<'_> {
     }
 }
 
-/// The gradient as points, with this number of components where coordinates are points.
-pub(super) fn gradient_of_points(components: Option<usize>) -> TokenStream {
-    match components {
-        Some(_) => quote!(&mut gradient[..]),
-        None => quote!(gradient.as_chunks_mut::<1>().0),
+/// The gradient as points.
+pub(super) fn gradient_of_points(points: Points) -> TokenStream {
+    match points {
+        Points::Components(_) => quote!(&mut gradient[..]),
+        Points::Numbers | Points::Groups(_) => {
+            let count = Literal::usize_unsuffixed(points.components());
+            quote!(gradient.as_chunks_mut::<#count>().0)
+        }
     }
 }
 
 impl Printer<'_> {
-    /// The range of a loop whose iterations share vectors, and the fields of the runtime's struct for the parts of coordinates
-    /// that they read, for their constants, and for the numbers that they have in common.
+    /// The range of a loop.
+    pub(super) fn range(&self, fields: &mut Fields, by: LoopId) -> TokenStream {
+        let range = self.graph.loops.get(by);
+        let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
+        quote!(#from..#to)
+    }
+
+    /// The fields of the runtime's struct of a loop whose iterations share vectors, for the parts of coordinates that they read,
+    /// for their constants, and for the numbers that they have in common.
     pub(super) fn operands(
         &self,
         fields: &mut Fields,
-        by: LoopId,
-        parts: &[Part],
-        components: Option<usize>,
-        [constants, common]: [&[NodeId]; 2],
+        (parts, points, constants, common): (&[Coordinates], Points, &[TokenStream], &[NodeId]),
         reads_time: bool,
-    ) -> (TokenStream, TokenStream) {
-        let range = self.graph.loops.get(by);
-        let (from, to) = (self.index(fields, range.from), self.index(fields, range.to));
-        let parts = parts.iter().map(|part| {
-            let part = part_name(*part);
-            match components {
-                Some(_) => quote!(&motion.#part[..]),
-                None => quote!(motion.#part.as_chunks::<1>().0),
-            }
-        });
-        let constants: Vec<_> = constants.iter().map(|id| self.table(fields, by, *id)).collect();
+    ) -> TokenStream {
+        let parts: Vec<_> = parts.iter().map(|coordinates| self.points(fields, *coordinates, points)).collect();
         let mut common: Vec<_> = common.iter().map(|id| self.expression(fields, *id).tokens).collect();
         common.extend(reads_time.then(|| quote!(time)));
-        let operands = quote! {
+        quote! {
             parts: [#(#parts),*],
             constants: [#(#constants),*],
             common: [#(#common),*],
+        }
+    }
+
+    /// Coordinates as points. Without an iteration, there may be none from an index on.
+    fn points(&self, fields: &mut Fields, Coordinates { part, from }: Coordinates, points: Points) -> TokenStream {
+        let part = part_name(part);
+        let part = match from {
+            Some(from) => {
+                let from = self.index(fields, from);
+                quote!(motion.#part.get(#from..).unwrap_or_default())
+            }
+            None => quote!(motion.#part),
         };
-        (quote!(#from..#to), operands)
+        match points {
+            Points::Components(_) if from.is_some() => part,
+            Points::Components(_) => quote!(&#part[..]),
+            Points::Numbers | Points::Groups(_) => {
+                let count = Literal::usize_unsuffixed(points.components());
+                quote!(#part.as_chunks::<#count>().0)
+            }
+        }
     }
 
     /// A list of indices, along the loop that is the last of its own.
@@ -165,7 +190,7 @@ impl Printer<'_> {
     }
 
     /// A table of prepared constants, likewise.
-    fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
+    pub(super) fn table(&self, fields: &mut Fields, by: LoopId, id: NodeId) -> TokenStream {
         let name = fields.number(self.graph, self.parameters, id);
         let table = self.prepared(name, self.graph.loops_of(id).without(by));
         quote!(&#table[..])

@@ -11,4 +11,5 @@ pub(super) mod index;
 pub(super) mod interleaved;
 pub(super) mod lanes;
 pub(super) mod lists;
+mod phases;
 pub(super) mod sites;

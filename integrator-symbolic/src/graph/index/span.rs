@@ -6,6 +6,17 @@ use super::{Index, IndexId, Loops};
 /// A number, or a distance from an integer that is not known.
 type Bound = (Option<IndexId>, i64);
 
+/// Which of two integers stands for the smaller one of both, if both are known.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Ends {
+    First,
+    Second,
+}
+
+impl Ends {
+    const BOTH: [Self; 2] = [Self::First, Self::Second];
+}
+
 impl Loops {
     /// Whether two indices of coordinates differ in any iterations of the loops around them: all integers that one of them
     /// may be come before those that the other one may be.
@@ -13,9 +24,10 @@ impl Loops {
         self.is_before(a, b) || self.is_before(b, a)
     }
 
-    fn is_before(&self, a: IndexId, b: IndexId) -> bool {
-        let (Some((from, last)), Some((to, first))) = (self.last(a), self.first(b)) else { return false };
-        from == to && last < first
+    /// Whether all integers that an index may be come before those that another one may be.
+    pub(crate) fn is_before(&self, a: IndexId, b: IndexId) -> bool {
+        let Some((to, first)) = self.first(b) else { return false };
+        Ends::BOTH.into_iter().filter_map(|ends| self.last(a, ends)).any(|(from, last)| from == to && last < first)
     }
 
     /// The least integer that an index may be.
@@ -29,39 +41,42 @@ impl Loops {
             Index::Running(by) => return self.first(self.get(by).from),
             Index::Add(a, b) => sum(self.first(a)?, self.first(b)?)?,
             // Where that is below zero, so is what the index may not be.
-            Index::Sub(a, b) | Index::Monus(a, b) => difference(self.first(a)?, self.last(b)?)?,
+            Index::Sub(a, b) | Index::Monus(a, b) => difference(self.first(a)?, self.last(b, Ends::First)?)?,
             _ => self.alone(id).unwrap_or((None, 0)),
         })
     }
 
-    /// The greatest integer that an index may be.
-    fn last(&self, id: IndexId) -> Option<Bound> {
+    /// The greatest integer that an index may be, or one that it never exceeds.
+    fn last(&self, id: IndexId, ends: Ends) -> Option<Bound> {
         if self.is_signed(id) {
             return None;
         }
         Some(match self.index(id) {
-            Index::Typed(_, a) => return self.last(a),
+            Index::Typed(_, a) => return self.last(a, ends),
             Index::Running(by) => {
-                let (from, end) = self.end(self.get(by).to)?;
+                let (from, end) = self.end(self.get(by).to, ends)?;
                 (from, end.checked_sub(1)?)
             }
-            Index::Add(a, b) => sum(self.last(a)?, self.last(b)?)?,
-            Index::Sub(a, b) => difference(self.last(a)?, self.first(b)?)?,
-            Index::Monus(a, b) => match difference(self.last(a)?, self.first(b)?)? {
+            Index::Add(a, b) => sum(self.last(a, ends)?, self.last(b, ends)?)?,
+            Index::Sub(a, b) => difference(self.last(a, ends)?, self.first(b)?)?,
+            Index::Monus(a, b) => match difference(self.last(a, ends)?, self.first(b)?)? {
                 (None, number) => (None, number.max(0)),
                 _ => return None,
             },
-            Index::Rem(_, b) => difference(self.last(b)?, (None, 1))?,
-            Index::Min(a, b) => self.last(a).filter(|(from, _)| from.is_none()).or_else(|| self.last(b))?,
+            Index::Rem(_, b) => difference(self.last(b, ends)?, (None, 1))?,
+            Index::Min(a, b) => {
+                let (one, other) = if ends == Ends::First { (a, b) } else { (b, a) };
+                self.last(one, ends).or_else(|| self.last(other, ends))?
+            }
             _ => return self.alone(id),
         })
     }
 
     /// The end of a loop, where it has an iteration: a difference that would be below zero ends it before it begins.
-    fn end(&self, to: IndexId) -> Option<Bound> {
+    fn end(&self, to: IndexId, ends: Ends) -> Option<Bound> {
         match self.index(to) {
-            Index::Monus(a, b) if !self.is_signed(to) => difference(self.end(a)?, self.first(b)?),
-            _ => self.last(to),
+            Index::Monus(a, b) if !self.is_signed(to) => difference(self.end(a, ends)?, self.first(b)?),
+            _ => self.last(to, ends),
         }
     }
 

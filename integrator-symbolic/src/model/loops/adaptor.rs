@@ -3,7 +3,7 @@
 use crate::graph::index::Index;
 use crate::model::{
     Reader,
-    loops::sequence::ADAPTED,
+    loops::sequence::{ADAPTED, FEW},
     values::value::{Item, Sequence, Value},
 };
 use proc_macro2::Ident;
@@ -228,7 +228,8 @@ impl Reader<'_> {
         size.zip(count).is_some_and(|(size, count): (u64, u64)| size > 0 && count.is_multiple_of(size))
     }
 
-    /// Neighbouring items as arrays: overlapping windows, or chunks one after the other.
+    /// Neighbouring items as arrays, or as parts of the sequence if these are long: overlapping windows, or chunks one after the
+    /// other.
     fn grouped_items(&mut self, base: Sequence, size: &Expr, windows: bool) -> Option<Sequence> {
         let width = self.bound(size)?;
         let Some(count) = self.graph.loops.literal(width).filter(|count| (1..=64).contains(count)) else {
@@ -243,6 +244,15 @@ impl Reader<'_> {
         let literal = base.literal;
         let at = move |reader: &mut Reader<'_>, index| {
             let first = if windows { index } else { reader.graph.loops.intern(Index::Mul(index, width)) };
+            if count > FEW && !base.literal {
+                let (base, before) = (base.clone(), reader.graph.loops.intern(Index::Add(base.from, first)));
+                let at = move |reader: &mut Reader<'_>, index| {
+                    let position = reader.graph.loops.intern(Index::Add(before, index));
+                    reader.item_of(&base, position)
+                };
+                let group = Sequence { from: zero, to: width, at: Rc::new(at), filtered: false, literal: false };
+                return Some(Item::plain(Value::List(group)));
+            }
             let parts = (0..count).map(|position| {
                 let position = reader.offset(first, position);
                 let position = reader.graph.loops.intern(Index::Add(base.from, position));

@@ -1,6 +1,7 @@
 //! Expressions of parameters: their tokens, and the loops and conditions around them.
 
 mod classes;
+mod composed;
 pub(crate) mod entries;
 mod extremes;
 pub(crate) mod factors;

@@ -4,11 +4,11 @@ const _: () = {
     /// What depends on parameters alone, evaluated once per run.
     #[derive(::core::clone::Clone)]
     pub struct Parameters<Scalar> {
+        prepared_0: usize,
         /// `covariates[row][k]`
         covariates: runtime::SharedTable<runtime::SharedTable<Scalar>>,
         /// `outcomes[row]`
         outcomes: runtime::SharedTable<Scalar>,
-        prepared_2: usize,
     }
     impl Parameters<f64> {
         fn covariates(&self) -> &runtime::SharedTable<runtime::SharedTable<f64>> {
@@ -23,15 +23,15 @@ const _: () = {
         #[inline(always)]
         fn gather(members: &[&Self::Single]) -> Self {
             Parameters {
+                prepared_0: ::core::clone::Clone::clone(&members[0].prepared_0),
                 covariates: runtime::in_lanes(members, Parameters::covariates),
                 outcomes: runtime::in_lanes(members, Parameters::outcomes),
-                prepared_2: ::core::clone::Clone::clone(&members[0].prepared_2),
             }
         }
         #[inline]
         fn alike(a: &Self::Single, b: &Self::Single) -> bool {
-            a.covariates.len() == b.covariates.len()
-                && a.outcomes.len() == b.outcomes.len() && a.prepared_2 == b.prepared_2
+            a.prepared_0 == b.prepared_0 && a.covariates.len() == b.covariates.len()
+                && a.outcomes.len() == b.outcomes.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found(
@@ -46,9 +46,9 @@ const _: () = {
             )
         }
         fn digest(single: &Self::Single, digest: &mut runtime::Digest) {
+            digest.add(&single.prepared_0);
             digest.add(&single.covariates);
             digest.add(&single.outcomes);
-            digest.add(&single.prepared_2);
         }
     }
     /// The equations of motion, derived from `kinetic` and `potential`:
@@ -77,7 +77,8 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 4200909683314904883;
+        const FINGERPRINT: u64 = 10005673203932307365;
+        const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
@@ -89,6 +90,7 @@ const _: () = {
         }
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
+                prepared_0: self.outcomes.len(),
                 covariates: runtime::table(
                     (self.outcomes.len()),
                     &|row: usize| runtime::table(
@@ -100,7 +102,6 @@ const _: () = {
                     (self.outcomes.len()),
                     &|row: usize| self.outcomes[row],
                 ),
-                prepared_2: self.outcomes.len(),
             }
         }
         #[inline(always)]
@@ -120,8 +121,10 @@ const _: () = {
             let step = Scalar::of(-duration);
             let mut gradient = runtime::repeated(motion.q.len(), Scalar::of(0.0));
             let q0 = motion.q[0].value();
-            let mut sum_1 = Scalar::of(0.0);
-            for row in 0..motion.parameters.prepared_2 {
+            let mut kept = [
+                runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
+            ];
+            for row in 0..motion.parameters.prepared_0 {
                 let [sum_0] = {
                     struct Iteration;
                     impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
@@ -155,9 +158,51 @@ const _: () = {
                     }
                         .run::<Iteration, _, _, _>(&mut [])
                 };
-                let shared_0 = Scalar::of(1.0)
-                    / ((-(q0 + sum_0)).exp().min(Scalar::huge()) + Scalar::of(1.0))
-                    - motion.parameters.outcomes[row];
+                kept[0][row] = sum_0;
+            }
+            let mut results = [
+                runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
+            ];
+            let [sum_1] = {
+                struct Iteration;
+                impl runtime::Iteration<0, 2, 1, 1, 1, 1> for Iteration {
+                    const READS: [runtime::Near; 0] = [];
+                    #[inline(always)]
+                    fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                        []: [[Wide; 1]; 0],
+                        [constant_0,
+                        sum_0,
+                        ]: [Wide; 2],
+                        [q0,
+                        ]: [Wide; 1],
+                        [mut sum_1,
+                        ]: [Wide; 1],
+                        [mut gradient,
+                        ]: [[Wide; 1]; 1],
+                    ) -> ([Wide; 1], [[Wide; 1]; 1]) {
+                        let shared_0 = Wide::of(1.0)
+                            / ((-(q0 + sum_0)).exp().min(Wide::huge()) + Wide::of(1.0))
+                            - constant_0;
+                        sum_1 += shared_0;
+                        gradient[0] = shared_0;
+                        ([sum_1], [gradient])
+                    }
+                }
+                runtime::Loop {
+                    range: 0..motion.parameters.prepared_0,
+                    parts: [motion.q.as_chunks::<1>().0],
+                    constants: [&motion.parameters.outcomes[..], &kept[0][..]],
+                    common: [q0],
+                }
+                    .run_apart::<
+                        Iteration,
+                        _,
+                        _,
+                        _,
+                    >(results.each_mut().map(|values| values.as_chunks_mut::<1>().0))
+            };
+            for row in 0..motion.parameters.prepared_0 {
+                let shared_0 = results[0][row];
                 {
                     struct Iteration;
                     impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
@@ -186,7 +231,6 @@ const _: () = {
                     }
                         .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                 }
-                sum_1 += shared_0;
             }
             gradient[0] += sum_1;
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
@@ -238,8 +282,10 @@ const _: () = {
             _time: f64,
         ) -> Scalar {
             let q0 = motion.q[0].value();
-            let mut sum_1 = Scalar::of(0.0);
-            for row in 0..motion.parameters.prepared_2 {
+            let mut kept = [
+                runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
+            ];
+            for row in 0..motion.parameters.prepared_0 {
                 let [sum_0] = {
                     struct Iteration;
                     impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
@@ -273,11 +319,38 @@ const _: () = {
                     }
                         .run::<Iteration, _, _, _>(&mut [])
                 };
-                let shared_0 = q0 + sum_0;
-                sum_1
-                    += (-motion.parameters.outcomes[row])
-                        .scale_add(shared_0, shared_0.exp().ln_1p());
+                kept[0][row] = sum_0;
             }
+            let [sum_1] = {
+                struct Iteration;
+                impl runtime::Iteration<0, 2, 1, 1, 0, 1> for Iteration {
+                    const READS: [runtime::Near; 0] = [];
+                    #[inline(always)]
+                    fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                        []: [[Wide; 1]; 0],
+                        [constant_0,
+                        sum_0,
+                        ]: [Wide; 2],
+                        [q0,
+                        ]: [Wide; 1],
+                        [mut sum_1,
+                        ]: [Wide; 1],
+                        []: [[Wide; 1]; 0],
+                    ) -> ([Wide; 1], [[Wide; 1]; 0]) {
+                        let shared_0 = q0 + sum_0;
+                        sum_1
+                            += (-constant_0).scale_add(shared_0, shared_0.exp().ln_1p());
+                        ([sum_1], [])
+                    }
+                }
+                runtime::Loop {
+                    range: 0..motion.parameters.prepared_0,
+                    parts: [motion.q.as_chunks::<1>().0],
+                    constants: [&motion.parameters.outcomes[..], &kept[0][..]],
+                    common: [q0],
+                }
+                    .run::<Iteration, _, _, _>(&mut [])
+            };
             sum_1
         }
         fn stated(
@@ -305,12 +378,12 @@ const _: () = {
                 (0) < (motion.q.len().saturating_sub(1)),
             );
             let condition_1 = <Scalar::Mask as runtime::Mask>::of(
-                    (0) < (motion.parameters.prepared_2),
+                    (0) < (motion.parameters.prepared_0),
                 )
                 .and(condition_0);
             if condition_1.any() {
                 let mut sum_2 = Scalar::of(0.0);
-                for row in 0..motion.parameters.prepared_2 {
+                for row in 0..motion.parameters.prepared_0 {
                     if condition_0.any() {
                         let mut sum_0 = Scalar::of(0.0);
                         for k in 0..motion.q.len().saturating_sub(1) {
@@ -385,7 +458,7 @@ const _: () = {
                 );
             }
             let mut sum_3 = Scalar::of(0.0);
-            for row in 0..motion.parameters.prepared_2 {
+            for row in 0..motion.parameters.prepared_0 {
                 let mut sum_0 = Scalar::of(0.0);
                 for k in 0..motion.q.len().saturating_sub(1) {
                     let shared_0 = motion.q[k + 1].value();
@@ -564,9 +637,10 @@ const _: () = {
             let mut gradient = runtime::repeated(motion.q.len(), Scalar::of(0.0));
             let energy = {
                 let q0 = motion.q[0].value();
-                let mut sum_1 = Scalar::of(0.0);
-                let mut sum_2 = Scalar::of(0.0);
-                for row in 0..motion.parameters.prepared_2 {
+                let mut kept = [
+                    runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
+                ];
+                for row in 0..motion.parameters.prepared_0 {
                     let [sum_0] = {
                         struct Iteration;
                         impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
@@ -600,10 +674,56 @@ const _: () = {
                         }
                             .run::<Iteration, _, _, _>(&mut [])
                     };
-                    let shared_0 = q0 + sum_0;
-                    let shared_1 = Scalar::of(1.0)
-                        / ((-shared_0).exp().min(Scalar::huge()) + Scalar::of(1.0))
-                        - motion.parameters.outcomes[row];
+                    kept[0][row] = sum_0;
+                }
+                let mut results = [
+                    runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
+                ];
+                let [sum_2, sum_1] = {
+                    struct Iteration;
+                    impl runtime::Iteration<0, 2, 1, 2, 1, 1> for Iteration {
+                        const READS: [runtime::Near; 0] = [];
+                        #[inline(always)]
+                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
+                            []: [[Wide; 1]; 0],
+                            [constant_0,
+                            sum_0,
+                            ]: [Wide; 2],
+                            [q0,
+                            ]: [Wide; 1],
+                            [mut sum_2,
+                            mut sum_1,
+                            ]: [Wide; 2],
+                            [mut gradient,
+                            ]: [[Wide; 1]; 1],
+                        ) -> ([Wide; 2], [[Wide; 1]; 1]) {
+                            let shared_0 = q0 + sum_0;
+                            let shared_1 = Wide::of(1.0)
+                                / ((-shared_0).exp().min(Wide::huge()) + Wide::of(1.0))
+                                - constant_0;
+                            sum_2 += shared_1;
+                            sum_1
+                                += (-constant_0)
+                                    .scale_add(shared_0, shared_0.exp().ln_1p());
+                            gradient[0] = shared_1;
+                            ([sum_2, sum_1], [gradient])
+                        }
+                    }
+                    runtime::Loop {
+                        range: 0..motion.parameters.prepared_0,
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.outcomes[..], &kept[0][..]],
+                        common: [q0],
+                    }
+                        .run_apart::<
+                            Iteration,
+                            _,
+                            _,
+                            _,
+                        >(results.each_mut().map(|values| values.as_chunks_mut::<1>().0))
+                };
+                for row in 0..motion.parameters.prepared_0 {
+                    let shared_1 = results[0][row];
                     {
                         struct Iteration;
                         impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
@@ -632,10 +752,6 @@ const _: () = {
                         }
                             .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
                     }
-                    sum_2 += shared_1;
-                    sum_1
-                        += (-motion.parameters.outcomes[row])
-                            .scale_add(shared_0, shared_0.exp().ln_1p());
                 }
                 gradient[0] += sum_2;
                 sum_1
