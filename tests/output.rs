@@ -2,7 +2,7 @@
 
 use integrator_core::{
     Coords,
-    output::{OutputError, csv, each, npz},
+    output::{OutputError, csv, csv_with_names, each, npz},
     prelude::*,
 };
 use npyz::NpyFile;
@@ -118,6 +118,11 @@ fn sites_of_planes_have_three_indices() {
     let (names, rows) = read_csv(&text);
     assert_eq!(names[1..7].join(" "), "q0_0_0 q0_0_1 q0_0_2 q1_0_0 q1_0_1 q1_0_2");
     assert_eq!(f64::from_bits(rows[0][6]), 0.3);
+    let mut text = Vec::new();
+    csv_with_names(samples(), ["Sun"], &mut text).expect("a table");
+    let (names, named) = read_csv(&text);
+    assert_eq!(names[1..7].join(" "), "q_Sun_0_0 q_Sun_0_1 q_Sun_0_2 q1_0_0 q1_0_1 q1_0_2");
+    assert_eq!(named, rows);
     let mut file = Cursor::new(Vec::new());
     npz(samples(), &mut file).expect("an archive");
     let mut archive = ZipArchive::new(file).expect("an archive");

@@ -42,8 +42,7 @@ pub(crate) const SYSTEMS: [System; 6] = [
                 .step(0.1)
                 .blob(0.3)
                 .plan(*plan);
-            let laboratory = oscillator::claims()?.into_iter().fold(laboratory, Laboratory::claim);
-            laboratory.picture("closed_forms", oscillator::picture()?).report(folder)
+            oscillator::claims().into_iter().fold(laboratory, Laboratory::claim).report(folder)
         },
     },
     System {

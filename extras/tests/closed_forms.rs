@@ -1,6 +1,6 @@
 //! Motions that are known in closed form: the pendulum by Jacobi's elliptic functions, Kepler's ellipse by his
 //! equation. Every method arrives there, with an error that falls as its order says. The oscillator, where every single
-//! step has a closed form, is in `extras/tests/laboratory`.
+//! step has a closed form, is in `linear.rs` of the laboratory.
 
 #[path = "../../tests/support/motions.rs"]
 mod motions;

@@ -62,7 +62,7 @@ enum Cell {
 /// The answer for a table.
 pub(crate) fn elements(source: &Source, options: &Options) -> Result<Answer, Mistake> {
     let table = Table::read(source)?;
-    let rows = if table.column("q0_0").is_some() {
+    let rows = if !table.bodies().is_empty() {
         of_samples(&table, options)?
     } else if table.column("eccentricity").is_some() {
         states(&table, options)?
@@ -109,11 +109,12 @@ fn of_bodies(table: &Table<'_>, options: &Options) -> Result<Vec<Row>, Mistake> 
 /// Elements of each body in each sample of a run.
 fn of_samples(table: &Table<'_>, options: &Options) -> Result<Vec<Row>, Mistake> {
     let masses = &options.masses;
-    let bodies = (0..).take_while(|body| table.column(&format!("q{body}_0")).is_some()).count();
-    if masses.len() != bodies {
+    let bodies = table.bodies();
+    if masses.len() != bodies.len() {
         let message = format!(
-            "the samples have {bodies} bodies, but there are {} masses\nhelp: write them in the order of the bodies, such \
+            "the samples have {} bodies, but there are {} masses\nhelp: write them in the order of the bodies, such \
              as `--masses 1,1e-3`",
+            bodies.len(),
             masses.len()
         );
         return Err(table.wrong_names(&message));
@@ -121,19 +122,20 @@ fn of_samples(table: &Table<'_>, options: &Options) -> Result<Vec<Row>, Mistake>
     let mut rows = Vec::new();
     for row in 0..table.length() {
         let half = |letter: char| -> Result<Bodies, Mistake> {
-            let number = |body: usize, axis: usize| match table.column(&format!("{letter}{body}_{axis}")) {
+            let number = |body: &str, axis: usize| match table.column(&format!("{letter}{body}_{axis}")) {
                 Some(column) => table.number(row, column),
                 None if axis == 2 => Ok(0.0),
                 None => Err(table.wrong_names(&format!("the column `{letter}{body}_{axis}` is missing"))),
             };
-            (0..bodies).map(|body| Ok([number(body, 0)?, number(body, 1)?, number(body, 2)?])).collect()
+            bodies.iter().map(|body| Ok([number(body, 0)?, number(body, 1)?, number(body, 2)?])).collect()
         };
         let state = Phase { q: half('q')?, p: half('p')? };
         let found = orbit::elements(options.frame.frame(), options.gravity, masses, &state);
         let found = found.map_err(|error| table.wrong(row, &error.to_string()))?;
         let time = table.column("t").map(|column| table.number(row, column)).transpose()?;
-        for (body, orbit) in (1..).zip(found) {
-            let mut shown = elements_row(format!("{body}"), masses[body], Some(orbit), options);
+        for ((body, mass), orbit) in bodies.iter().zip(masses).skip(1).zip(found) {
+            let name = body.strip_prefix('_').unwrap_or(body).to_owned();
+            let mut shown = elements_row(name, *mass, Some(orbit), options);
             shown.insert(0, ("t", time.map_or(Cell::Empty, Cell::Number)));
             rows.push(shown);
         }

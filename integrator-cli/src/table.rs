@@ -43,6 +43,15 @@ impl<'s> Table<'s> {
         self.names.iter().position(|found| found == name).or_else(|| self.names.iter().position(is_named))
     }
 
+    /// The bodies of samples: `0` of a column `q0_0`, and `_Sun` of `q_Sun_0`.
+    pub(crate) fn bodies(&self) -> Vec<&str> {
+        let body = |name: &'_ str| {
+            let rest = name.strip_prefix('q')?;
+            rest.strip_suffix("_0").or_else(|| rest.split_once("_0_").map(|(body, _)| body)).map(str::len)
+        };
+        self.names.iter().filter_map(|name| Some(&name[1..=body(name)?])).collect()
+    }
+
     /// Whether a field is empty.
     pub(crate) fn is_empty(&self, row: usize, column: usize) -> bool {
         self.text(row, column).is_empty()

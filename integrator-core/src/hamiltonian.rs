@@ -21,7 +21,8 @@ use crate::{state::coords::Coords, trajectory::checkpoint::CheckpointError};
 /// A Hamiltonian that is split into parts with exact flows, such as `H = T(p) + V(q)`.
 ///
 /// `#[hamiltonian]` implements this trait. Programs call [`run`](Self::run), [`run_with`](Self::run_with) and
-/// [`tangent`](Self::tangent); all other items are for generated code and executors.
+/// [`tangent`](Self::tangent), and read [`EQUATIONS`](Self::EQUATIONS); all other items are for generated code and
+/// executors.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a Hamiltonian",
     label = "has no generated stepper",
@@ -30,6 +31,22 @@ use crate::{state::coords::Coords, trajectory::checkpoint::CheckpointError};
 pub trait Hamiltonian: System {
     /// The composition of the annotation, or another method.
     type Compose: Memoryless<Self>;
+
+    /// The energies and the equations of motion, one formula each, such as `dq[0]/dt = p[0]`.
+    ///
+    /// Empty if they have more than 1,024 bytes.
+    ///
+    /// ```
+    /// # use integrator_core::prelude::*;
+    /// # struct Oscillator;
+    /// #[hamiltonian]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { q[0] * q[0] / 2.0 }
+    /// }
+    /// assert_eq!(Oscillator::EQUATIONS, ["T = p[0]^2 / 2", "V = q[0]^2 / 2", "dq[0]/dt = p[0]", "dp[0]/dt = -q[0]"]);
+    /// ```
+    const EQUATIONS: &'static [&'static str] = &[];
 
     /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.
     ///

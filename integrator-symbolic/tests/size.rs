@@ -306,3 +306,20 @@ fn orders_are_unrolled_while_they_are_short() {
     assert!(unrolled > 1 && unrolled < systems.len() - 1, "{unrolled} of {}", systems.len());
     assert!(longest > 500, "{longest}");
 }
+
+/// Equations that fill more than a page are left out of the code.
+#[test]
+fn short_equations_are_stated() {
+    let potential = |terms: u64| {
+        let terms: Vec<String> = (0..terms).map(|i| format!("self.depth_{i} * (self.rate_{i} * q[0]).cos()")).collect();
+        format!(
+            "impl Wells {{
+                fn kinetic(&self, p: [f64; 1]) -> f64 {{ 0.5 * p[0] * p[0] }}
+                fn potential(&self, q: [f64; 1]) -> f64 {{ {} }}
+            }}",
+            terms.join(" + ")
+        )
+    };
+    assert!(expansion(&potential(2)).contains("\"V = depth_0 cos(rate_0 q[0]) + depth_1 cos(rate_1 q[0])\""));
+    assert!(!expansion(&potential(30)).contains("EQUATIONS"));
+}

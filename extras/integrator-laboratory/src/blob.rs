@@ -28,6 +28,8 @@ const PERIODS: f64 = 1.5;
 const LOOKS: usize = 30;
 /// The interval in samples at which the outline is kept.
 const SHOWN: usize = 5;
+/// The largest factor by which an outline has more points.
+const FOLDED: u32 = 4;
 /// The radii of the blob in units of the orbit.
 const BLOB: f64 = 0.02;
 
@@ -42,8 +44,10 @@ pub(crate) fn follow<H: Hamiltonian>(
     let radii = problem.blob.map_or(exact.size.map(|size| BLOB * size), |radius| [radius; 2]);
     // For each look, all points of the outline.
     let mut looks: Vec<Vec<Vec<f64>>> = vec![Vec::new(); LOOKS + 1];
-    for point in 0..plan.outline {
-        let (sine, cosine) = (TAU * point as f64 / plan.outline as f64).sin_cos();
+    // A part of the orbit that is fast folds the outline.
+    let count = plan.outline * problem.haste.min(FOLDED) as usize;
+    for point in 0..count {
+        let (sine, cosine) = (TAU * point as f64 / count as f64).sin_cos();
         let mut start = problem.start.clone();
         // Against the sense of ∮ p dq, so that the area begins positive.
         start.q.flat_mut()[0] += radii[0] * cosine;
@@ -54,7 +58,7 @@ pub(crate) fn follow<H: Hamiltonian>(
         }
     }
     // Where a point is lost, so is the outline.
-    looks.retain(|look| look.len() == plan.outline);
+    looks.retain(|look| look.len() == count);
     let time = |look: usize| look as f64 * interval as f64 * problem.step / problem.period;
     let freedom = problem.start.q.flat().len();
     let first = invariant(&looks[0], freedom);

@@ -5,7 +5,7 @@ use crate::{
     page::{Content, Figure},
     pictures,
     plan::Plan,
-    problem::{Problem, name, turns},
+    problem::{Problem, haste, name, turns},
     study::{Study, measure},
 };
 use integrator_core::{Coords, prelude::*};
@@ -50,11 +50,23 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
     pub fn new(system: &'s H, start: Phase<H::Coords>, period: f64) -> Self {
         // A start that is no start ends the first run.
         let turns = turns(system, &start, period).unwrap_or(0);
+        let haste = haste(system, &start, period).unwrap_or(1);
         let (freedom, angles) = (start.q.flat().len(), Vec::new());
         let curvature = "T″ V″".to_owned();
         let symbols = (0..2 * freedom).map(|index| name(index, freedom)).collect();
-        let mut problem =
-            Problem { system, period, turns, step: 0.0, blob: None, view: [0, 0], angles, symbols, curvature, start };
+        let mut problem = Problem {
+            system,
+            period,
+            turns,
+            haste,
+            step: 0.0,
+            blob: None,
+            view: [0, 0],
+            angles,
+            symbols,
+            curvature,
+            start,
+        };
         problem.step = problem.step_of(STEPS);
         // In a plane or in space, the path; of one coordinate, its momentum against it.
         let view = if freedom > 1 { [0, 1] } else { [0, freedom] };
@@ -81,8 +93,8 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         Self { formula: formula.into(), ..self }
     }
 
-    /// Sets the step for energies and for the set of starts. The default is about 1/80 of a period, or of that of a drive that
-    /// is faster.
+    /// Sets the step for energies and for the set of starts. The default is about 1/80 of a period, or of that of a faster
+    /// drive or part of the orbit.
     #[must_use]
     pub fn step(mut self, step: f64) -> Self {
         self.problem.step = step;
@@ -164,7 +176,7 @@ impl<'s, H: Hamiltonian> Laboratory<'s, H> {
         pictures.append(&mut self.pictures);
         let mut claims = verdicts(&study);
         claims.append(&mut self.claims);
-        files(folder.as_ref(), (&self.name, &self.formula), Some(&study), claims, pictures)
+        files(folder.as_ref(), &self.name, &self.formula, Some(&study), claims, pictures)
     }
 }
 
@@ -179,12 +191,13 @@ pub fn write(
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,
 ) -> Result<Report, Box<dyn Error>> {
-    files(folder.as_ref(), (name, formula), None, claims, pictures)
+    files(folder.as_ref(), name, formula, None, claims, pictures)
 }
 
 fn files(
     folder: &Path,
-    (name, formula): (&str, &str),
+    name: &str,
+    formula: &str,
     study: Option<&Study>,
     claims: Vec<Verdict>,
     pictures: Vec<(String, Drawing)>,

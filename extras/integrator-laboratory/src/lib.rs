@@ -44,7 +44,8 @@
 //! | `study`, `measured` | all measurements, of a system and of a method |
 //! | `methods`, `rows` | the methods and their descriptions |
 //! | `adaptive`, `blob`, `brackets`, `errors`, `limits`, `modified`, `portrait`, `reversal`, `shifted` | one measurement each |
-//! | `multistep`, `gear` | parasitic roots and stiff equations, the same for all systems; `roots` of polynomials |
+//! | `models` | model problems, the same for all systems: `linear` maps, `multistep` roots, the `radius` of series, `gear` |
+//! | `roots`, `equations` | roots of polynomials; the derived equations in the symbols of the page |
 //! | `claims` | claims, each with the number that decides it |
 //! | `pictures`, `page` | pictures and pages; `formula` writes MathML, `numbers` formats numbers |
 
@@ -53,14 +54,17 @@ mod admitted;
 mod blob;
 mod brackets;
 mod claims;
+mod equations;
 mod errors;
 mod extrapolation;
 mod formula;
 mod gear;
 mod laboratory;
 mod limits;
+mod linear;
 mod measured;
 mod methods;
+mod models;
 mod modified;
 mod multistep;
 mod numbers;
@@ -69,6 +73,7 @@ mod pictures;
 mod plan;
 mod portrait;
 mod problem;
+mod radius;
 mod reversal;
 mod roots;
 mod rows;

@@ -12,7 +12,7 @@ use crate::{
     rows::Row,
     tangents::{Deviation, defect, deviations},
 };
-use integrator_core::prelude::*;
+use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
 /// Everything that the page shows of a method.
@@ -54,6 +54,9 @@ pub(crate) const BRACKET: f64 = 1e-12;
 /// The numbers of steps to a period that maps are computed for, however fast a drive is: maps are symplectic for every
 /// step. The coarsest distinguish symplectic methods from those of high order.
 const DEFECT_STEPS: [u32; 7] = [1280, 640, 320, 160, 80, 40, 20];
+
+/// A slope that is off by less belongs to the first term of the error.
+const ASYMPTOTIC: f64 = 0.1;
 
 /// Changes of the energy beyond this tell no more than that it has changed.
 const BEYOND: f64 = 10.0;
@@ -102,7 +105,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         symplectic: facts.symplectic,
         symmetric: facts.symmetric,
         order: facts.order,
-        slope: method.slope(start, *step),
+        slope: slope(method, start, *step),
         // Where a step is too long for an implicit method, there is no map.
         defects: steps.filter_map(|h| Some((h, defect(problem, method, exact, h, STEPS).ok()?))).collect(),
         deviations: deviations(problem, method, exact)?,
@@ -115,6 +118,15 @@ pub(crate) fn measure<H: Hamiltonian>(
         errors: ladder(problem, method, plan, exact)?,
         row,
     })
+}
+
+/// The order that a method shows in steps of the problem, or in shorter ones, if the first term of its error prevails only there.
+fn slope<C: Coords>(method: &dyn Stepped<C>, start: &Phase<C>, step: f64) -> Option<f64> {
+    let order = f64::from(method.facts().order);
+    let mut slopes = [1.0, 2.0, 4.0].into_iter().filter_map(|part| method.slope(start, step / part));
+    let first = slopes.next()?;
+    let shows = |slope: &f64| (slope - order).abs() < ASYMPTOTIC;
+    if shows(&first) { Some(first) } else { slopes.find(shows).or(Some(first)) }
 }
 
 /// Periods, and the change of the energy in units of the largest kinetic energy, step by step.

@@ -58,7 +58,8 @@ pub(crate) fn modified<H: Hamiltonian, X: Composition<H>>(
     let powers = (0..=series.powers().len()).map(|count| series.off_by(count)).collect();
     let orbit = |count: u32| {
         let run = problem.run(composition, start, problem.step_of(count)).ok()?;
-        let samples = run.samples(1).take((PERIODS * steps_per_period(count)) as usize + 1);
+        let samples =
+            run.samples(1).take((PERIODS * f64::from(problem.cycles()) * steps_per_period(count)) as usize + 1);
         Some(samples.map_while(Result::ok).map(|sample| sample.state).collect::<Vec<_>>())
     };
     let changes: Vec<_> = COUNTS

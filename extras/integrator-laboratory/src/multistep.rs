@@ -1,22 +1,12 @@
 //! The roots of multistep methods on an oscillator: the one that follows the motion, and parasitic ones, which may grow.
 
-use crate::roots::{Complex, METHODS, sorted, turned};
+use crate::{
+    models::Oscillator,
+    roots::{Complex, METHODS, sorted, turned},
+};
 use integrator_core::prelude::*;
 use integrator_reference::{AdamsBashforth4, AnyReference};
 use nalgebra::ComplexField;
-
-/// The oscillator, on which roots are compared with steps.
-struct Oscillator;
-
-#[hamiltonian]
-impl Oscillator {
-    fn kinetic(&self, p: [f64; 1]) -> f64 {
-        0.5 * p[0] * p[0]
-    }
-    fn potential(&self, q: [f64; 1]) -> f64 {
-        0.5 * q[0] * q[0]
-    }
-}
 
 /// The roots of a method for longer and longer steps.
 #[derive(Clone, Debug)]

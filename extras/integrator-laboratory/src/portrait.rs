@@ -107,7 +107,7 @@ fn follow<H: Hamiltonian>(
             break;
         }
         // One point in each oscillation of a fast drive and step of its own.
-        if number.is_multiple_of(problem.cycles() as usize) {
+        if number.is_multiple_of(problem.drive() as usize) {
             portrait.points.push(problem.seen(&sample.state));
         }
         taken = number;

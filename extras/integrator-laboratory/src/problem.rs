@@ -15,6 +15,8 @@ pub(crate) struct Problem<'s, H: Hamiltonian> {
     pub(crate) period: f64,
     /// How often `H` turns within a period by the time that it reads: twice in each oscillation of a drive.
     pub(crate) turns: u64,
+    /// By how much the fastest part of the orbit is faster than an oscillation of this period; one at least.
+    pub(crate) haste: u32,
     /// The step of energies and of the blob.
     pub(crate) step: f64,
     /// The radius of the blob of starts around `start`, in the plane of the first position and its momentum, unless a
@@ -47,14 +49,19 @@ impl<H: Hamiltonian> Problem<'_, H> {
         Box::new(Of { system: self.system, method })
     }
 
-    /// Returns the step of which a period has `count` and a fraction, or the period of a drive that is faster.
+    /// Returns the step of which a period has `count` and a fraction, or that of the fastest motion.
     pub(crate) fn step_of(&self, count: u32) -> f64 {
         self.period / f64::from(self.cycles()) / steps_per_period(count)
     }
 
     /// The number of oscillations of a drive in a period, one at least.
-    pub(crate) fn cycles(&self) -> u32 {
+    pub(crate) fn drive(&self) -> u32 {
         (self.turns / 2).max(1) as u32
+    }
+
+    /// The number of oscillations of the fastest motion in a period: of a drive, or of the system itself.
+    pub(crate) fn cycles(&self) -> u32 {
+        self.drive().max(self.haste)
     }
 
     /// The state with these numbers: all positions, then all momenta.
@@ -75,7 +82,7 @@ impl<H: Hamiltonian> Problem<'_, H> {
     pub(crate) fn seen(&self, state: &Phase<H::Coords>) -> (f64, f64) {
         let numbers = numbers(state);
         let [x, y] = self.view.map(|index| match self.angles.contains(&index) {
-            true => numbers[index] - TAU * (numbers[index] / TAU).round(),
+            true => wrapped(numbers[index]),
             false => numbers[index],
         });
         (x, y)
@@ -104,6 +111,35 @@ pub(crate) fn turns<H: Hamiltonian>(system: &H, start: &Phase<H::Coords>, period
     later.advance(64)?;
     let at = |state| turns_in_time::<H, f64>(system, state, period);
     Ok(at(start)?.max(at(&later.state())?))
+}
+
+/// The number of samples in a period from which the speed of a motion follows, and the largest ratio of speeds that steps resolve.
+const SAMPLES: u32 = 1024;
+const HASTE: f64 = 50.0;
+
+/// Compares the largest speed along the orbit, in units of its size, with that of an oscillator: a comet passes the perihelion in a
+/// small part of its period.
+///
+/// # Errors
+/// A start that is invalid for a run, or a motion that diverges.
+pub(crate) fn haste<H: Hamiltonian>(system: &H, start: &Phase<H::Coords>, period: f64) -> Result<u32, Error> {
+    let h = period / f64::from(SAMPLES);
+    let run = system.run_with::<f64, _>(KahanLi8, start.clone(), h)?;
+    let samples = run.samples(1).take(SAMPLES as usize + 1);
+    let states = samples.map(|sample| Ok(numbers(&sample?.state))).collect::<Result<Vec<_>, Error>>()?;
+    let freedom = start.q.flat().len();
+    let square = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|number| number * number).sum::<f64>();
+    let speeds = [0..freedom, freedom..2 * freedom].map(|part| {
+        let range = |i: usize| {
+            let of = || states.iter().map(|state| state[i]);
+            0.5 * (of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min))
+        };
+        let steps = states.windows(2).map(|pair| square(&mut part.clone().map(|i| pair[1][i] - pair[0][i])));
+        (steps.fold(0.0, f64::max) / square(&mut part.clone().map(range))).sqrt() / h
+    });
+    // A free particle has no range of momenta.
+    let most = speeds.into_iter().filter(|speed| speed.is_finite()).fold(0.0, f64::max);
+    Ok((most * period / TAU).clamp(1.0, HASTE) as u32)
 }
 
 /// A method on a system. Whatever is measured goes through this, so that measurements are compiled once for a system and
@@ -137,6 +173,11 @@ impl<H: Hamiltonian, M: Method<H>> Stepped<H::Coords> for Of<'_, H, M> {
     fn maps(&self, start: &Phase<H::Coords>, h: f64, steps: usize) -> Result<Vec<TangentMap>, CheckError> {
         tangent_maps::<H, M, f64>(self.system, self.method, start, h, steps)
     }
+}
+
+/// An angle between −π and π.
+pub(crate) fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// A curve that is broken where an angle passes from one side of the frame to the other.

@@ -33,7 +33,7 @@ pub(crate) fn reversal<H: Hamiltonian>(
     let facts = method.facts();
     let count = if facts.symmetric || facts.symplectic { COUNT } else { shown.min(COUNT) };
     let step = problem.step_of(count);
-    let steps = (PERIODS * steps_per_period(count)) as usize;
+    let steps = (PERIODS * f64::from(problem.cycles()) * steps_per_period(count)) as usize;
     let mut reversal = Reversal { count, ..Reversal::default() };
     let mut last = problem.start.clone();
     for sample in method.run(&problem.start, step)?.samples(1).take(steps + 1) {

@@ -4,18 +4,18 @@ use crate::{
     adaptive::{Steps, steps},
     brackets::{Brackets, brackets},
     claims::CHANGED,
+    equations::readable,
     errors::exact,
     extrapolation::{Extrapolation, extrapolation},
-    gear::{Gear, gear},
     measured::Measured,
     methods::{self, Adaptive},
+    models::{Models, models},
     modified::Modified,
-    multistep::{Multistep, multistep},
     plan::Plan,
     problem::{Problem, numbers},
     shifted::{Shifted, verlet_against_leapfrog},
 };
-use integrator_core::prelude::*;
+use integrator_core::{Coords, prelude::*};
 use std::error::Error;
 
 /// The measurements of a system.
@@ -30,6 +30,8 @@ pub(crate) struct Study {
     /// The symbols of the coordinates, and where they start.
     pub(crate) symbols: Vec<String>,
     pub(crate) start: Vec<f64>,
+    /// The energies and the equations of motion in these symbols; empty if they are long.
+    pub(crate) equations: Vec<String>,
     /// The unit of energies: the largest kinetic energy.
     pub(crate) unit: f64,
     pub(crate) step: f64,
@@ -53,9 +55,8 @@ pub(crate) struct Study {
     pub(crate) shifted: Shifted,
     /// The steps of an adaptive method.
     pub(crate) steps: Option<Steps>,
-    /// Parasitic roots, and a stiff equation: the same for all systems.
-    pub(crate) multistep: Option<Multistep>,
-    pub(crate) gear: Gear,
+    /// What is the same for all systems.
+    pub(crate) models: Models,
     /// The brackets of single steps, and the text of `T'' V''`.
     pub(crate) brackets: Option<Vec<Brackets>>,
     pub(crate) curvature: String,
@@ -68,6 +69,11 @@ impl Study {
     /// `{q₁, p₁}` in the symbols of the system.
     pub(crate) fn bracket(&self) -> String {
         format!("{{{}, {}}}", self.symbols[0], self.symbols[self.freedom])
+    }
+
+    /// Whether a method was measured, with fixed steps or with steps of its own.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.method(name).is_some() || self.adaptive.iter().any(|adaptive| adaptive.row.name == name)
     }
 
     /// The measurements of a method.
@@ -101,6 +107,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         freedom,
         symbols: problem.symbols.clone(),
         start: numbers(&problem.start),
+        equations: H::EQUATIONS.iter().map(|line| readable(line, &problem.symbols, H::Coords::COMPONENTS)).collect(),
         unit: exact.motion,
         step: problem.step,
         period: problem.period,
@@ -115,8 +122,7 @@ pub(crate) fn measure<H: Hamiltonian>(
         extrapolation: extrapolation(problem, &exact),
         shifted: verlet_against_leapfrog(problem, &exact)?,
         steps: steps(problem, plan, &exact),
-        multistep: multistep(),
-        gear: gear(),
+        models: models(),
         brackets: brackets(problem),
         curvature: problem.curvature.clone(),
     })

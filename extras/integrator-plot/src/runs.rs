@@ -55,6 +55,8 @@ pub fn phase_of<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>,
 /// - Bodies in a plane or in space: `x` and `y` of each body.
 /// - Plain coordinates: the second against the first.
 /// - A single coordinate: the coordinate against time.
+///
+/// [`Chart::names`] gives the bodies names: `orbit(&samples).names(["Sun", "Jupiter"])`.
 pub fn orbit<'s, C: Coords>(samples: impl IntoIterator<Item = &'s Sample<C>>) -> Chart {
     let mut paths: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut alone = false;

@@ -10,7 +10,7 @@ use crate::{
 use differential_equations::{
     error::Error as Failure,
     linalg::Matrix,
-    prelude::{BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ODE},
+    prelude::{BackwardDifferentiationFormula, ExplicitRungeKutta, IVP, ODE, Solution},
 };
 use integrator_core::{
     __private::{Real, System},
@@ -72,11 +72,14 @@ impl ODE<f64, Vec<f64>> for &dyn Flat {
     }
 }
 
-/// A function that integrates from the beginning of a span to its end by one of these methods, with a tolerance.
-type Solve = fn(&dyn Flat, [f64; 2], Vec<f64>, f64) -> Solved;
+/// A function that integrates from the beginning of a span to its end by one of these methods, with tolerances.
+type Solve = fn(&dyn Flat, [f64; 2], Vec<f64>, Tolerances) -> Result<Solution<f64, Vec<f64>>, Failure<f64, Vec<f64>>>;
 
-/// The end, if one was returned.
-type Solved = Result<Option<Vec<f64>>, Failure<f64, Vec<f64>>>;
+/// The tolerance of a step: relative, and absolute for each number of the state.
+struct Tolerances {
+    relative: f64,
+    absolute: Vec<f64>,
+}
 
 /// Returns the increment of a step.
 fn increment<R: Real>(from: &Place<'_, R>, tolerance: f64, solve: Solve) -> Result<Vec<R>, Unsolved> {
@@ -85,10 +88,27 @@ fn increment<R: Real>(from: &Place<'_, R>, tolerance: f64, solve: Solve) -> Resu
         return Ok(from.derivative().into_iter().map(|slope| R::of(0.0) * slope).collect());
     }
     let span = [from.time, from.time + from.h];
-    let end = solve(&Lanes(from.field), span, start.clone(), tolerance).map_err(unsolved)?;
-    let Some(end) = end else { return Err(Unsolved::Adaptive("no end was returned".to_owned())) };
+    let tolerances = Tolerances { relative: tolerance, absolute: vec![tolerance; start.len()] };
+    let solution = solve(&Lanes(from.field), span, start.clone(), tolerances).map_err(unsolved)?;
+    let Some(end) = solution.y.last() else { return Err(Unsolved::Adaptive("no end was returned".to_owned())) };
     let moved: Vec<f64> = end.iter().zip(&start).map(|(end, start)| end - start).collect();
     Ok(lanes(&moved))
+}
+
+/// Returns the times and states at the ends of the steps over a span from time 0.
+fn steps<H: System>(
+    system: &H,
+    start: &Phase<H::Coords>,
+    span: f64,
+    absolute: Vec<f64>,
+    solve: Solve,
+) -> Result<Vec<(f64, Vec<f64>)>, Unsolved> {
+    let parameters = system.parameters(start.q.length());
+    let field = Generated::<H> { parameters: &parameters, shape: start, middle: span / 2.0, evaluations: 0.into() };
+    let numbers = [start.q.flat(), start.p.flat()].concat();
+    let tolerances = Tolerances { relative: 0.0, absolute };
+    let solution = solve(&Lanes::<f64>(&field), [0.0, span], numbers, tolerances).map_err(unsolved)?;
+    Ok(solution.t.into_iter().zip(solution.y).collect())
 }
 
 /// The reason of the crate, without the state, which the error of the run contains.
@@ -133,42 +153,34 @@ macro_rules! adaptive {
             type Memory<R: Real> = ();
 
             fn increment<R: Real>(self, _: &mut (), from: &Place<'_, R>) -> Result<Vec<R>, Unsolved> {
-                increment(from, self.tolerance, Self::solve)
+                increment(from, self.tolerance, Self::SOLVE)
             }
         }
 
         impl $name {
-            fn solve(field: &dyn Flat, [begin, end]: [f64; 2], start: Vec<f64>, tolerance: f64) -> Solved {
-                let method = $method.rtol(tolerance).atol(tolerance).max_steps(MOST);
-                Ok(IVP::ode(&field, begin, end, start).method(method).solve()?.y.pop())
+            /// Returns the times and states at the ends of the steps that the method chooses over a span from time 0, beginning
+            /// with the start. States are lists of positions, then momenta. The tolerance is that of errors in these units, one
+            /// for each number of a state.
+            ///
+            /// # Errors
+            /// The method does not reach the end of the span.
+            pub fn steps<H: System>(
+                self,
+                system: &H,
+                start: &Phase<H::Coords>,
+                span: f64,
+                units: &[f64],
+            ) -> Result<Vec<(f64, Vec<f64>)>, Unsolved> {
+                let absolute = units.iter().map(|unit| self.tolerance * unit).collect();
+                steps(system, start, span, absolute, Self::SOLVE)
             }
+
+            const SOLVE: Solve = |field, [begin, end], start, Tolerances { relative, absolute }| {
+                let method = $method.rtol(relative).atol(absolute).max_steps(MOST);
+                IVP::ode(&field, begin, end, start).method(method).solve()
+            };
         }
     )*};
-}
-
-impl DormandPrince5 {
-    /// Returns the times and states at the ends of the steps that the method chooses over a span from time 0, beginning with the
-    /// start. States are lists of positions, then momenta. The tolerance is that of errors in these units, one for each number of a
-    /// state.
-    ///
-    /// # Errors
-    /// The method does not reach the end of the span.
-    pub fn steps<H: System>(
-        self,
-        system: &H,
-        start: &Phase<H::Coords>,
-        span: f64,
-        units: &[f64],
-    ) -> Result<Vec<(f64, Vec<f64>)>, Unsolved> {
-        let (q, p) = (start.q.flat(), start.p.flat());
-        let parameters = system.parameters(start.q.length());
-        let field = Generated::<H> { parameters: &parameters, shape: start, middle: span / 2.0, evaluations: 0.into() };
-        let tolerances: Vec<f64> = units.iter().map(|unit| self.tolerance * unit).collect();
-        let lanes: &dyn Flat = &Lanes::<f64>(&field);
-        let method = ExplicitRungeKutta::dopri5().rtol(0.0).atol(tolerances).max_steps(MOST);
-        let solution = IVP::ode(&lanes, 0.0, span, [q, p].concat()).method(method).solve().map_err(unsolved)?;
-        Ok(solution.t.into_iter().zip(solution.y).collect())
-    }
 }
 
 /// More steps of its own than this within one step of the run are taken for an error.

@@ -32,4 +32,4 @@ mod table;
 
 pub use each::{OutputError, each};
 pub use npz::npz;
-pub use table::csv;
+pub use table::{csv, csv_with_names};

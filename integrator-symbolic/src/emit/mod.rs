@@ -17,7 +17,7 @@ use crate::{
     judge::coordinates::KEPLER_PARTS,
     model::{ExactPart, Length, Model, Split, operand},
     pattern::{Pattern, all_pairs::AllPairs, gradients, gradients_of, recognise},
-    prose::motion_documentation,
+    prose::{equations, motion_documentation, stated},
     scheme::Class,
     syntax::{Compose, Gpu, Input, names::Names},
 };
@@ -53,6 +53,8 @@ struct Stepper<'i> {
     input: &'i Input,
     names: Names,
     documentation: TokenStream,
+    /// The energies and the equations of motion for programs.
+    equations: Option<TokenStream>,
     coordinates: TokenStream,
     /// Its type, and its declaration where it was written in place.
     composition: (TokenStream, Option<TokenStream>),
@@ -97,7 +99,8 @@ impl<'i> Stepper<'i> {
         let mut stated_energies = [model.kinetic, model.potential];
         model.choose_in_the_middle();
         let [mut kinetic, mut potential] = gradients(&mut model);
-        let documentation = motion_documentation(&mut model, &kinetic, &potential);
+        let equations = equations(&mut model, &kinetic, &potential);
+        let (documentation, equations) = (motion_documentation(&model, &equations), stated(&model, &equations));
         let pattern = recognise(&mut model, [&kinetic, &potential]);
         if pattern.restate(&mut model, &mut stated_energies[1]) {
             [kinetic, potential] = gradients(&mut model);
@@ -153,6 +156,7 @@ impl<'i> Stepper<'i> {
             called: read.map(|read| read.text),
             input,
             documentation,
+            equations,
             coordinates,
             composition,
             constants,
@@ -236,7 +240,7 @@ impl<'i> Stepper<'i> {
 
     /// The items of `Hamiltonian`: the annotated composition, and the methods that can replace it.
     fn hamiltonian(&self) -> TokenStream {
-        let Self { names: Names { runtime, .. }, composition: (composition, _), visit, .. } = self;
+        let Self { names: Names { runtime, .. }, composition: (composition, _), visit, equations, .. } = self;
         let visit_recurrences = self.taylor.as_ref().map(|_| {
             quote! {
                 fn visit_recurrences(visitor: &mut impl #runtime::RecurrencesVisitor<Self>) {
@@ -247,6 +251,7 @@ impl<'i> Stepper<'i> {
         quote! {
             type Compose = #composition;
 
+            #equations
             #visit
             #visit_recurrences
         }

@@ -34,13 +34,7 @@ pub(crate) fn equations(model: &mut Model, kinetic: &[Contribution], potential: 
 /// long formula, that it is long.
 pub(crate) fn parts(model: &Model) -> Vec<String> {
     let parts = match model.called {
-        Some(Called::Whole(_)) if model.is_mixed() => vec![("H".to_owned(), model.kinetic)],
-        Some(Called::Whole(_)) if model.parts.is_empty() => {
-            vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)]
-        }
-        Some(Called::Parts | Called::Whole(_)) => {
-            functions(model).map(|part| (part.name.to_string(), part.energy)).collect()
-        }
+        Some(Called::Parts | Called::Whole(_)) => energies(model),
         _ => Vec::new(),
     };
     let formulas = Formulas::of(model);
@@ -55,18 +49,38 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
     pair.into_iter().chain(parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy)))).collect()
 }
 
+/// The energies with their names: `T` and `V`, those of the parts that `split` names, or `H` where it is in one piece.
+fn energies(model: &Model) -> Vec<(String, NodeId)> {
+    match model.called {
+        Some(Called::Whole(_)) if model.is_mixed() => vec![("H".to_owned(), model.kinetic)],
+        Some(Called::Parts | Called::Whole(_)) if !model.parts.is_empty() => {
+            functions(model).map(|part| (part.name.to_string(), part.energy)).collect()
+        }
+        _ => vec![("T".to_owned(), model.kinetic), ("V".to_owned(), model.potential)],
+    }
+}
+
+/// How many bytes of formulas the generated code states.
+const STATED: usize = 1_024;
+
+/// The energies and the equations of motion as a constant for programs, unless these are too long to be read.
+pub(crate) fn stated(model: &Model, equations: &[String]) -> Option<TokenStream> {
+    let formulas = Formulas::of(model);
+    let energies = energies(model).into_iter();
+    let energies = energies.filter_map(|(name, energy)| Some(format!("{name} = {}", formulas.short(energy)?)));
+    let lines: Vec<String> = energies.chain(equations.iter().cloned()).collect();
+    let length: usize = lines.iter().map(String::len).sum();
+    (length <= STATED).then(|| quote!(const EQUATIONS: &'static [&'static str] = &[#(#lines),*];))
+}
+
 /// Loops as `i in 0..n`.
 pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
     loops.iter().map(|by| Formulas::of(model).range(by)).collect()
 }
 
 /// The equations of motion as the documentation of the implementation.
-pub(crate) fn motion_documentation(
-    model: &mut Model,
-    kinetic: &[Contribution],
-    potential: &[Contribution],
-) -> TokenStream {
-    let lines: Vec<String> = equations(model, kinetic, potential).iter().map(|line| format!(" {line}")).collect();
+pub(crate) fn motion_documentation(model: &Model, equations: &[String]) -> TokenStream {
+    let lines: Vec<String> = equations.iter().map(|line| format!(" {line}")).collect();
     let class = match model.split {
         Split::Copies(_) => " Two copies of the state are coupled, each of which moves by what H says of the other.",
         Split::Whole => " H is in one piece, for methods that take the whole of its field.",

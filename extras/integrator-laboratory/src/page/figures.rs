@@ -10,10 +10,13 @@ const SIZE: (u32, u32) = (560, 400);
 /// If there are more panels than `MOST`, these are shown before the others are unfolded.
 const FIRST: usize = 4;
 const MOST: usize = 6;
-/// The size of the first portraits, and the width of the page with the gaps between columns, in pixels.
-const LARGE: (u32, u32) = (440, 330);
+/// The width of the page with the gaps between columns, and the least width of a column of the page, in pixels.
 const PAGE: u32 = 1168;
 const GAP: u32 = 16;
+const COLUMN: u32 = 340;
+/// The size of the first portraits, two in a row, and their least width.
+const LARGE: (u32, u32) = (560, 300);
+const HALF: u32 = 440;
 
 impl Content<'_> {
     /// A picture with its caption, its claims, and a switch if it has optional series.
@@ -24,7 +27,12 @@ impl Content<'_> {
         };
         // The page itself is about the system.
         let title = title.split_once(": ").map_or(title, |(title, _)| title);
-        let whole = if matches!(drawing, Drawing::Panels(_)) { " class=\"whole\"" } else { "" };
+        // The columns of the page that the picture takes.
+        let whole = match drawing {
+            Drawing::Chart(_) => "",
+            Drawing::Panels(panels) if panels.charts().len() == 2 => " class=\"wide\"",
+            Drawing::Panels(_) => " class=\"whole\"",
+        };
         let switch = if inside.contains("class=\"more\"") {
             "<label><input type=\"checkbox\"> all methods</label>\n"
         } else {
@@ -60,6 +68,7 @@ impl Content<'_> {
 fn panels_of(panels: &Panels, large: bool) -> Result<String, SaveError> {
     let (charts, (width, height), columns) = (panels.charts(), panels.chart_size(), panels.column_count() as u32);
     let size = (width.min(SIZE.0), height.min(SIZE.1));
+    let least = (PAGE / columns - GAP).min(COLUMN);
     let grid = |charts: &[Chart], size: (u32, u32), least: u32| -> Result<String, SaveError> {
         let mut grid = format!("<div class=\"panels\" style=\"--least:{least}px\">\n");
         for chart in charts {
@@ -69,13 +78,13 @@ fn panels_of(panels: &Panels, large: bool) -> Result<String, SaveError> {
         }
         Ok(grid + "</div>\n")
     };
-    let least = (PAGE / columns - GAP).min(SIZE.0 - 80);
     if charts.len() <= MOST {
         return grid(charts, size, least);
     }
     let (first, rest) = charts.split_at(FIRST);
-    let first = if large { grid(first, LARGE, LARGE.0)? } else { grid(first, size, least)? };
-    Ok(format!("{first}<details><summary>{} more</summary>\n{}</details>\n", rest.len(), grid(rest, size, least)?))
+    let (wide, half) = if large { (LARGE, HALF) } else { (size, least) };
+    let (first, count, rest) = (grid(first, wide, half)?, rest.len(), grid(rest, size, least)?);
+    Ok(format!("{first}<details><summary>{count} more</summary>\n{rest}</details>\n"))
 }
 
 /// A chart as an element of the page.

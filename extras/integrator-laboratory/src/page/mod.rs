@@ -88,9 +88,16 @@ impl Content<'_> {
         let n = study.freedom;
         let dots = if n > SHOWN { ", …" } else { "" };
         let (q, p) = (half(&study.start[..n], &study.symbols[..n]), half(&study.start[n..], &study.symbols[n..]));
+        let equations = match &study.equations[..] {
+            [] => String::new(),
+            lines => {
+                let lines: Vec<_> = lines.iter().map(|line| format!("<li>{}</li>", escaped(line))).collect();
+                format!("<dt>equations</dt><dd><ul class=\"equations\">{}</ul></dd>\n", lines.concat())
+            }
+        };
         let _ = write!(
             head,
-            "<dl>\n<dt>start</dt><dd>{q}{dots}; {p}{dots}</dd>\n\
+            "<dl>\n{equations}<dt>start</dt><dd>{q}{dots}; {p}{dots}</dd>\n\
              <dt>step <i>h</i></dt><dd>{step}: {count} steps in a period of {period}, unless a picture says otherwise</dd>\n\
              <dt>units</dt><dd>energies in <i>K</i> = {unit}, the largest kinetic energy; times in periods; distances in sizes of the orbit</dd>\n</dl>\n",
             step = plain(study.step),

@@ -21,7 +21,7 @@ pub(super) fn low_orders(study: &Study) -> Chart {
     let kept = low().filter(|measured| measured.symplectic).map(Measured::largest_energy_change);
     let most = 2.0 * kept.fold(0.005, f64::max);
     let chart = Chart::new(format!("Energy in the first periods: {}", study.system))
-        .claim("The energy of symplectic methods oscillates with the motion. With forward and backward Euler it leaves the frame within a period; with the explicit midpoint rule it grows. K is the largest kinetic energy.")
+        .claim("The energy of symplectic methods oscillates with the motion. With forward and backward Euler it leaves the frame within a period; with the explicit midpoint rule it grows.")
         .measured(format!("steps of {}", plain(study.step)))
         .along(Axis::linear("periods"))
         .up(Axis::linear("(E − E₀) / K").between(-most, most));
@@ -37,13 +37,10 @@ pub(super) fn extremes(study: &Study) -> Chart {
     let least = study.methods.iter().map(Measured::largest_energy_change).fold(f64::INFINITY, f64::min);
     let smallest = 10.0_f64.powf(least.max(f64::EPSILON).log10().floor());
     let ends = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.energy_change())));
-    let numbers: Vec<String> = ["forward Euler", "backward Euler", "explicit midpoint", "Runge–Kutta 4"]
-        .into_iter()
-        .filter_map(ends)
-        .collect();
+    let numbers: Vec<String> = ["forward Euler", "Runge–Kutta 4"].into_iter().filter_map(ends).collect();
     let claim = format!(
-        "The largest energy change in each period, in units of the largest kinetic energy K: a gain is drawn upwards, a loss downwards. Solid lines are symplectic methods, which \
-         stay level. Dashed lines are other methods, which drift whatever their order; adaptive ones have a tolerance of {}.",
+        "The largest energy change in each period: a gain is drawn upwards, a loss downwards. Symplectic methods, solid, stay level. Others, dashed, \
+         drift whatever their order; adaptive ones have a tolerance of {}.",
         plain(LOOSE)
     );
     let chart = Chart::new(format!("Energy error against time: {}", study.system))

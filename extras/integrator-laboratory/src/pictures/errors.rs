@@ -13,7 +13,7 @@ use integrator_plot::{Axis, Chart, Mark};
 pub(super) fn against_step(study: &Study) -> Chart {
     let chart = Chart::new(format!("Error against step: {}", study.system))
         .claim(
-            format!("The distance from the reference after {PERIODS} periods, in units of the orbit. On logarithmic axes the slope is the order of the method. It is fitted where the error is above rounding."),
+            format!("The distance from the reference after {PERIODS} periods. The slope is the order of the method, fitted where the error is above rounding."),
         )
         .measured("the number after each name is the measured order")
         .along(Axis::logarithmic("step"));

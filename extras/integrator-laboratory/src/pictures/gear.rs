@@ -18,7 +18,7 @@ pub(super) fn motion(study: &Study) -> Panels {
          2/{STIFFNESS} = {} for a transient that has decayed. Backward differences (Gear) take steps for the slow curve.",
         plain(2.0 / STIFFNESS)
     );
-    let gear = &study.gear;
+    let gear = &study.models.gear;
     let euler = crate::colour("forward Euler").unwrap_or(INK);
     let [backward, many] = ["backward Euler", "backward differences"].map(|name| crate::colour(name).unwrap_or(INK));
     let chart = |title: &str| {
@@ -63,13 +63,13 @@ pub(super) fn motion(study: &Study) -> Panels {
 
 /// The borders of the regions of stability, outside of which the formulas are stable.
 pub(super) fn regions(study: &Study) -> Chart {
-    let gear = &study.gear;
+    let gear = &study.models.gear;
     let angles: Vec<String> =
         gear.angles.iter().zip(1..).map(|(angle, order)| format!("BDF {order}: {angle:.2}°")).collect();
     let chart = Chart::new(format!("Regions of stability: {}", study.system))
         .claim(format!(
-            "BDF 1 to {ORDERS} damp the solution of y′ = λy for every hλ outside of their curve. They are stable in the sector of the angle α \
-             around the negative axis, A(α)-stable; orders 1 and 2 in the whole half plane. From order 7 on, the formulas are stable for no step."
+            "BDF 1 to {ORDERS} damp the solution of y′ = λy for every hλ outside of their curve, and hence in the sector of the angle α around the \
+             negative axis: they are A(α)-stable. From order 7 on, the formulas are stable for no step."
         ))
         .measured(format!("α of {}", angles.join(", ")))
         .along(Axis::linear("Re hλ").between(-8.0, 30.0))

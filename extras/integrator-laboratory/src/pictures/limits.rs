@@ -13,9 +13,9 @@ use std::f64::consts::TAU;
 pub(super) fn limits(study: &Study) -> Chart {
     let omega = TAU / study.period;
     let claim = format!(
-        "The largest energy change in {PERIODS} periods, in units of the largest kinetic energy K. On an oscillator Verlet is stable up to hω = 2, the grey line for the frequency \
-         of this motion. A nonlinear motion becomes unstable earlier, with peaks where the step resonates with it. Implicit methods \
-         have no limit on an oscillator; elsewhere the equation of a long step may have no solution nearby."
+        "The largest energy change in {PERIODS} periods. On an oscillator Verlet is stable up to hω = 2, the grey line for the frequency of this \
+         motion. A nonlinear motion becomes unstable earlier, with peaks where the step resonates with it. Implicit methods have no limit \
+         on an oscillator."
     );
     let chart = Chart::new(format!("Energy error against step: {}", study.system))
         .claim(claim)

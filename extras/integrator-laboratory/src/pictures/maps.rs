@@ -16,9 +16,8 @@ pub(super) fn maps(study: &Study) -> Chart {
     let number = |name: &str| Some(format!("{name} {}", signed(study.method(name)?.bracket() - 1.0)));
     let numbers: Vec<_> = ["forward Euler", "symplectic Euler", "Verlet"].into_iter().filter_map(number).collect();
     let claim = format!(
-        "A map with derivative M is symplectic if MᵀJM = J; then {{q, p}} = 1. Symplectic methods deviate by rounding only, whatever the \
-         step; others by a power of the step. M is the exact derivative of {STEPS} steps, so multistep methods have left their \
-         starter. The largest element of MᵀJM − J is drawn in units of rounding, which explains deviations below the grey line; it grows with the square of the elements of M."
+        "A map with derivative M is symplectic if MᵀJM = J. M is the exact derivative of {STEPS} steps, after which multistep methods have \
+         left their starter. Symplectic methods deviate by rounding only, below the grey line, whatever the step; others by a power of the step."
     );
     let off = |measured: &Measured| -> Vec<(f64, f64)> {
         // A map that is exactly symplectic is shown at the lower edge.

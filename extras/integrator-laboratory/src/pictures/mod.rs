@@ -7,9 +7,11 @@ mod energies;
 mod errors;
 mod gear;
 mod limits;
+mod linear;
 mod maps;
 mod modified;
 mod portraits;
+mod radius;
 mod reversal;
 mod roots;
 mod shifted;
@@ -23,9 +25,9 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
     ("euler", "Euler’s methods and the leapfrog", &["portraits", "energy", "energy_error", "shifted", "reversal"]),
     ("symplectic", "Symplectic maps", &["brackets", "maps", "areas", "tangents"]),
     ("backward", "The energy that steps conserve", &["modified"]),
-    ("order", "Order, work and stability", &["errors", "work_precision", "limits", "adaptive"]),
+    ("order", "Order, work and stability", &["errors", "work_precision", "limits", "linear", "adaptive"]),
     ("multistep", "Multistep methods", &["roots"]),
-    ("series", "Extrapolation", &[]),
+    ("series", "Series and extrapolation", &["radius"]),
     ("stiffness", "Stiff equations", &["gear", "regions"]),
 ];
 
@@ -33,7 +35,7 @@ pub(crate) const CHAPTERS: [(&str, &str, &[&str]); 7] = [
 type Picture = (&'static str, fn(&Study) -> Option<Drawing>);
 
 /// One row for each picture, in the order of the page; none where there is nothing to show.
-pub(crate) const PICTURES: [Picture; 17] = [
+pub(crate) const PICTURES: [Picture; 19] = [
     ("portraits", |study| Some(portraits::portraits(study).into())),
     ("energy_error", |study| study.resolved.then(|| energies::extremes(study).into())),
     ("energy", |study| study.resolved.then(|| energies::low_orders(study).into())),
@@ -45,9 +47,11 @@ pub(crate) const PICTURES: [Picture; 17] = [
     ("tangents", |study| Some(tangents::tangents(study).into())),
     ("reversal", |study| study.autonomous.then(|| reversal::reversal(study).into())),
     ("limits", |study| study.resolved.then(|| limits::limits(study).into())),
+    ("linear", |study| linear::linear(study).map(Drawing::from)),
     ("errors", |study| Some(errors::against_step(study).into())),
     ("work_precision", |study| Some(errors::against_work(study).into())),
     ("adaptive", |study| adaptive::adaptive(study).map(Drawing::from)),
+    ("radius", |study| radius::radius(study).map(Drawing::from)),
     ("roots", |study| roots::roots(study).map(Drawing::from)),
     ("gear", |study| Some(gear::motion(study).into())),
     ("regions", |study| Some(gear::regions(study).into())),

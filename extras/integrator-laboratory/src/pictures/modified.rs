@@ -20,12 +20,12 @@ pub(super) fn modified(study: &Study) -> Option<Panels> {
     let levels = "Points of an orbit in long steps lie on a level of the modified Hamiltonian, in colour, and leave the level of H, in grey. ";
     let claim = format!(
         "{}Below: the change of the modified Hamiltonian against the step. With each further term of its series, drawn darker, the change \
-         falls with a higher power of the step. K is the largest kinetic energy.",
+         falls with a higher power of the step.",
         if first.levels.is_some() { levels } else { "" }
     );
     let panels = Panels::new(format!("Modified Hamiltonians: {}", study.system), claim)
         .columns(study.modified.len())
-        .panel(420, 400);
+        .panel(420, 320);
     let of_levels =
         study.modified.iter().filter_map(|modified| Some(portrait(study, modified, modified.levels.as_ref()?)));
     let charts = of_levels.chain(study.modified.iter().map(changes));
@@ -35,7 +35,7 @@ pub(super) fn modified(study: &Study) -> Option<Panels> {
 fn portrait(study: &Study, modified: &Modified, levels: &Levels) -> Chart {
     let [of_h, of_modified] = levels.of.clone();
     Chart::new(modified.row.name)
-        .claim(format!("{} steps per period", plain(steps_per_period(levels.count))))
+        .claim(format!("{} steps per period", plain(f64::from(study.cycles) * steps_per_period(levels.count))))
         .along(Axis::linear(&study.view[0]))
         .up(Axis::linear(&study.view[1]))
         .with_equal_units()

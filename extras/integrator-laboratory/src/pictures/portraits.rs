@@ -22,8 +22,8 @@ const SHADES: [f64; 5] = [0.75, 0.55, 0.35, 0.15, 0.0];
 pub(super) fn portraits(study: &Study) -> Panels {
     let claim = "The exact orbit is grey. Symplectic methods keep its size in steps of a twentieth of a period, although they may turn it. Other \
                  methods gain energy and move outwards, or lose energy and move inwards; colours darken with time. Their steps are \
-                 the shortest that show this: longer for higher orders. K is the largest kinetic energy.";
-    let panels = Panels::new(format!("Phase portraits: {}", study.system), claim).columns(4).panel(320, 360);
+                 the shortest that show this: longer for higher orders.";
+    let panels = Panels::new(format!("Phase portraits: {}", study.system), claim).columns(4).panel(320, 320);
     study.methods.iter().fold(panels, |panels, measured| panels.chart(portrait(study, measured)))
 }
 

@@ -25,7 +25,7 @@ pub(super) fn reversal(study: &Study) -> Panels {
             apart.map_or("the run fails".to_owned(), |apart| format!("distance from the start: {}", plain(apart)));
         let begin = there.first().copied();
         let chart = Chart::new(measured.name())
-            .claim(format!("{} steps per period", plain(steps_per_period(*count))))
+            .claim(format!("{} steps per period", plain(f64::from(study.cycles) * steps_per_period(*count))))
             .measured(claim)
             .along(Axis::linear(&study.view[0]))
             .up(Axis::linear(&study.view[1]))

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 /// One panel for each method, with the unit circle.
 pub(super) fn roots(study: &Study) -> Option<Panels> {
-    let multistep = study.multistep.as_ref()?;
+    let multistep = study.models.multistep.as_ref()?;
     let claim = "On an oscillator each step multiplies a solution by a root of the characteristic polynomial. One root, in colour, follows \
                  exp(ihω) along the unit circle, for hω up to 1.5. The others, in grey, are parasitic: they do not belong to the motion, \
                  start from zero, and ruin the solution once they leave the circle.";

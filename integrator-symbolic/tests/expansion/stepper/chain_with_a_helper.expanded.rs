@@ -85,6 +85,15 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Chain {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{i in 0..32} p[i]^2 / 2",
+            "V = q[0]^2 / 2 + q[31]^2 / 2 + alpha q[0]^3 / 3 - alpha q[31]^3 / 3 + beta q[0]^4 / 4 + beta q[31]^4 / 4 + Σ_{i in 0..31} ((q[i + 1] - q[i])^2 / 2 + alpha (q[i + 1] - q[i])^3 / 3 + beta (q[i + 1] - q[i])^4 / 4)",
+            "dq[i]/dt = p[i]   for i in 0..32",
+            "dp[0]/dt += -q[0] - alpha q[0]^2 - beta q[0]^3",
+            "dp[31]/dt += -q[31] + alpha q[31]^2 - beta q[31]^3",
+            "dp[i + 1]/dt += q[i] - q[i + 1] - alpha (q[i + 1] - q[i])^2 - beta (q[i + 1] - q[i])^3   for i in 0..31",
+            "dp[i]/dt += q[i + 1] - q[i] + alpha (q[i + 1] - q[i])^2 + beta (q[i + 1] - q[i])^3   for i in 0..31",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -85,6 +85,15 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Comet {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = (p[0]^2 + p[1]^2) / 2",
+            "V = -twist / (q[0]^2 + q[1]^2)^(3/2) - pull / sqrt(q[0]^2 + q[1]^2)",
+            "dq[0]/dt = p[0]",
+            "dq[1]/dt = p[1]",
+            "dp[0]/dt = -q[0] (3 twist / r^2 + pull) / r^3",
+            "dp[1]/dt = -q[1] (3 twist / r^2 + pull) / r^3",
+            "where r = sqrt(q[0]^2 + q[1]^2)",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -109,6 +109,12 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Oscillator {
         type Compose = InPlace;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = p[0]^2 / 2",
+            "V = stiffness q[0]^2 / 2",
+            "dq[0]/dt = p[0]",
+            "dp[0]/dt = -stiffness q[0]",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -50,6 +50,12 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Driven {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = sqrt(1 + p[0]^2)",
+            "V = -amplitude q[0] cos(omega t) + q[0]^2 / 2",
+            "dq[0]/dt = p[0] / sqrt(1 + p[0]^2)",
+            "dp[0]/dt = -q[0] + amplitude cos(omega t)",
+        ];
     }
     #[automatically_derived]
     impl runtime::System for Driven {

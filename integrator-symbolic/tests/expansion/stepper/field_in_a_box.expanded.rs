@@ -53,6 +53,15 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Field {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{k in 0..n} Σ_{k_2 in 0..16} Σ_{k_3 in 0..32} p[k][k_2][k_3]^2 / 2",
+            "V = Σ_{k in 0..n} Σ_{k_2 in 0..16} (Σ_{k_3 in 0..32} (field[k][k_2][k_3] q[k][k_2][k_3] + (q[(k + 1) % n][k_2][k_3] - q[k][k_2][k_3])^2 / 2) + Σ_{i in 1..32} (q[k][k_2][i] - q[k][k_2][i - 1])^2 / 2)",
+            "dq[k][k_2][k_3]/dt = p[k][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32",
+            "dp[(k + 1) % n][k_2][k_3]/dt += q[k][k_2][k_3] - q[(k + 1) % n][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32",
+            "dp[k][k_2][k_3]/dt += q[(k + 1) % n][k_2][k_3] - q[k][k_2][k_3] - field[k][k_2][k_3]   for k in 0..n, k_2 in 0..16, k_3 in 0..32",
+            "dp[k][k_2][i]/dt += q[k][k_2][i - 1] - q[k][k_2][i]   for k in 0..n, k_2 in 0..16, i in 1..32",
+            "dp[k][k_2][i - 1]/dt += q[k][k_2][i] - q[k][k_2][i - 1]   for k in 0..n, k_2 in 0..16, i in 1..32",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -86,6 +86,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Cluster {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{k in 0..n} p[k]^2 / 2",
+            "V = -Σ_{i in 0..masses.len()} {Σ_{j in 0..i} masses[i] masses[j] / sqrt(Σ_{k in 0..3} (q[(3 * i) + k] - q[(3 * j) + k])^2 + softening) if 0 < i, else 0}",
+            "dq[k]/dt = p[k]   for k in 0..n",
+            "dp[(3 * i) + k]/dt += masses[i] masses[j] (q[(3 * j) + k] - q[(3 * i) + k]) / r_ij^3   for i in 0..masses.len(), j in 0..i, k in 0..3, if 0 < i",
+            "dp[(3 * j) + k]/dt += masses[i] masses[j] (q[(3 * i) + k] - q[(3 * j) + k]) / r_ij^3   for i in 0..masses.len(), j in 0..i, k in 0..3, if 0 < i",
+            "where r_ij = sqrt(Σ_{k in 0..3} (q[(3 * i) + k] - q[(3 * j) + k])^2 + softening)",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

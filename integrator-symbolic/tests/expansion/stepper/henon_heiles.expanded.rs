@@ -24,6 +24,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for HenonHeiles {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = (p[0]^2 + p[1]^2) / 2",
+            "V = (q[0]^2 + q[1]^2) / 2 + q[1] q[0]^2 - q[1]^3 / 3",
+            "dq[0]/dt = p[0]",
+            "dq[1]/dt = p[1]",
+            "dp[0]/dt = -q[0] (1 + 2 q[1])",
+            "dp[1]/dt = -q[1] - q[0]^2 + q[1]^2",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -63,6 +63,13 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Regression {
         type Compose = McLachlan2;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{k in 0..n} p[k]^2 / 2",
+            "V = Σ_{row in 0..outcomes.len()} (-outcomes[row] (q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]) + ln_1p(exp(q[0] + Σ_{k in 0..n - 1} covariates[row][k] q[k + 1])))",
+            "dq[k]/dt = p[k]   for k in 0..n",
+            "dp[0]/dt += Σ_{row in 0..outcomes.len()} (outcomes[row] - 1 / (1 + min(exp(-q[0] - Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]), 2^896)))",
+            "dp[k + 1]/dt += covariates[row][k] (outcomes[row] - 1 / (1 + min(exp(-q[0] - Σ_{k in 0..n - 1} covariates[row][k] q[k + 1]), 2^896)))   for row in 0..outcomes.len(), k in 0..n - 1",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -59,6 +59,16 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for DoublePendulum {
         type Compose = GaussLegendre4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "H = (p[0]^2 / 2 + p[1]^2 - p[0] p[1] cos(q[0] - q[1])) / (1 + sin(q[0] - q[1])^2) - gravity (2 cos(q[0]) + cos(q[1]))",
+            "dq[0]/dt = p[0] / r^2 - p[1] u1",
+            "dq[1]/dt = 2 p[1] / r^2 - p[0] u1",
+            "dp[0]/dt = -2 gravity sin(q[0]) - u2",
+            "dp[1]/dt = u2 - gravity sin(q[1])",
+            "where r = sqrt(1 + sin(q[0] - q[1])^2)",
+            "where u1 = cos(q[0] - q[1]) / r^2",
+            "where u2 = p[0] p[1] sin(q[0] - q[1]) / r^2 - sin(q[0] - q[1]) cos(q[0] - q[1]) (p[0]^2 + 2 p[1]^2 - 2 p[0] p[1] cos(q[0] - q[1])) / r^4",
+        ];
         fn visit_compositions(_visitor: &mut impl runtime::Visitor<Self>) {}
     }
     #[automatically_derived]

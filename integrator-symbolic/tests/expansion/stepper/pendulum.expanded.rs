@@ -58,6 +58,12 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Pendulum {
         type Compose = Yoshida4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = p[0]^2 / (2 mass length^2)",
+            "V = -mass gravity length cos(q[0])",
+            "dq[0]/dt = p[0] / (mass length^2)",
+            "dp[0]/dt = -mass gravity length sin(q[0])",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

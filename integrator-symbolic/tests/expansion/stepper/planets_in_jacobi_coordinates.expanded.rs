@@ -103,6 +103,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Solar {
         type Compose = Aba1064;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{i in 0..6} Σ_{d in 0..3} p[i][d]^2 / (2 mass[i])",
+            "V = -Σ_{i in 0..6} Σ_{j in 0..i} gravity mass[i] mass[j] / sqrt(Σ_{d in 0..3} (q[i][d] - q[j][d])^2)",
+            "dq[i][d]/dt = p[i][d] / mass[i]   for i in 0..6, d in 0..3",
+            "dp[i][d]/dt += gravity mass[i] mass[j] (q[j][d] - q[i][d]) / r_ij^3   for i in 0..6, j in 0..i, d in 0..3",
+            "dp[j][d]/dt += gravity mass[i] mass[j] (q[i][d] - q[j][d]) / r_ij^3   for i in 0..6, j in 0..i, d in 0..3",
+            "where r_ij = sqrt(Σ_{d in 0..3} (q[i][d] - q[j][d])^2)",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_two_parts_quadratic(visitor);
         }

@@ -68,6 +68,14 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for HenonHeiles {
         type Compose = Aba864;
+        const EQUATIONS: &'static [&'static str] = &[
+            "harmonic = (p[0]^2 + p[1]^2) / 2 + stiffness (q[0]^2 + q[1]^2) / 2",
+            "anharmonic = lambda q[1] (q[0]^2 - q[1]^2 / 3)",
+            "dq[0]/dt = p[0]",
+            "dq[1]/dt = p[1]",
+            "dp[0]/dt = -q[0] (2 lambda q[1] + stiffness)",
+            "dp[1]/dt = -stiffness q[1] + lambda q[1]^2 - lambda q[0]^2",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_two_parts_quadratic(visitor);
         }

@@ -76,6 +76,14 @@ const _: () = {
     #[automatically_derived]
     impl<const N: usize> runtime::Hamiltonian for Frame<N> {
         type Compose = Yoshida4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "turning = Σ_{i in 0..N} (PUSH q[i][0] + (p[i][0]^2 + p[i][1]^2) / (2 mass[i]) + rate (q[i][1] p[i][0] - q[i][0] p[i][1]))",
+            "potential = Σ_{i in 0..N} (q[i][0]^2 + q[i][1]^2)^2",
+            "dq[i][0]/dt = rate q[i][1] + p[i][0] / mass[i]   for i in 0..N",
+            "dq[i][1]/dt = p[i][1] / mass[i] - rate q[i][0]   for i in 0..N",
+            "dp[i][0]/dt = rate p[i][1] - 4 q[i][0] (q[i][0]^2 + q[i][1]^2) - PUSH   for i in 0..N",
+            "dp[i][1]/dt = -rate p[i][0] - 4 q[i][1] (q[i][0]^2 + q[i][1]^2)   for i in 0..N",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_two_parts_quadratic(visitor);
         }

@@ -69,6 +69,15 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Rotors {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = Σ_{i in 0..n} Σ_{j in 0..64} p[i][j]^2 / (2 inertia[i][j])",
+            "V = -Σ_{i in 0..n} Σ_{j in 0..64} along[j] cos(q[i][(j + 1) % 64] - q[i][j]) - Σ_{i in 0..n - 1} Σ_{j in 0..64} across[i] cos(q[i + 1][j] - q[i][j])",
+            "dq[i][j]/dt = p[i][j] / inertia[i][j]   for i in 0..n, j in 0..64",
+            "dp[i][(j + 1) % 64]/dt += -along[j] sin(q[i][(j + 1) % 64] - q[i][j])   for i in 0..n, j in 0..64",
+            "dp[i][j]/dt += along[j] sin(q[i][(j + 1) % 64] - q[i][j])   for i in 0..n, j in 0..64",
+            "dp[i + 1][j]/dt += -across[i] sin(q[i + 1][j] - q[i][j])   for i in 0..n - 1, j in 0..64",
+            "dp[i][j]/dt += across[i] sin(q[i + 1][j] - q[i][j])   for i in 0..n - 1, j in 0..64",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

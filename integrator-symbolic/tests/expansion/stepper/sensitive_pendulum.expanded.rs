@@ -107,6 +107,12 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Pendulum {
         type Compose = runtime::Verlet;
+        const EQUATIONS: &'static [&'static str] = &[
+            "T = p[0]^2 / (2 mass length^2)",
+            "V = Σ_{k in 0..overtones.len()} overtones[k] cos(k q[0]) sqrt(length + k) - mass gravity length cos(q[0])",
+            "dq[0]/dt = p[0] / (mass length^2)",
+            "dp[0]/dt = Σ_{k in 0..overtones.len()} k overtones[k] sin(k q[0]) sqrt(length + k) - mass gravity length sin(q[0])",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_quadratic(visitor);
         }

@@ -59,6 +59,13 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Twist {
         type Compose = Yoshida4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "twist = rate p[1]^2 sin(q[0]) + p[1]^2 / 2",
+            "potential = stiffness (q[0]^2 + q[1]^2) / 2",
+            "dq[1]/dt = p[1] (1 + 2 rate sin(q[0]))",
+            "dp[0]/dt = -stiffness q[0] - rate p[1]^2 cos(q[0])",
+            "dp[1]/dt = -stiffness q[1]",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_two_parts(visitor);
         }

@@ -70,6 +70,16 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for RestrictedThreeBody {
         type Compose = Aba864;
+        const EQUATIONS: &'static [&'static str] = &[
+            "quadratic = (p[0]^2 + p[1]^2) / 2 + q[1] p[0] - q[0] p[1]",
+            "rest = -(1 - mass) / sqrt((q[0] + mass)^2 + q[1]^2) - mass / sqrt(q[1]^2 + (q[0] + mass - 1)^2)",
+            "dq[0]/dt = q[1] + p[0]",
+            "dq[1]/dt = p[1] - q[0]",
+            "dp[0]/dt = p[1] - mass (q[0] + mass - 1) / s^3 - (1 - mass) (q[0] + mass) / r^3",
+            "dp[1]/dt = -p[0] - q[1] (mass / s^3 + (1 - mass) / r^3)",
+            "where r = sqrt((q[0] + mass)^2 + q[1]^2)",
+            "where s = sqrt(q[1]^2 + (q[0] + mass - 1)^2)",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_two_parts_quadratic(visitor);
         }

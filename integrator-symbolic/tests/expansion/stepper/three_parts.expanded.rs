@@ -93,6 +93,15 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Twisted {
         type Compose = Yoshida4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "kinetic = (p[0]^2 + p[1]^2) / (2 mass)",
+            "twist = rate q[0]^2 p[1]",
+            "potential = stiffness q[1]^2 / 2 + depth cos(q[0])",
+            "dq[0]/dt = p[0] / mass",
+            "dq[1]/dt = p[1] / mass + rate q[0]^2",
+            "dp[0]/dt = -2 rate p[1] q[0] + depth sin(q[0])",
+            "dp[1]/dt = -stiffness q[1]",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_many_parts(visitor);
         }

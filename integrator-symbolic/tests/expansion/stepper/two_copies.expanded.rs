@@ -53,6 +53,13 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Hamiltonian for Mixed {
         type Compose = Yoshida4;
+        const EQUATIONS: &'static [&'static str] = &[
+            "H = p[1]^2 / 2 + (q[0]^2 + depth) (1 + p[0]^2) / 2 - cos(q[1])",
+            "dq[0]/dt = p[0] (q[0]^2 + depth)",
+            "dq[1]/dt = p[1]",
+            "dp[0]/dt = -q[0] (1 + p[0]^2)",
+            "dp[1]/dt = -sin(q[1])",
+        ];
         fn visit_compositions(visitor: &mut impl runtime::Visitor<Self>) {
             runtime::visit_many_parts(visitor);
         }
