@@ -140,6 +140,10 @@ impl<'p> Forms<'p> {
                 let form = self.id(Form::Binary(function, first.unsigned_if(odd), second));
                 return Some(form.negated_if(odd && first.negative));
             }
+            Node::Entry(table, a, b) if graph.is_symmetric(table) => {
+                let [a, b] = self.sorted(graph, [a, b], exchanged)?;
+                Form::Entry(table, a, b)
+            }
             Node::Entry(table, a, b) => {
                 Form::Entry(table, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
             }
@@ -148,6 +152,11 @@ impl<'p> Forms<'p> {
                 let form = self.id(Form::Sum(by, body.unsigned_if(true)));
                 return Some(form.negated_if(body.negative));
             }
+            Node::Compare(Comparison::Equal, a, b) => {
+                let [a, b] = self.sorted(graph, [a, b], exchanged)?;
+                Form::Compare(Comparison::Equal, a, b)
+            }
+            // a < b is -b < -a
             Node::Compare(comparison, a, b) => {
                 Form::Compare(comparison, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
             }
