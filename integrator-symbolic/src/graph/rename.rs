@@ -50,6 +50,16 @@ pub(crate) trait Parameters {
     fn without(
         &mut self,
         _graph: &mut Graph,
+    /// A choice between numbers by conditions on both bodies of a pair as the entry of a table; `None` as for others.
+    fn choice(
+        &mut self,
+        _graph: &mut Graph,
+        _id: NodeId,
+        _pair: [LoopId; 2],
+        _ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        None
+    }
         _id: ParameterId,
         _is_integer: bool,
         _by: LoopId,

@@ -1,5 +1,6 @@
 //! Expressions of parameters: their tokens, and the loops and conditions around them.
 
+mod choices;
 mod classes;
 pub(crate) mod entries;
 mod extremes;

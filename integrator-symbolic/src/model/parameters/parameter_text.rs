@@ -128,6 +128,10 @@ impl Parameters for Texts<'_> {
         &mut self,
         graph: &mut Graph,
         id: ParameterId,
+    fn choice(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
+        self.choice_of_pair(graph, id, pair, ends)
+    }
+
         is_integer: bool,
         by: LoopId,
         end: End,
@@ -433,13 +437,20 @@ impl<'m> Texts<'m> {
             let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
             let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());
             self.known = parameters.map(|(id, parameter)| (key(id, parameter), id)).collect();
+        if let Some(known) = self.known_id(graph, &text, loops) {
+            return known;
         }
-        *self.known.entry((loops, text.to_string())).or_insert_with(|| {
-            let made = ParameterId(self.parameters.len() as u32);
-            self.parameters.push(Parameter { own: text.clone(), text, whole: None });
-            graph.loops.declare_parameter(made, loops);
-            made
-        })
+        let made = ParameterId(self.parameters.len() as u32);
+        self.known.insert((loops, text.to_string()), made);
+        self.parameters.push(Parameter { own: text.clone(), text, whole: None });
+        graph.loops.declare_parameter(made, loops);
+        made
+    }
+
+    /// The parameter with this text, if there is one.
+    pub(super) fn known_id(&mut self, graph: &Graph, text: &TokenStream, loops: LoopSet) -> Option<ParameterId> {
+        }
+        self.known.get(&(loops, text.to_string())).copied()
     }
 }
 
