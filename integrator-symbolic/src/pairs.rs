@@ -12,10 +12,12 @@ mod cutoff;
 mod embedded;
 mod exchange;
 mod extremes;
+mod images;
 mod order;
 mod partners;
 pub(crate) mod points;
 mod renamed;
+mod shifted;
 mod terms;
 
 use crate::{
@@ -34,6 +36,7 @@ pub(crate) use components::written_out;
 pub(crate) use cutoff::{Cutoff, cutoff};
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
+pub(crate) use images::with_one_form;
 use order::Order;
 pub(crate) use order::{rewritten, with_numbers_of_each};
 pub(crate) use partners::Visited;

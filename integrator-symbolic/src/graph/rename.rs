@@ -16,6 +16,10 @@ pub(crate) trait Parameters {
     fn bare(&mut self, _graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
         (false, id)
     }
+    /// A number and the parameter that a parameter is a multiple of by its text; one and itself where it is none.
+    fn multiple(&mut self, _graph: &mut Graph, id: ParameterId) -> (f64, ParameterId) {
+        (1.0, id)
+    }
     /// The parameter that is one where the index of a loop is zero, or where it is not, and zero elsewhere.
     fn indicator(&mut self, _graph: &mut Graph, _by: LoopId, _is_zero: bool) -> Option<ParameterId> {
         None
@@ -46,10 +50,6 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
-    /// The parameter as a number that is zero at one end of a loop and does not read its list there; `None` as for others.
-    fn without(
-        &mut self,
-        _graph: &mut Graph,
     /// A choice between numbers by conditions on both bodies of a pair as the entry of a table; `None` as for others.
     fn choice(
         &mut self,
@@ -60,6 +60,10 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
+    /// The parameter as a number that is zero at one end of a loop and does not read its list there; `None` as for others.
+    fn without(
+        &mut self,
+        _graph: &mut Graph,
         _id: ParameterId,
         _is_integer: bool,
         _by: LoopId,

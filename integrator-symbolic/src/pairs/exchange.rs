@@ -158,7 +158,9 @@ impl<'p> Forms<'p> {
             }
             // a < b is -b < -a
             Node::Compare(comparison, a, b) => {
-                Form::Compare(comparison, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
+                let (a, b) = (self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?);
+                let (a, b) = (a, b).min((b.opposite(), a.opposite()));
+                Form::Compare(comparison, a, b)
             }
             Node::Not(a) => Form::Not(self.of(graph, a, exchanged)?),
             Node::And(a, b) => Form::And(self.sorted(graph, [a, b], exchanged)?),

@@ -7,6 +7,7 @@ mod extremes;
 pub(crate) mod factors;
 mod flags;
 mod membership;
+mod multiples;
 pub(crate) mod numbers;
 pub(crate) mod parameter_text;
 pub(crate) mod prepared;
