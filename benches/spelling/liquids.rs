@@ -18,6 +18,7 @@ struct Atoms {
     radii: Vec<f64>,
     depths: Vec<[f64; 2]>,
     flat: Vec<f64>,
+    sums: [f64; 3],
     cutoffs: Vec<[f64; 2]>,
     molecules: Vec<usize>,
     excluded: Vec<Vec<usize>>,
@@ -37,6 +38,7 @@ fn atoms() -> Atoms {
         kinds,
         depths: vec![[4.0, 6.0], [6.0, 2.0]],
         flat: vec![4.0, 6.0, 6.0, 2.0],
+        sums: [4.0, 6.0, 2.0],
         cutoffs: vec![[2.4, 2.2], [2.2, 2.0]],
         molecules,
         excluded: (0..ATOMS).map(earlier).collect(),
@@ -117,6 +119,13 @@ atoms!(Branch, |self, x| if x > 0.5 * self.0.side {
 } else {
     x
 });
+atoms!(TiesEven, |self, x| x - self.0.side * (x / self.0.side).round_ties_even());
+atoms!(Remainders, |self, x| ((x % self.0.side) + 1.5 * self.0.side) % self.0.side - 0.5 * self.0.side);
+atoms!(Twice, |self, x| {
+    let half = self.0.side / 2.0;
+    let lowered = if x > half { x - self.0.side } else { x };
+    if lowered < -half { lowered + self.0.side } else { lowered }
+});
 
 struct Parts(Atoms);
 
@@ -167,6 +176,7 @@ atoms!(Kinds, |self, i, j, r2| {
     };
     self.lennard_jones(r2, depth)
 });
+atoms!(Sums, |self, i, j, r2| self.lennard_jones(r2, self.0.sums[self.0.kinds[i] + self.0.kinds[j]]));
 
 atoms!(Molecules, |self, i, j, r2| if self.0.molecules[i] != self.0.molecules[j] {
     self.lennard_jones(r2, 4.0)
@@ -175,9 +185,20 @@ atoms!(Molecules, |self, i, j, r2| if self.0.molecules[i] != self.0.molecules[j]
 });
 atoms!(Excluded, |self, i, j, r2| if self.0.excluded[i].contains(&j) { 0.0 } else { self.lennard_jones(r2, 4.0) });
 atoms!(Bonded, |self, i, j, r2| if self.0.bonded.contains(&(i, j)) { 0.0 } else { self.lennard_jones(r2, 4.0) });
+atoms!(Divided, |self, i, j, r2| if i / 3 == j / 3 { 0.0 } else { self.lennard_jones(r2, 4.0) });
 
 atoms!(Radii, |self, i, j, r2| self.soft(r2, self.0.radii[i] + self.0.radii[j]));
 atoms!(Cutoffs, |self, i, j, r2| self.soft(r2, self.0.cutoffs[self.0.kinds[i]][self.0.kinds[j]]));
+atoms!(Chosen, |self, i, j, r2| {
+    let cutoff = if self.0.kinds[i] == 0 && self.0.kinds[j] == 0 {
+        2.4
+    } else if self.0.kinds[i] == 1 && self.0.kinds[j] == 1 {
+        2.0
+    } else {
+        2.2
+    };
+    self.soft(r2, cutoff)
+});
 
 /// Atoms whose number is a parameter, and the same with flat coordinates.
 macro_rules! counted {
@@ -219,16 +240,17 @@ pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut images = Group::new("images", 8);
     spellings!(images, atoms(), start(), STEP;
         "round" Round, "round of a product" Inverse, "floor" Floor, "rem_euclid" Remainder,
-        "min of both ways" Shorter, "branches" Branch, "parts" Parts, "number of atoms" Counted,
+        "min of both ways" Shorter, "branches" Branch, "two branches" Twice, "remainders" Remainders,
+        "ties to even" TiesEven, "parts" Parts, "number of atoms" Counted,
     );
     spellings!(images, atoms(), flat(), STEP; "flat coordinates" FlatAtoms);
     let mut mixture = Group::new("mixture", 8);
-    spellings!(mixture, atoms(), start(), STEP; "table" Table, "flat table" Flat, "branches" Kinds);
+    spellings!(mixture, atoms(), start(), STEP; "table" Table, "flat table" Flat, "branches" Kinds, "sum of kinds" Sums);
     let mut exclusions = Group::new("exclusions", 8);
     spellings!(exclusions, atoms(), start(), STEP;
-        "molecules" Molecules, "lists of atoms" Excluded, "set of pairs" Bonded,
+        "molecules" Molecules, "lists of atoms" Excluded, "set of pairs" Bonded, "quotients" Divided,
     );
     let mut cutoffs = Group::new("cutoffs", 8);
-    spellings!(cutoffs, atoms(), start(), STEP; "sum of radii" Radii, "table" Cutoffs);
+    spellings!(cutoffs, atoms(), start(), STEP; "sum of radii" Radii, "table" Cutoffs, "branches" Chosen);
     vec![images, mixture, exclusions, cutoffs]
 }

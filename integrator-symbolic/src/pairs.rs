@@ -12,10 +12,12 @@ mod cutoff;
 mod embedded;
 mod exchange;
 mod extremes;
+mod images;
 mod order;
 mod partners;
 pub(crate) mod points;
 mod renamed;
+mod shifted;
 mod terms;
 
 use crate::{
@@ -35,6 +37,7 @@ pub(crate) use cutoff::{Cutoff, cutoff};
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
 pub(crate) use exchange::{are_equal, sign_of_exchange};
+pub(crate) use images::with_one_form;
 use order::Order;
 pub(crate) use order::{rewritten, with_numbers_of_each};
 pub(crate) use partners::{Visited, addend_of_distinct_pair};

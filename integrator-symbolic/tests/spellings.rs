@@ -87,3 +87,81 @@ fn long_sums_stay_loops() {
     assert!(!text(4).contains("for a in"), "{}", text(4));
     assert!(text(5).contains("for a in"), "{}", text(5));
 }
+
+/// Squares of images `image` of displacements `x`, within a cutoff.
+fn in_box(image: &str) -> String {
+    format!(
+        "{BEFORE} let mut r2 = 0.0; for k in 0..3 {{ let x = q[i][k] - q[j][k]; let image = {image}; r2 += image * image; }} \
+         if r2 < self.cutoff {{ v += 1.0 / r2; }} }} }} v"
+    )
+}
+
+/// The statements of a text without the numbers in names, in one order: values have the order in which they are first written.
+fn statements(text: &str) -> Vec<String> {
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    let in_names = |statement: &str| statement.split('_').map(|part| part.trim_start_matches(is_digit)).collect();
+    let mut statements: Vec<String> = text.split(';').map(in_names).collect();
+    statements.sort();
+    statements
+}
+
+#[test]
+fn nearest_images_have_one_code() {
+    let among_all = [
+        "x - self.side * (x / self.side).round_ties_even()",
+        "x - self.side * (x / self.side).round()",
+        "x - (x / self.side + 0.5).floor() * self.side",
+        "self.side * (x / self.side - 0.5).ceil() - x",
+        "(x / self.side - (x / self.side).round()) * self.side",
+        "(x + 0.5 * self.side).rem_euclid(self.side) - 0.5 * self.side",
+        "((x % self.side) + 1.5 * self.side) % self.side - self.side / 2.0",
+        "{ let near = x % self.side; near.abs().min(self.side - near.abs()) }",
+    ];
+    let beside = [
+        "x.abs().min(self.side - x.abs())",
+        "if x > 0.5 * self.side { x - self.side } else if x < -0.5 * self.side { x + self.side } else { x }",
+        "if x.abs() > self.side / 2.0 { x.abs() - self.side } else { x.abs() }",
+        "if x.abs() <= 0.5 * self.side { x } else { x - self.side * x.signum() }",
+        "{ let low = if x > 0.5 * self.side { x - self.side } else { x }; if low < -0.5 * self.side { low + self.side } else { low } }",
+        "x - self.side * (x / self.side).round().max(-1.0).min(1.0)",
+    ];
+    for (images, own, other) in
+        [(&among_all[..], "round_ties_even", "less (- Wide"), (&beside, "less (- Wide", "round")]
+    {
+        let texts = images.iter().map(|image| of_pairs([POINTS, OF_POINTS, &in_box(image)]).expect("pairs"));
+        let texts: Vec<_> = texts.collect();
+        let (text, first) = (&texts[0], statements(&texts[0]));
+        for (text, image) in texts.iter().zip(images) {
+            assert_eq!(statements(text), first, "{image}");
+        }
+        assert!(text.contains(own) && !text.contains(other) && text.contains("LISTED_FROM"), "{text}");
+        // No order of the bodies.
+        assert!(!text.contains("NUMBER"), "{text}");
+    }
+    for by_product in ["x - self.side * (x * self.k).round()", "x - self.side * (x * self.k + 0.5).floor()"] {
+        let text = of_pairs([POINTS, OF_POINTS, &in_box(by_product)]).expect("pairs");
+        assert!(text.contains("round_ties_even") && !text.contains("NUMBER"), "{text}");
+    }
+}
+
+/// These are images, but not the nearest ones of all displacements or of all sides.
+#[test]
+fn other_images_are_left_as_they_are() {
+    let others = [
+        "x - self.side * (x / self.side).trunc()",
+        "(x + 0.5 * self.side) % self.side - 0.5 * self.side",
+        "(x + 1.5 * self.side) % self.side - 0.5 * self.side",
+        "(x + 0.25 * self.side).rem_euclid(self.side) - 0.25 * self.side",
+        "if x > 0.5 * self.side { x - self.side } else { x }",
+        "if x > self.side { x - self.side } else if x < -self.side { x + self.side } else { x }",
+        "if x > 0.5 { x - self.side } else if x < -0.5 { x + self.side } else { x }",
+        "x - self.side * (x / self.side).round().max(-2.0).min(2.0)",
+        "x - self.side * (x / self.side).round().max(-100.0).min(100.0)",
+        "{ let near = x.abs().min(self.side - x.abs()); near.abs().min((self.side - near.abs()).abs()) }",
+    ];
+    for image in others {
+        let text = of_pairs([POINTS, OF_POINTS, &in_box(image)]).expect("pairs");
+        assert!(!text.contains("round_ties_even"), "{image}: {text}");
+        assert!(text.contains("NUMBER") || !text.contains("less (- Wide"), "{image}: {text}");
+    }
+}

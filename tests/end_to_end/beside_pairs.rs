@@ -302,6 +302,36 @@ potential!(the_shorter_way, self, q, v;
     v += q[0][0] * q[3][1];
 );
 
+// Bodies are in several boxes: only some of these images are the nearest ones far away.
+potential!(nearest_images, self, q, v;
+    for i in 0..q.len() {
+        for j in 0..i {
+            let side = 0.25 * self.0.side;
+            let mut squares = [0.0; 4];
+            for d in 0..3 {
+                let x = q[i][d] - q[j][d];
+                let branches = if x > 0.5 * side { x - side } else if x < -0.5 * side { x + side } else { x };
+                squares[0] += ((x + 0.5 * side).rem_euclid(side) - 0.5 * side).powi(2);
+                squares[1] += ((x % side + 1.5 * side) % side - 0.5 * side).powi(2);
+                squares[2] += x.abs().min(side - x.abs()).powi(2);
+                squares[3] += branches * branches;
+            }
+            if squares[0] < 1.0 {
+                v += (1.0 - squares[0]).powi(2);
+            }
+            if squares[1] < 0.9 {
+                v += squares[1];
+            }
+            if squares[2] < 0.8 {
+                v += (0.8 - squares[2]).powi(2);
+            }
+            if squares[3] < 0.7 {
+                v += squares[3] * squares[3];
+            }
+        }
+    }
+);
+
 potential!(types, self, q, v;
     for i in 0..q.len() {
         for j in 0..i {

@@ -103,6 +103,14 @@ impl<R: Real> ByClass<R> {
     /// Returns the entries in these rows and columns.
     #[inline(always)]
     pub fn entry<W: Row<R>>(&self, row: W, column: W) -> W {
+        // Two classes, the most common number, need no places.
+        if let (2, [a, b, c, d]) = (self.columns, &self.entries[..]) {
+            let [first, second, third, fourth] = [a, b, c, d].map(|entry| W::splat(*entry));
+            let [in_second_row, in_second_column] = [W::of(0.5).less(row), W::of(0.5).less(column)];
+            let [above, below] =
+                [W::select(in_second_column, second, first), W::select(in_second_column, fourth, third)];
+            return W::select(in_second_row, below, above);
+        }
         let first = self.entries.first().copied().unwrap_or(R::of(0.0));
         let mut entries = W::splat(first);
         if self.entries.len() <= COMPARED {
@@ -234,7 +242,7 @@ mod tests {
     #[test]
     fn vectors_read_the_entries_of_each_lane() {
         type Both = Lanes<f64, 8>;
-        for classes in [1, 3, 7] {
+        for classes in [1, 2, 3, 7] {
             let is_equal = |a: usize, b: usize| a % classes == b % classes;
             let value = |i: usize, j: usize| Some((10 * (i % classes) + j % classes) as f64);
             let table = ByClass::new([0..20, 0..20], [&is_equal, &is_equal], &value);

@@ -8,7 +8,7 @@ use crate::{
     state::digest::{Digest, Digested},
     system::{not_finite::Constants, prepared::OfMembers},
 };
-use alloc::vec::Vec;
+use alloc::{vec, vec::Vec};
 use core::ops::{Deref, Range};
 
 /// A set of pairs of bodies.
@@ -38,6 +38,19 @@ impl PairSet<f64> {
         }
         starts.push(partners.len());
         Self { span: span as f64, starts, partners }
+    }
+
+    /// Adds each pair with its bodies exchanged.
+    pub fn either_way(self) -> Self {
+        let bodies = 0..self.starts.len() - 1;
+        let mut partners_of = vec![Vec::new(); bodies.len()];
+        for first in bodies.clone() {
+            for second in &self.partners[self.starts[first]..self.starts[first + 1]] {
+                partners_of[first].push(*second);
+                partners_of[*second].push(first);
+            }
+        }
+        Self::new(bodies.clone(), bodies.len(), &|body| partners_of[body].clone())
     }
 }
 
@@ -157,7 +170,7 @@ numbers!(u8 u16 u32 u64 u128 usize i8 i16 i32 i64 i128 isize);
 mod tests {
     use super::*;
     use crate::scalar::simd::lanes::Lanes;
-    use alloc::{boxed::Box, collections::BTreeSet, vec};
+    use alloc::{boxed::Box, collections::BTreeSet};
 
     #[test]
     fn bodies_are_items_or_are_tested_one_by_one() {
@@ -190,6 +203,11 @@ mod tests {
             }
         }
         assert_eq!(set.entry(0.0, 1.0), 0.0);
+        let either_way = set.clone().either_way();
+        for (first, second) in (0..20).flat_map(|first| (0..20).map(move |second| (first, second))) {
+            let expected = set.contains(first, second) || set.contains(second, first);
+            assert_eq!(either_way.contains(first, second), expected, "{first}, {second}");
+        }
         assert_eq!(set.zeros().entry(1.0, 2.0), 0.0);
     }
 }

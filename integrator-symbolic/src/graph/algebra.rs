@@ -35,6 +35,16 @@ impl Graph {
         self.computed.insert(id);
     }
 
+    /// Declares that the entries of a table stay the same if rows and columns are exchanged, before any node is made of it.
+    pub(crate) fn declare_symmetric(&mut self, table: ParameterId) {
+        self.symmetric.insert(table);
+    }
+
+    /// Whether the entries of a table stay the same if rows and columns are exchanged.
+    pub(crate) fn is_symmetric(&self, table: NodeId) -> bool {
+        matches!(self.node(table), Node::Parameter(id) if self.symmetric.contains(&id))
+    }
+
     /// The same of a parameter with the text of another one, if it was declared of that.
     pub(crate) fn declare_like(&mut self, id: ParameterId, other: ParameterId) {
         for declared in [&mut self.maybe_missing, &mut self.computed] {

@@ -312,6 +312,8 @@ pub(crate) struct Graph {
     maybe_missing: HashSet<ParameterId>,
     /// Parameters that the runtime computes in every step.
     computed: HashSet<ParameterId>,
+    /// Tables that are symmetric.
+    symmetric: HashSet<ParameterId>,
     /// Integer expressions and loops.
     pub(crate) loops: Loops,
 }

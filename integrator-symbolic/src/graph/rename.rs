@@ -16,6 +16,10 @@ pub(crate) trait Parameters {
     fn bare(&mut self, _graph: &mut Graph, id: ParameterId) -> (bool, ParameterId) {
         (false, id)
     }
+    /// A number and the parameter that a parameter is a multiple of by its text; one and itself where it is none.
+    fn multiple(&mut self, _graph: &mut Graph, id: ParameterId) -> (f64, ParameterId) {
+        (1.0, id)
+    }
     /// The parameter that is one where the index of a loop is zero, or where it is not, and zero elsewhere.
     fn indicator(&mut self, _graph: &mut Graph, _by: LoopId, _is_zero: bool) -> Option<ParameterId> {
         None
@@ -41,6 +45,16 @@ pub(crate) trait Parameters {
         &mut self,
         _graph: &mut Graph,
         _id: ParameterId,
+        _pair: [LoopId; 2],
+        _ends: [Option<End>; 2],
+    ) -> Option<NodeId> {
+        None
+    }
+    /// A choice between numbers by conditions on both bodies of a pair as the entry of a table; `None` as for others.
+    fn choice(
+        &mut self,
+        _graph: &mut Graph,
+        _id: NodeId,
         _pair: [LoopId; 2],
         _ends: [Option<End>; 2],
     ) -> Option<NodeId> {

@@ -165,6 +165,10 @@ impl<'p> Forms<'p> {
                 let form = self.id(Form::Binary(function, first.unsigned_if(odd), second));
                 return Some(form.negated_if(odd && first.negative));
             }
+            Node::Entry(table, a, b) if graph.is_symmetric(table) => {
+                let [a, b] = self.sorted(graph, [a, b], exchanged)?;
+                Form::Entry(table, a, b)
+            }
             Node::Entry(table, a, b) => {
                 Form::Entry(table, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
             }
@@ -173,8 +177,15 @@ impl<'p> Forms<'p> {
                 let form = self.id(Form::Sum(by, body.unsigned_if(true)));
                 return Some(form.negated_if(body.negative));
             }
+            Node::Compare(Comparison::Equal, a, b) => {
+                let [a, b] = self.sorted(graph, [a, b], exchanged)?;
+                Form::Compare(Comparison::Equal, a, b)
+            }
+            // a < b is -b < -a
             Node::Compare(comparison, a, b) => {
-                Form::Compare(comparison, self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?)
+                let (a, b) = (self.of(graph, a, exchanged)?, self.of(graph, b, exchanged)?);
+                let (a, b) = (a, b).min((b.opposite(), a.opposite()));
+                Form::Compare(comparison, a, b)
             }
             Node::Not(a) => Form::Not(self.of(graph, a, exchanged)?),
             Node::And(a, b) => Form::And(self.sorted(graph, [a, b], exchanged)?),

@@ -218,6 +218,9 @@ pub(super) fn with_numbers(
             ends[0].is_none() && matches!(graph.loops.index(index), Index::Sub(..)) && of_pair(graph, index) == 2
         };
         let found = match graph.node(id) {
+            Node::Select(..) if graph.is_prepared(id) && pair.iter().all(|by| graph.loops_of(id).contains(*by)) => {
+                return parameters.choice(graph, id, pair, ends);
+            }
             Node::CompareIndex(_, a, b) if is_difference(graph, a) || is_difference(graph, b) => None,
             Node::FromIndex(index) if is_difference(graph, index) => None,
             Node::CompareIndex(comparison, a, b) if of_pair(graph, a) + of_pair(graph, b) > 0 => {

@@ -13,7 +13,7 @@ use crate::{
     model::{Length, Model, Texts},
     pairs::{
         Cutoff, Density, Embedded, Pairs, Visited, acting, cutoff, moving, over_all, pairs, per_body, points, pull,
-        written_out,
+        with_one_form, written_out,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
     reason::Reason,
@@ -186,7 +186,14 @@ impl AllPairs {
         let is_length = !is_flat && first_acting.is_none();
         let Model { graph, parameters, running, root, .. } = &mut *model;
         let mut texts = Texts::of_bodies(parameters, running, root, is_length);
-        let potential = written_out(graph, potential, &mut texts);
+        let mut potential = written_out(graph, potential, &mut texts);
+        // The energies of other bodies are those that the user writes, which evaluate a condition as forces do.
+        let reads_middle = |graph: &Graph, roots: &[NodeId]| {
+            graph.reachable(roots.iter().copied()).into_iter().any(|id| graph.node(id) == Node::Middle)
+        };
+        if !in_jacobi && !fewer_than(LISTED_FROM) && !reads_middle(graph, &[potential, kinetic]) {
+            potential = with_one_form(graph, potential, &mut texts);
+        }
         let Pairs {
             bodies,
             pair,
@@ -259,9 +266,6 @@ impl AllPairs {
             Ok(cutoff) => Ok(Listed::of(model, &mut constants, bodies, &cutoff)?),
         };
         // Steps read conditions on the time in their middle, energies at their own time.
-        let reads_middle = |graph: &Graph, roots: &[NodeId]| {
-            graph.reachable(roots.iter().copied()).into_iter().any(|id| graph.node(id) == Node::Middle)
-        };
         let energies = match in_jacobi || fewer_than(ROW + 1) {
             false if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others]) => {
                 let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);

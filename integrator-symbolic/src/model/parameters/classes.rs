@@ -32,6 +32,11 @@ impl Texts<'_> {
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
         let text = self.text_of_pair(id, pair, ends);
+        // What is also read without a condition has all elements.
+        if let Some(known) = unlooked(&text).and_then(|text| self.known_id(graph, &text, graph.loops.of_parameter(id)))
+        {
+            return self.number_of_pair(graph, known, pair, ends);
+        }
         if let Some(entry) = self.entry_of_pair(graph, id, [&text, &text], pair, ends) {
             return Some(entry);
         }

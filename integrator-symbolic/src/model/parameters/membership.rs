@@ -72,7 +72,13 @@ impl Texts<'_> {
         let table = quote!(#root::__private::PairSet::new(#bodies, #count, &|#this: usize| {
             #items.bodies(#partners, &|#other: usize| #receiver.contains(&#member))
         }));
+        // Each pair comes once, so that its bodies may be exchanged.
+        let is_symmetric = ends[0].is_some();
+        let table = if is_symmetric { quote!(#table.either_way()) } else { table };
         let table = self.table(graph, "PairSet", table);
+        if is_symmetric {
+            graph.declare_symmetric(table);
+        }
         let shown = self.own_text(id);
         self.show(table, &shown);
         let [first, second] = [first, second].map(|by| {

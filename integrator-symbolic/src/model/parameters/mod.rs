@@ -1,5 +1,6 @@
 //! Expressions of parameters: their tokens, and the loops and conditions around them.
 
+mod choices;
 mod classes;
 mod composed;
 pub(crate) mod entries;
@@ -7,6 +8,7 @@ mod extremes;
 pub(crate) mod factors;
 mod flags;
 mod membership;
+mod multiples;
 pub(crate) mod numbers;
 pub(crate) mod parameter_text;
 pub(crate) mod prepared;

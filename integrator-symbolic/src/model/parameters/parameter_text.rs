@@ -92,6 +92,10 @@ impl Parameters for Texts<'_> {
         (negative, self.id(graph, text, graph.loops.of_parameter(id)))
     }
 
+    fn multiple(&mut self, graph: &mut Graph, id: ParameterId) -> (f64, ParameterId) {
+        self.multiple_of(graph, id)
+    }
+
     fn indicator(&mut self, graph: &mut Graph, by: LoopId, is_zero: bool) -> Option<ParameterId> {
         let comparison = if is_zero { quote!(==) } else { quote!(!=) };
         Some(self.of_index(graph, by, |index| quote!(((#index #comparison 0) as u8 as f64))))
@@ -122,6 +126,10 @@ impl Parameters for Texts<'_> {
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
         self.number_of_pair(graph, id, pair, ends)
+    }
+
+    fn choice(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
+        self.choice_of_pair(graph, id, pair, ends)
     }
 
     fn without(
@@ -429,17 +437,24 @@ impl<'m> Texts<'m> {
 
     /// The parameter with this text, new or known.
     pub(super) fn id(&mut self, graph: &mut Graph, text: TokenStream, loops: LoopSet) -> ParameterId {
+        if let Some(known) = self.known_id(graph, &text, loops) {
+            return known;
+        }
+        let made = ParameterId(self.parameters.len() as u32);
+        self.known.insert((loops, text.to_string()), made);
+        self.parameters.push(Parameter { own: text.clone(), text, whole: None });
+        graph.loops.declare_parameter(made, loops);
+        made
+    }
+
+    /// The parameter with this text, if there is one.
+    pub(super) fn known_id(&mut self, graph: &Graph, text: &TokenStream, loops: LoopSet) -> Option<ParameterId> {
         if self.known.is_empty() {
             let parameters = (0..).map(ParameterId).zip(self.parameters.iter());
             let key = |id, parameter: &Parameter| (graph.loops.of_parameter(id), parameter.text.to_string());
             self.known = parameters.map(|(id, parameter)| (key(id, parameter), id)).collect();
         }
-        *self.known.entry((loops, text.to_string())).or_insert_with(|| {
-            let made = ParameterId(self.parameters.len() as u32);
-            self.parameters.push(Parameter { own: text.clone(), text, whole: None });
-            graph.loops.declare_parameter(made, loops);
-            made
-        })
+        self.known.get(&(loops, text.to_string())).copied()
     }
 }
 
