@@ -6,9 +6,9 @@
 //!
 //! Proved property: the square is the same for every displacement and every side above zero, but at `x = (n + 1/2) L`, where both
 //! images are as far. If each operation of an image results in `n x / L + m / 2` with integers, `|n| <= 1`, then its edges are at
-//! multiples of `L / 4`. So one place between each two of these determines the whole function. The function goes on like that beyond
-//! the last place: integers in each period differ from those in the period before by as much as there, and no number of which the
-//! sign decides comes closer to zero.
+//! multiples of `L / 4`. So one place between each two of these determines the whole function. The function continues so
+//! beyond the last place: integers in each period differ from those in the period before by as much as there, and no number whose sign
+//! decides comes closer to zero.
 
 use super::{
     order::rewritten,
@@ -73,7 +73,7 @@ fn in_one_form(graph: &mut Graph, image: NodeId, parameters: &mut dyn Parameters
     })
 }
 
-/// An image by a quotient of which the text does not show that it is one by the side, such as a product with another parameter:
+/// An image by a quotient, if the text does not show that it is one by the side, such as a product with another parameter:
 /// rounded with ties to even, which takes one instruction and is odd.
 fn with_ties_to_even(graph: &mut Graph, image: NodeId) -> Option<NodeId> {
     let inside = graph.reachable([image]);

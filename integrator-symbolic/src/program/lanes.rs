@@ -1,4 +1,4 @@
-//! Innermost loops in lanes: sums and gradients of which several iterations are computed in one vector.
+//! Innermost loops in lanes: sums and gradients whose iterations are computed several at a time, in one vector.
 //!
 //! In: a loop of a program without others inside. Out: what an iteration reads and has, the sums that it adds to, and the
 //! point of the gradient. The result is nothing if iterations depend on each other, or read coordinates that are not
@@ -12,6 +12,7 @@ use super::{
 use crate::graph::{
     Element, Graph, MOST_COMPONENTS, Node, NodeId, Part,
     index::{Index, IndexId, Linear, LoopId},
+    series,
 };
 use crate::reason::Reason;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
@@ -64,7 +65,7 @@ pub(crate) enum Points {
     Numbers,
     /// They are points with this number of components.
     Components(usize),
-    /// They are numbers, of which so many at a time are a point: iteration `i` reads those from `i` times this number on.
+    /// They are numbers, and this many at a time are a point: iteration `i` reads those from `i` times this number on.
     Groups(usize),
 }
 
@@ -188,9 +189,12 @@ impl<'s> LaneContext<'s> {
         // A loop over data may be long however few the coordinates are.
         let is_over_data = is_wide && is_over_data(graph, by)
             || graph.loops.get(by).parent.is_some_and(|parent| is_over_data(graph, parent));
+        let has_many = are_many(graph, lengths) || is_over_data;
+        // So may one over tables of constants be, such as the terms of a series.
+        let is_over_tables = is_wide && literal_count(graph, by).is_some_and(|count| count >= series::FEWEST as u64);
         let is_volume = graph.loops.sites_of_row().is_some();
         let obstacles = [
-            (!are_many(graph, lengths) && !is_over_data, Reason::FewCoordinates),
+            (!has_many && !is_over_tables, Reason::FewCoordinates),
             (are_few, Reason::FewIterations),
             (is_volume || body.iter().any(|line| adds_to_list(graph, by, line)), Reason::Unrecognised),
         ];
@@ -221,6 +225,9 @@ impl<'s> LaneContext<'s> {
         }
         let own = reads.iter().map(|(_, element)| *element).chain(targets.iter().copied());
         let own: Vec<Element> = own.filter(|element| graph.loops.of_element(*element).contains(by)).collect();
+        if !has_many && !own.is_empty() {
+            return Err(Reason::FewCoordinates);
+        }
         let points = match read_together(graph, lengths.get(1).copied()).ok_or(Reason::Unrecognised)? {
             Some(components) => Points::Components(components),
             None => groups(graph, by, &own).map_or(Points::Numbers, Points::Groups),
@@ -324,7 +331,7 @@ impl LoopInLanes<'_> {
             }
             found.push((element, place));
         }
-        // Two points are in two parts of the gradient, of which one ends before the other begins.
+        // Two points are in two parts of the gradient: one part ends before the other begins.
         let mut ends: Vec<Option<IndexId>> = Vec::new();
         for (_, place) in &found {
             position(&mut ends, place.from);

@@ -125,7 +125,7 @@ const REASONS: &[Row] = &[
     (
         "lists: points: for i in 0..q.len() { v += q[i][0].powi(4); }",
         &[
-            "1:9 the kick has the layout `plain` instead of `lists`\nhelp: write `for i in 0..q.len() { for j in 0..i { .. } }`, or `layout = plain`\nnote: no addend of V is a sum over the pairs of bodies in two nested loops",
+            "1:9 the kick has the layout `lanes` instead of `lists`\nhelp: write `for i in 0..q.len() { for j in 0..i { .. } }`, or `layout = lanes`\nnote: no addend of V is a sum over the pairs of bodies in two nested loops",
         ],
     ),
     (
