@@ -34,7 +34,7 @@ fn waves(length: usize) -> Phase<Vec<f64>> {
 
 macro_rules! fields {
     ($name:ident, $coordinates:ty, |$self:ident, $q:ident| $potential:expr) => {
-        struct $name(Data);
+        struct $name(#[allow(dead_code, reason = "a funnel reads no data")] Data);
 
         #[hamiltonian]
         impl $name {
