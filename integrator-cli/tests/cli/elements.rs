@@ -96,7 +96,7 @@ fn samples_have_elements_at_each_time() {
     let axis = 1.0 / (1.0 - 0.25 / 2.0);
     assert!((numbers(&found, 2)[3] - axis).abs() < 1e-15, "{found}");
     // With names, as `csv_with_names` writes them.
-    let path_of_names = file("names.csv", &samples.replace("q1_", "q_Jupiter_").replace("p1_", "p_Jupiter_"));
+    let path_of_names = file("names.csv", samples.replace("q1_", "q_Jupiter_").replace("p1_", "p_Jupiter_"));
     let named = answer(&["elements", &path_of_names, "--masses", "1,1", "--frame", "jacobi"]);
     assert_eq!(named.replace("Jupiter", "1"), found);
     assert!(named.contains("0.0,Jupiter,1.0,"), "{named}");
