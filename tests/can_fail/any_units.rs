@@ -106,7 +106,7 @@ fn certificate<H: Hamiltonian<Coords = [f64; N]>, X: Composition<H>, const N: us
     let kind = |text: String| {
         text.split(|character: char| character.is_ascii_digit() || character == '-').next().map(str::to_owned)
     };
-    match certify(system, composition, start.clone(), h) {
+    match certify(system, composition, *start, h) {
         Ok(_) => "certified".to_owned(),
         Err(CertifyError::Refused { shortfalls, .. }) => {
             shortfalls.iter().filter_map(|shortfall| kind(shortfall.to_string())).collect::<Vec<_>>().join(", ")
@@ -126,7 +126,7 @@ fn of_methods<H: Hamiltonian<Coords = [f64; N]>, const N: usize>(
     h: f64,
 ) -> Vec<Row> {
     let row = |of, verdict| Row { of, verdict };
-    let order = observed_order(system, Yoshida4, start.clone(), h).map(|order| order.slope.round());
+    let order = observed_order(system, Yoshida4, *start, h).map(|order| order.slope.round());
     vec![
         row("Verlet", certificate(system, Verlet, start, h)),
         row("KahanLi8", certificate(system, KahanLi8, start, h)),
@@ -146,25 +146,24 @@ fn verdicts<H: Hamiltonian<Coords = [f64; N]>, const N: usize>(
 ) -> Vec<Row> {
     let mut rows = of_methods(system, start, h);
     let mut row = |of, verdict| rows.push(Row { of, verdict });
-    let found = shadow(system, Verlet, start.clone(), h).map(|shadow| shadow.is_conserved());
+    let found = shadow(system, Verlet, *start, h).map(|shadow| shadow.is_conserved());
     row("shadow", format!("{found:?}"));
-    let found = shadow(system, Strong, start.clone(), h).map(|shadow| shadow.is_conserved());
+    let found = shadow(system, Strong, *start, h).map(|shadow| shadow.is_conserved());
     row("shadow of Strong", format!("{found:?}"));
-    let found = energy_drift(system, Verlet, start.clone(), h, 8192).map(|drift| (drift.course, drift.is_bounded()));
+    let found = energy_drift(system, Verlet, *start, h, 8192).map(|drift| (drift.course, drift.is_bounded()));
     row("energy_drift", format!("{found:?}"));
     // The frequency to six digits: energies are rounded.
-    let found =
-        stability(system, Verlet, start.clone(), h).map(|found| (format!("{:.6}", found.share()), found.is_near()));
+    let found = stability(system, Verlet, *start, h).map(|found| (format!("{:.6}", found.share()), found.is_near()));
     row("stability", format!("{found:?}"));
-    let found = branches(system, Verlet, start.clone(), h, 200).map(|found| found.crossed.len());
+    let found = branches(system, Verlet, *start, h, 200).map(|found| found.crossed.len());
     row("branches", format!("{found:?}"));
-    let found = monodromy(system, Verlet, start.clone(), h, 100).map(|found| found.is_stable());
+    let found = monodromy(system, Verlet, *start, h, 100).map(|found| found.is_stable());
     row("monodromy", format!("{found:?}"));
-    let found = indicators(system, Yoshida4, start.clone(), 3.0 * h, 20_000).map(|found| found.verdict);
+    let found = indicators(system, Yoshida4, *start, 3.0 * h, 20_000).map(|found| found.verdict);
     row("indicators", format!("{found:?}"));
-    row("turns_in_time", format!("{:?}", turns_in_time(system, start.clone(), 100.0 * h)));
+    row("turns_in_time", format!("{:?}", turns_in_time(system, *start, 100.0 * h)));
     // Compositions with as many evaluations are in the order of their times.
-    let found = choose(system, start.clone(), 200.0 * h, Goal::Trajectory(1e-6)).map(|found| {
+    let found = choose(system, *start, 200.0 * h, Goal::Trajectory(1e-6)).map(|found| {
         let mut chosen: Vec<_> = found.choices().iter().map(|choice| (choice.composition, choice.steps)).collect();
         chosen.sort_unstable();
         chosen
