@@ -1,6 +1,6 @@
 //! Two fields in one list of coordinates, rotors on a matrix, and data models.
 
-use crate::{Group, spellings};
+use crate::{Group, of_data, spellings};
 use integrator_core::prelude::*;
 
 const SITES: usize = 4000;
@@ -32,26 +32,7 @@ fn waves(length: usize) -> Phase<Vec<f64>> {
     Phase::new((0..length).map(wave).collect(), vec![0.0; length])
 }
 
-macro_rules! fields {
-    ($name:ident, $coordinates:ty, |$self:ident, $q:ident| $potential:expr) => {
-        struct $name(#[allow(dead_code, reason = "a funnel reads no data")] Data);
-
-        #[hamiltonian]
-        impl $name {
-            fn kinetic(&self, p: $coordinates) -> f64 {
-                p.iter().map(|p| 0.5 * p * p).sum()
-            }
-            fn potential(&$self, $q: $coordinates) -> f64 {
-                $potential
-            }
-        }
-    };
-    ($name:ident, |$self:ident, $q:ident| $potential:expr) => {
-        fields!($name, &[f64], |$self, $q| $potential);
-    };
-}
-
-fields!(OneAfterTheOther, |self, q| {
+of_data!(OneAfterTheOther, |self, q| {
     let n = q.len() / 2;
     let mut v = 0.0;
     for i in 0..n {
@@ -59,14 +40,14 @@ fields!(OneAfterTheOther, |self, q| {
     }
     v
 });
-fields!(InTurn, |self, q| {
+of_data!(InTurn, |self, q| {
     let mut v = 0.0;
     for i in (0..q.len()).step_by(2) {
         v += 0.5 * (q[i].powi(2) + q[i + 1].powi(2)) + self.0.strength * q[i].cos() * q[i + 1].powi(2);
     }
     v
 });
-fields!(InTurnByIndex, |self, q| {
+of_data!(InTurnByIndex, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() / 2 {
         let (x, y) = (q[2 * i], q[2 * i + 1]);
@@ -74,7 +55,7 @@ fields!(InTurnByIndex, |self, q| {
     }
     v
 });
-fields!(Halves, |self, q| {
+of_data!(Halves, |self, q| {
     let (x, y) = q.split_at(q.len() / 2);
     x.iter().zip(y).map(|(x, y)| 0.5 * (x * x + y * y) + self.0.strength * x.cos() * y * y).sum()
 });
@@ -91,7 +72,7 @@ impl AsPoints {
     }
 }
 
-fields!(AllRotors, |self, q| {
+of_data!(AllRotors, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for j in 0..q.len() {
@@ -100,7 +81,7 @@ fields!(AllRotors, |self, q| {
     }
     v
 });
-fields!(RotorsBefore, |self, q| {
+of_data!(RotorsBefore, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for j in 0..i {
@@ -110,12 +91,12 @@ fields!(RotorsBefore, |self, q| {
     }
     v
 });
-fields!(RotorsByIterators, |self, q| {
+of_data!(RotorsByIterators, |self, q| {
     let rows = q.iter().zip(&self.0.couplings);
     -0.5 * rows.map(|(qi, row)| row.iter().zip(q).map(|(c, qj)| c * (qi - qj).cos()).sum::<f64>()).sum::<f64>()
 });
 
-fields!(Funnel, |self, q| {
+of_data!(Funnel, |self, q| {
     let scale = (-q[0]).exp();
     let mut v = q[0] * q[0] / 18.0 + 0.5 * (q.len() - 1) as f64 * q[0];
     for i in 1..q.len() {
@@ -123,19 +104,19 @@ fields!(Funnel, |self, q| {
     }
     v
 });
-fields!(FunnelByIterators, |self, q| {
+of_data!(FunnelByIterators, |self, q| {
     let squares: f64 = q[1..].iter().map(|x| x * x).sum();
     q[0].powi(2) / 18.0 + 0.5 * (q.len() - 1) as f64 * q[0] + 0.5 * squares * (-q[0]).exp()
 });
 
-fields!(Mixture, [f64; 4], |self, q| {
+of_data!(Mixture, [f64; 4], |self, q| {
     let mut v = 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     for x in &self.0.points {
         v -= (q[2].exp() * (-0.5 * (x - q[0]).powi(2)).exp() + q[3].exp() * (-0.5 * (x - q[1]).powi(2)).exp()).ln();
     }
     v
 });
-fields!(MixtureBySums, [f64; 4], |self, q| {
+of_data!(MixtureBySums, [f64; 4], |self, q| {
     let density = |x: f64| (0..2).map(|k| (q[2 + k] - 0.5 * (x - q[k]).powi(2)).exp()).sum::<f64>();
     let prior: f64 = q.iter().map(|q| 0.5 * q * q).sum();
     prior - self.0.points.iter().map(|&x| density(x).ln()).sum::<f64>()

@@ -50,6 +50,27 @@ macro_rules! spellings {
 }
 pub(crate) use spellings;
 
+/// A potential of the module's own `Data`, with masses of one.
+macro_rules! of_data {
+    ($name:ident, $coordinates:ty, |$self:ident, $q:ident| $potential:expr) => {
+        struct $name(#[allow(dead_code, reason = "a funnel reads no data")] Data);
+
+        #[hamiltonian]
+        impl $name {
+            fn kinetic(&self, p: $coordinates) -> f64 {
+                p.iter().map(|p| 0.5 * p * p).sum()
+            }
+            fn potential(&$self, $q: $coordinates) -> f64 {
+                $potential
+            }
+        }
+    };
+    ($name:ident, |$self:ident, $q:ident| $potential:expr) => {
+        $crate::of_data!($name, &[f64], |$self, $q| $potential);
+    };
+}
+pub(crate) use of_data;
+
 fn main() -> Result<(), Box<dyn Error>> {
     let (mut table, mut lines) = (Table::new("spelling", &["group", "spelling", "us/step", "to fastest"]), Vec::new());
     for group in liquids::groups()

@@ -1,6 +1,6 @@
 //! Sums over rows of data, matrices, graphs, planes, chains and mean fields.
 
-use crate::{Group, spellings};
+use crate::{Group, of_data, spellings};
 use integrator_core::prelude::*;
 
 const ROWS: usize = 1000;
@@ -46,26 +46,7 @@ fn waves(length: usize) -> Phase<Vec<f64>> {
     Phase::new((0..length).map(|i| (0.37 * i as f64).sin()).collect(), vec![0.0; length])
 }
 
-macro_rules! sums {
-    ($name:ident, $coordinates:ty, |$self:ident, $q:ident| $potential:expr) => {
-        struct $name(Data);
-
-        #[hamiltonian]
-        impl $name {
-            fn kinetic(&self, p: $coordinates) -> f64 {
-                p.iter().map(|p| 0.5 * p * p).sum()
-            }
-            fn potential(&$self, $q: $coordinates) -> f64 {
-                $potential
-            }
-        }
-    };
-    ($name:ident, |$self:ident, $q:ident| $potential:expr) => {
-        sums!($name, &[f64], |$self, $q| $potential);
-    };
-}
-
-sums!(Array, [f64; 21], |self, b| {
+of_data!(Array, [f64; 21], |self, b| {
     let mut v = 0.0;
     for row in 0..self.0.outcomes.len() {
         let mut z = b[0];
@@ -76,7 +57,7 @@ sums!(Array, [f64; 21], |self, b| {
     }
     v
 });
-sums!(Slice, |self, b| {
+of_data!(Slice, |self, b| {
     let mut v = 0.0;
     for row in 0..self.0.outcomes.len() {
         let mut z = b[0];
@@ -87,7 +68,7 @@ sums!(Slice, |self, b| {
     }
     v
 });
-sums!(Iterators, |self, b| self
+of_data!(Iterators, |self, b| self
     .0
     .covariates
     .chunks_exact(20)
@@ -98,7 +79,7 @@ sums!(Iterators, |self, b| self
     })
     .sum());
 
-sums!(Square, |self, q| {
+of_data!(Square, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for j in 0..q.len() {
@@ -107,7 +88,7 @@ sums!(Square, |self, q| {
     }
     v
 });
-sums!(FlatSquare, |self, q| {
+of_data!(FlatSquare, |self, q| {
     let n = q.len();
     let mut v = 0.0;
     for i in 0..n {
@@ -117,7 +98,7 @@ sums!(FlatSquare, |self, q| {
     }
     v
 });
-sums!(Triangle, |self, q| {
+of_data!(Triangle, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for j in 0..i {
@@ -127,7 +108,7 @@ sums!(Triangle, |self, q| {
     v
 });
 
-sums!(OthersThanItself, |self, q| {
+of_data!(OthersThanItself, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for j in 0..q.len() {
@@ -138,20 +119,20 @@ sums!(OthersThanItself, |self, q| {
     }
     v
 });
-sums!(SquareByIterators, |self, q| q
+of_data!(SquareByIterators, |self, q| q
     .iter()
     .zip(&self.0.couplings)
     .map(|(qi, row)| 0.5 * qi * row.iter().zip(q).map(|(c, qj)| c * qj).sum::<f64>())
     .sum());
 
-sums!(Edges, |self, q| {
+of_data!(Edges, |self, q| {
     let mut v = 0.0;
     for &[i, j] in &self.0.edges {
         v -= (q[i] - q[j]).cos();
     }
     v
 });
-sums!(Neighbours, |self, q| {
+of_data!(Neighbours, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for &j in &self.0.neighbours[i] {
@@ -161,7 +142,7 @@ sums!(Neighbours, |self, q| {
     v
 });
 
-sums!(Offsets, |self, q| {
+of_data!(Offsets, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
         for k in self.0.offsets[i]..self.0.offsets[i + 1] {
@@ -170,7 +151,7 @@ sums!(Offsets, |self, q| {
     }
     v
 });
-sums!(NeighboursByIterators, |self, q| {
+of_data!(NeighboursByIterators, |self, q| {
     let around = |i: usize| self.0.neighbours[i].iter().map(|&j| (q[i] - q[j]).cos()).sum::<f64>();
     -0.5 * (0..q.len()).map(around).sum::<f64>()
 });
@@ -193,7 +174,7 @@ impl Rows {
         v
     }
 }
-sums!(FlatPlane, |self, q| {
+of_data!(FlatPlane, |self, q| {
     let (w, h) = (self.0.width, q.len() / self.0.width);
     let mut v = 0.0;
     for y in 0..h {
@@ -205,7 +186,7 @@ sums!(FlatPlane, |self, q| {
     v
 });
 
-sums!(PlaneByIf, |self, q| {
+of_data!(PlaneByIf, |self, q| {
     let (w, h) = (self.0.width, q.len() / self.0.width);
     let mut v = 0.0;
     for y in 0..h {
@@ -219,7 +200,7 @@ sums!(PlaneByIf, |self, q| {
     v
 });
 
-sums!(Walls, |self, q| {
+of_data!(Walls, |self, q| {
     let n = q.len();
     let mut v = 0.5 * (q[0] * q[0] + q[n - 1] * q[n - 1]);
     for i in 0..n - 1 {
@@ -227,12 +208,12 @@ sums!(Walls, |self, q| {
     }
     v + self.0.strength * q[n - 1].powi(4)
 });
-sums!(Windows, |self, q| {
+of_data!(Windows, |self, q| {
     let bonds: f64 = q.windows(2).map(|pair| 0.5 * (pair[1] - pair[0]).powi(2)).sum();
     let sites: f64 = q.iter().map(|q| self.0.strength * q.powi(4)).sum();
     bonds + sites + 0.5 * (q[0].powi(2) + q[q.len() - 1].powi(2))
 });
-sums!(EndsByIf, |self, q| {
+of_data!(EndsByIf, |self, q| {
     let n = q.len();
     let mut v = 0.0;
     for i in 0..=n {
@@ -243,7 +224,7 @@ sums!(EndsByIf, |self, q| {
     v
 });
 
-sums!(NeighbourByIf, |self, q| {
+of_data!(NeighbourByIf, |self, q| {
     let n = q.len();
     let mut v = 0.5 * q[n - 1] * q[n - 1];
     for i in 0..n {
@@ -253,12 +234,12 @@ sums!(NeighbourByIf, |self, q| {
     v
 });
 
-sums!(MeanField, |self, q| {
+of_data!(MeanField, |self, q| {
     let c: f64 = q.iter().map(|q| q.cos()).sum();
     let s: f64 = q.iter().map(|q| q.sin()).sum();
     -self.0.strength * (c * c + s * s) / (2.0 * q.len() as f64)
 });
-sums!(MeanFieldByLoop, |self, q| {
+of_data!(MeanFieldByLoop, |self, q| {
     let (mut c, mut s) = (0.0, 0.0);
     for i in 0..q.len() {
         c += q[i].cos();

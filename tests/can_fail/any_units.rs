@@ -204,9 +204,9 @@ macro_rules! assert_same_verdicts {
             let found = verdicts(&$plain(seen), &start_of([q, p], seen, 1.0), h * seen.time());
             assert_same(&found, &plain, &format!("{seen:?}"));
         }
-        let (mut turned_q, mut turned_p) = (q, p.map(|p: f64| -p));
-        assert_same(&verdicts(&$plain(PLAIN), &start_of([q, turned_p], PLAIN, 1.0), -h), &plain, "backwards");
-        turned_p = p;
+        let back = p.map(|p: f64| -p);
+        assert_same(&verdicts(&$plain(PLAIN), &start_of([q, back], PLAIN, 1.0), -h), &plain, "backwards");
+        let (mut turned_q, mut turned_p) = (q, p);
         turned_q.reverse();
         turned_p.reverse();
         let found = verdicts(&$renumbered(PLAIN), &start_of([turned_q, turned_p], PLAIN, 1.0), h);

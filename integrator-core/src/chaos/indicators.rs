@@ -205,10 +205,9 @@ fn of_tangent<C: Coords>(
     }
     let begin = tangent.time();
     let lengths = |tangent: &Tangent<C>| {
-        let motion = field(tangent);
+        let mut motion = field(tangent);
         let vector = at_equal_times(tangent.vector(0), tangent.time_slope(0), &motion);
         let length = logarithm(&vector, tangent.exponents()[0], units);
-        let mut motion = motion;
         let positions = motion.len() / 2;
         motion[..positions].iter_mut().for_each(|rate| *rate = units.measured_position(*rate));
         [length, length + orthogonal_part(&units.measured(vector), &motion).ln()]
