@@ -38,12 +38,12 @@ pub fn csv<C: Coords>(
     csv_with_names(samples, [""; 0], to)
 }
 
-/// Writes samples as [`csv`], with names of bodies, or of plain coordinates, in the names of the columns.
+/// Writes samples as [`csv()`], with names of bodies, or of plain coordinates, in the names of the columns.
 ///
 /// With the names `Sun` and `Jupiter`, columns are `q_Sun_0`, ..., `p_Jupiter_2`. Further bodies keep their numbers.
 ///
 /// # Errors
-/// As [`csv`].
+/// As [`csv()`].
 pub fn csv_with_names<C: Coords>(
     samples: impl IntoIterator<Item = Result<Sample<C>, Error>>,
     names: impl IntoIterator<Item = impl Into<String>>,
