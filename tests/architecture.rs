@@ -168,7 +168,7 @@ const CHECK: MayKnow = (
 /// The folders of `layout`.
 const LAYOUT: MayKnow = (
     "integrator-core/src/layout",
-    &[("lists", &[]), ("loops", &[]), ("lattice", &["loops"]), ("bodies", &["lattice"])],
+    &[("lists", &[]), ("loops", &[]), ("products", &["loops"]), ("lattice", &["loops"]), ("bodies", &["lattice"])],
 );
 
 /// The folders of `methods`.

@@ -57,6 +57,17 @@ of_data!(Array, [f64; 21], |self, b| {
     }
     v
 });
+of_data!(Constants, [f64; COVARIATES + 1], |self, b| {
+    let mut v = 0.0;
+    for row in 0..self.0.outcomes.len() {
+        let mut z = b[0];
+        for k in 0..COVARIATES {
+            z += self.0.covariates[row * COVARIATES + k] * b[k + 1];
+        }
+        v += z.exp().ln_1p() - self.0.outcomes[row] * z;
+    }
+    v
+});
 of_data!(Slice, |self, b| {
     let mut v = 0.0;
     for row in 0..self.0.outcomes.len() {
@@ -251,7 +262,7 @@ of_data!(MeanFieldByLoop, |self, q| {
 pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut regression = Group::new("regression", 200);
     let array = || Phase::new(std::array::from_fn(|k| (0.37 * k as f64).sin()), [0.0; COVARIATES + 1]);
-    spellings!(regression, data(), array(), STEP; "array" Array);
+    spellings!(regression, data(), array(), STEP; "array" Array, "array of a constant" Constants);
     spellings!(regression, data(), waves(COVARIATES + 1), STEP; "slice" Slice, "iterators" Iterators);
     let mut matrix = Group::new("matrix", 50);
     spellings!(matrix, data(), waves(SIZE), STEP;

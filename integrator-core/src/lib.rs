@@ -224,7 +224,7 @@ pub mod __private {
                 window::Window,
             },
             lists::{Addend, Read, Term, Terms},
-            loops::{Iteration, Loop, Near, apart},
+            loops::{Iteration, Loop, Near, apart, groups_apart},
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},

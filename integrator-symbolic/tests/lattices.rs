@@ -113,7 +113,7 @@ fn rows_with_bonds_along_them_are_sites() {
 }
 
 /// Loops over flat coordinates as rows of `self.w` sites, and whether these are moved as a plane. `LOOPS` are loops over all sites.
-const FLAT_PLANES: [(&str, &str, bool); 19] = [
+const FLAT_PLANES: [(&str, &str, bool); 22] = [
     (
         "a torus",
         "LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]) + b(q[(y + 1) % h * w + x] - q[y * w + x]); }",
@@ -150,6 +150,30 @@ const FLAT_PLANES: [(&str, &str, bool); 19] = [
         true,
     ),
     ("a number of each site", "LOOPS { v += self.k[y * w + x] * b(q[y * w + (x + 1) % w] - q[y * w + x]); }", true),
+    (
+        "ends by choices between coordinates",
+        "let (w, h) = (64, q.len() / 64);
+         LOOPS {
+             let right = if x + 1 == w { q[y * w] } else { q[y * w + x + 1] };
+             let below = if y + 1 < h { q[(y + 1) * w + x] } else { q[x] };
+             v += b(right - q[y * w + x]) + b(below - q[y * w + x]);",
+        true,
+    ),
+    (
+        "beginnings by choices between coordinates",
+        "let (w, h) = (64, q.len() / 64);
+         LOOPS {
+             let left = if x == 0 { q[y * w + w - 1] } else { q[y * w + x - 1] };
+             let above = if y == 0 { q[(h - 1) * w + x] } else { q[(y - 1) * w + x] };
+             v += b(left - q[y * w + x]) + b(above - q[y * w + x]);",
+        true,
+    ),
+    (
+        "a choice that closes no ring",
+        "let (w, h) = (64, q.len() / 64);
+         LOOPS { v += b(if x + 1 == w { q[y * w + 1] } else { q[y * w + x + 1] } - q[y * w + x]);",
+        false,
+    ),
     ("rows that continue in the next one", "LOOPS { v += b(q[(y * w + x + 1) % q.len()] - q[y * w + x]); }", false),
     ("a site after the row", "for y in 0..h - 1 { for x in 0..w { v += b(q[y * w + x + 1] - q[y * w + x]); } }", false),
     ("a site before the row", "for y in 1..h { for x in 0..w { v += b(q[y * w + x - 1] - q[y * w + x]); } }", false),
@@ -209,4 +233,15 @@ fn a_bond_between_the_ends_of_a_line_closes_it() {
     assert!(is_lattice(&format!("v += (q[0] - q[q.len() - 1]).powi(4); {line}")));
     assert!(is_lattice(&format!("v += (q[1] - q[q.len() - 1]).powi(4); {line}")));
     assert!(!is_lattice(&format!("v += (q[2] - q[q.len() - 1]).powi(4); {line}")), "farther than sites look");
+}
+
+#[test]
+fn a_choice_between_coordinates_closes_a_line() {
+    for (at_end, holds) in [("q[0]", true), ("q[1]", false)] {
+        let right = format!("if i + 1 == q.len() {{ {at_end} }} else {{ q[i + 1] }}");
+        let bonds = format!("for i in 0..q.len() {{ let right = {right}; v += (right - q[i]).powi(4); }}");
+        assert_eq!(is_lattice(&bonds), holds, "{bonds}");
+    }
+    let left = "if i == 0 { q[q.len() - 1] } else { q[i - 1] }";
+    assert!(is_lattice(&format!("for i in 0..q.len() {{ let left = {left}; v += (left - q[i]).powi(4); }}")));
 }

@@ -15,10 +15,10 @@ use crate::{
 use core::ops::Range;
 
 /// The number of partial sums: a multiple of the width of every block.
-const PARTIAL: usize = WIDEST;
+pub(super) const PARTIAL: usize = WIDEST;
 
 /// The number of iterations in a group. Fewer are computed one by one, which takes less time than to add partial sums.
-const GROUP: usize = 8;
+pub(super) const GROUP: usize = 8;
 
 /// A point that an iteration reads.
 #[derive(Clone, Copy, Debug)]
@@ -68,7 +68,7 @@ pub struct Loop<'m, R, S, const PARTS: usize, const CONSTANTS: usize, const COMM
     pub common: [R; COMMON],
 }
 
-#[allow(clippy::needless_range_loop, reason = "iterators take three times the lines of LLVM IR")]
+// Loops count by themselves: iterators and ranges take more lines of LLVM IR.
 impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMMON: usize, const D: usize>
     Loop<'_, R, S, PARTS, CONSTANTS, COMMON, D>
 {
@@ -81,73 +81,75 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
-        let mut gradient = Some(gradient);
-        self.run_apart::<T, READS, SUMS, TARGETS>([(); TARGETS].map(|()| gradient.take().unwrap_or_default()))
+        self.run_apart::<T, READS, SUMS, TARGETS>(&mut [gradient][..TARGETS])
     }
 
     /// The same with iterations that add to several gradients.
     #[inline(always)]
     pub fn run_apart<T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
         mut self,
-        mut gradients: [&mut [[R; D]]; TARGETS],
+        gradients: &mut [&mut [[R; D]]],
     ) -> [R; SUMS]
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
         let grouped = self.range.len() / GROUP * GROUP;
-        let mut of_groups = [R::of(0.0); SUMS];
+        let mut partial = [[R::of(0.0); PARTIAL]; SUMS];
         if grouped > 0 {
-            let mut partial = [[R::of(0.0); PARTIAL]; SUMS];
-            let done = self.run_blocks::<R::Block, T, READS, SUMS, TARGETS>(0..grouped, &mut partial, &mut gradients);
+            let left = self.run_blocks::<R::Block, T, READS, SUMS, TARGETS>(grouped, &mut partial, gradients);
             if const { R::Block::WIDTH > GROUP } {
-                self.run_blocks::<R, T, READS, SUMS, TARGETS>(done..grouped, &mut partial, &mut gradients);
-            }
-            for sum in 0..SUMS {
-                of_groups[sum] = total::<R, R::Block>(partial[sum]);
+                self.run_blocks::<R, T, READS, SUMS, TARGETS>(left, &mut partial, gradients);
             }
         }
-        let mut rest = [R::of(0.0); SUMS];
-        let common = self.common;
-        for number in self.range.clone() {
-            rest = self.run_block::<R, T, READS, SUMS, TARGETS>(number, common, rest, &mut gradients);
+        let mut sums = [R::of(0.0); SUMS];
+        while self.range.start < self.range.end {
+            sums = self.run_block::<R, T, READS, SUMS, TARGETS>(self.common, sums, gradients);
         }
         if grouped > 0 {
-            for sum in 0..SUMS {
-                rest[sum] = of_groups[sum] + rest[sum];
+            let mut sum = 0;
+            while sum < SUMS {
+                sums[sum] = total::<R, R::Block>(partial[sum]) + sums[sum];
+                sum += 1;
             }
         }
-        rest
+        sums
     }
 
-    /// Runs iterations in whole blocks, given by how many come before them. Returns how many come before those that are left.
+    /// Runs groups of iterations in whole blocks, beginning with the first partial sum. Returns how many iterations are left.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn run_blocks<W: Block<R>, T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
         &mut self,
-        mut numbers: Range<usize>,
+        mut left: usize,
         partial: &mut [[R; PARTIAL]; SUMS],
-        gradients: &mut [&mut [[R; D]]; TARGETS],
+        gradients: &mut [&mut [[R; D]]],
     ) -> usize
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
         let mut common = [W::of(0.0); COMMON];
-        for number in 0..COMMON {
+        let mut number = 0;
+        while number < COMMON {
             common[number] = W::splat(self.common[number]);
+            number += 1;
         }
-        // In whole rounds, the places of partial sums are constants, which lets these stay in registers.
-        while numbers.len() >= PARTIAL {
-            for place in (0..PARTIAL).step_by(W::WIDTH) {
+        // The places of partial sums are constants, which lets these stay in registers.
+        while left >= PARTIAL {
+            let mut place = 0;
+            while place < PARTIAL {
                 self.add_block::<W, T, READS, SUMS, TARGETS>(place, common, partial, gradients);
+                place += W::WIDTH;
             }
-            numbers.start += PARTIAL;
+            left -= PARTIAL;
         }
-        while numbers.len() >= W::WIDTH {
-            // A block does not extend beyond the last partial sum, since its width divides their number.
-            let place = numbers.start & (PARTIAL - W::WIDTH);
-            self.add_block::<W, T, READS, SUMS, TARGETS>(place, common, partial, gradients);
-            numbers.start += W::WIDTH;
+        if const { W::WIDTH <= GROUP } && left > 0 {
+            let mut place = 0;
+            while place < GROUP {
+                self.add_block::<W, T, READS, SUMS, TARGETS>(place, common, partial, gradients);
+                place += W::WIDTH;
+            }
+            left = 0;
         }
-        numbers.start
+        left
     }
 
     /// Runs the next block of iterations, which add to the partial sums from a place on.
@@ -157,58 +159,76 @@ impl<R: Real, S: Slot<R>, const PARTS: usize, const CONSTANTS: usize, const COMM
         place: usize,
         common: [W; COMMON],
         partial: &mut [[R; PARTIAL]; SUMS],
-        gradients: &mut [&mut [[R; D]]; TARGETS],
+        gradients: &mut [&mut [[R; D]]],
     ) where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
         let mut sums = [W::of(0.0); SUMS];
-        for sum in 0..SUMS {
+        let mut sum = 0;
+        while sum < SUMS {
             sums[sum] = W::read(&partial[sum][place..]);
+            sum += 1;
         }
-        let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(self.range.start, common, sums, gradients);
-        for sum in 0..SUMS {
+        let sums = self.run_block::<W, T, READS, SUMS, TARGETS>(common, sums, gradients);
+        sum = 0;
+        while sum < SUMS {
             sums[sum].write(&mut partial[sum][place..]);
+            sum += 1;
         }
-        self.range.start += W::WIDTH;
     }
 
-    /// Runs a block of iterations, and returns the sums after it.
+    /// Runs the next block of iterations, and returns the sums after it.
     #[inline(always)]
     fn run_block<W: Block<R>, T, const READS: usize, const SUMS: usize, const TARGETS: usize>(
-        &self,
-        first: usize,
+        &mut self,
         common: [W; COMMON],
         sums: [W; SUMS],
-        gradients: &mut [&mut [[R; D]]; TARGETS],
+        gradients: &mut [&mut [[R; D]]],
     ) -> [W; SUMS]
     where
         T: Iteration<READS, CONSTANTS, COMMON, SUMS, TARGETS, D>,
     {
+        let first = self.range.start;
+        self.range.start += W::WIDTH;
+        let mut number = 0;
         let mut reads = [[W::of(0.0); D]; READS];
-        for read in 0..READS {
-            let Near { part, offset } = T::READS[read];
-            reads[read] = points(&self.parts[part][first.wrapping_add_signed(offset)..]);
+        while number < READS {
+            let Near { part, offset } = T::READS[number];
+            reads[number] = points(&self.parts[part][first.wrapping_add_signed(offset)..]);
+            number += 1;
         }
         let mut constants = [W::of(0.0); CONSTANTS];
-        for constant in 0..CONSTANTS {
-            constants[constant] = W::read(&self.constants[constant][first..]);
+        number = 0;
+        while number < CONSTANTS {
+            constants[number] = W::read(&self.constants[number][first..]);
+            number += 1;
         }
         let target = first.wrapping_add_signed(T::TARGET);
         let mut moved = [[W::of(0.0); D]; TARGETS];
-        for number in 0..TARGETS {
+        number = 0;
+        while number < TARGETS {
             moved[number] = points(&gradients[number][target..]);
+            number += 1;
         }
         let (sums, moved) = T::next::<R, W>(reads, constants, common, sums, moved);
-        for number in 0..TARGETS {
+        number = 0;
+        while number < TARGETS {
             write(moved[number], &mut gradients[number][target..]);
+            number += 1;
         }
         sums
     }
 }
 
-/// Returns the parts of a gradient before an index and from it on. Without an iteration, there may be none from it on.
+/// Returns the points of a gradient before an index and from it on. Without an iteration, there may be none from it on.
 pub fn apart<T>(gradient: &mut [T], from: usize) -> [&mut [T]; 2] {
     gradient.split_at_mut(from.min(gradient.len())).into()
+}
+
+/// The same of a gradient of numbers, `D` of which are a point.
+pub fn groups_apart<T, const D: usize>(gradient: &mut [T], from: usize) -> [&mut [[T; D]]; 2] {
+    let [first, second] = apart(gradient, from);
+    [first.as_chunks_mut().0, second.as_chunks_mut().0]
 }
 
 /// A block of the first points of a slice.
@@ -263,7 +283,7 @@ pub(super) fn sum<R: Real>(count: usize, block: impl Fn(usize) -> R::Block, numb
 
 /// The sum of partial sums: each of the second half is added to one of the first half, and so on.
 #[inline(always)]
-fn total<R: Real, W: Block<R>>(mut partial: [R; PARTIAL]) -> R {
+pub(super) fn total<R: Real, W: Block<R>>(mut partial: [R; PARTIAL]) -> R {
     let mut half = PARTIAL / 2;
     while half >= W::WIDTH {
         for lane in (0..half).step_by(W::WIDTH) {
@@ -380,14 +400,18 @@ mod tests {
             for count in 0..=MOST {
                 let range = BEFORE..BEFORE + count;
                 let (mut expected, mut partial) = (start.clone(), [[R::of(0.0); PARTIAL + 1]; 2]);
-                let mut products = [R::of(0.0); PARTIAL + 1];
+                let [mut products, mut inner] = [[R::of(0.0); PARTIAL + 1]; 2];
+                let numbers = q.as_flattened();
+                let mut multiples = start.as_flattened().to_vec();
                 for (n, i) in range.clone().enumerate() {
                     let place = place(n, count);
                     let sums = [partial[0][place], partial[1][place]];
                     let (sums, [point]) =
                         Difference::next::<R, R>([p[i], q[i - 1]], [constants[i]], [factor], sums, [expected[i + 1]]);
                     (partial[0][place], partial[1][place], expected[i + 1]) = (sums[0], sums[1], point);
-                    products[place] = q.as_flattened()[i].fma(q.as_flattened()[i + 2], products[place]);
+                    products[place] = numbers[i].fma(numbers[i + 2], products[place]);
+                    inner[place] = constants[i].scale_add(numbers[i + 2], inner[place]);
+                    multiples[i - 1] = constants[i].scale_add(factor, multiples[i - 1]);
                 }
                 let mut gradient = start.clone();
                 let both = Loop {
@@ -401,7 +425,15 @@ mod tests {
                 for (point, expected) in gradient.iter().zip(&expected) {
                     assert_eq!(point.map(bits), expected.map(bits), "{count} iterations");
                 }
-                let line = Loop { range, parts: [q.as_flattened().as_chunks::<1>().0], constants: [], common: [] };
+                let parts = [numbers.as_chunks::<1>().0];
+                let row = Loop { range: range.clone(), parts, constants: [&constants[..]], common: [] };
+                assert_eq!(bits(row.inner_product(2)), bits(in_pairs(inner, count)), "{count} products");
+                let mut gradient = start.as_flattened().to_vec();
+                let row = Loop { range: range.clone(), parts, constants: [&constants[..]], common: [factor] };
+                row.add_multiples(-1, gradient.as_chunks_mut::<1>().0);
+                let all = |numbers: Vec<R>| numbers.into_iter().map(bits).collect::<Vec<_>>();
+                assert_eq!(all(gradient), all(multiples), "{count} multiples");
+                let line = Loop { range, parts, constants: [], common: [] };
                 assert_eq!(
                     line.run::<Product, _, _, _>(&mut []).map(bits),
                     [bits(in_pairs(products, count))],

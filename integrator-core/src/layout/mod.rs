@@ -4,3 +4,4 @@ pub(crate) mod bodies;
 pub(crate) mod lattice;
 pub(crate) mod lists;
 pub(crate) mod loops;
+pub(crate) mod products;

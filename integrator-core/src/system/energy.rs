@@ -143,8 +143,12 @@ pub(crate) fn energy<H: System, K: Precision>(
 ) -> Parts {
     if const { H::ENERGIES_IN_LANES } {
         match InstructionSet::chosen() {
-            InstructionSet::Avx512 => return energy_in::<H, K, K::EnergyIn<Avx512>>(parameters, state, time, found),
-            InstructionSet::Fused => return energy_in::<H, K, K::EnergyIn<Fma>>(parameters, state, time, found),
+            InstructionSet::Avx512 if H::WIDE => {
+                return energy_in::<H, K, K::EnergyIn<Avx512>>(parameters, state, time, found);
+            }
+            InstructionSet::Avx512 | InstructionSet::Fused => {
+                return energy_in::<H, K, K::EnergyIn<Fma>>(parameters, state, time, found);
+            }
             InstructionSet::Baseline => {}
         }
     }

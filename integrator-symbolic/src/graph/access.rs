@@ -81,7 +81,11 @@ impl Loops {
                 self.is_extent(end) && self.literal(less).is_some_and(|less| by <= less)
             }
             Index::Min(a, b) => self.ends_before(a, by) || self.ends_before(b, by),
-            _ => false,
+            // Constants of the user: `0..N` in `[f64; N + 1]`.
+            _ => self.extents().any(|extent| {
+                let Index::Add(end, more) = self.index(extent) else { return false };
+                end == to && self.literal(more).is_some_and(|more| by <= more)
+            }),
         }
     }
 

@@ -38,7 +38,7 @@ pub(crate) use parameters::text::with_own_self;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use std::collections::HashMap;
-use syn::{Expr, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
+use syn::{BinOp, Expr, ExprBinary, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 pub(crate) use system::external::{Method, strip};
 pub(crate) use system::invariant::Invariant;
 use system::parts::part_shape;
@@ -713,15 +713,24 @@ impl<'i> Reader<'i> {
 
     /// A length of the coordinates as an integer.
     fn length(&mut self, length: &Length) -> IndexId {
-        let index = match length {
-            Length::Literal(length) => Index::Literal(*length),
-            Length::Constant(expression) => {
-                Index::Parameter(self.parameter(expression.to_token_stream(), "integer", LoopSet::EMPTY))
-            }
-            Length::OfStart => Index::Length,
-        };
-        let length = self.graph.loops.intern(index);
+        let length = self.integer_of_length(length);
         self.graph.loops.declare_extent(length);
         length
+    }
+
+    /// The same integer as that of a function with the same sum of constants.
+    fn integer_of_length(&mut self, length: &Length) -> IndexId {
+        let index = match length {
+            Length::Literal(length) => Index::Literal(*length),
+            Length::Constant(expression) => match &**expression {
+                Expr::Binary(ExprBinary { left, op: BinOp::Add(_), right, .. }) => {
+                    let [left, right] = [left, right].map(|part| self.integer_of_length(&Length::of(part)));
+                    Index::Add(left, right)
+                }
+                _ => Index::Parameter(self.parameter(expression.to_token_stream(), "integer", LoopSet::EMPTY)),
+            },
+            Length::OfStart => Index::Length,
+        };
+        self.graph.loops.intern(index)
     }
 }

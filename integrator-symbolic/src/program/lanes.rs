@@ -8,6 +8,7 @@ use super::{
     Item, Program,
     lists::{adds_to_list, computes, is_called, literal_count, position, read_together},
     nest::{Nest, NestContext},
+    phases::Phases,
 };
 use crate::graph::{
     Element, Graph, MOST_COMPONENTS, Node, NodeId, Part,
@@ -158,7 +159,9 @@ impl<'s> LaneContext<'s> {
                 Item::Loop { body, .. } => match self.loop_in_lanes(items, item) {
                     Ok(lanes) => found.push(lanes),
                     Err(_) => {
-                        found.extend(self.phases(items, item).map(|phases| phases.middle));
+                        // A function of a row takes little time beside the products of its entries.
+                        let of_rows = |phases: Phases<'p>| LoopInLanes { is_wide: false, ..phases.middle };
+                        found.extend(self.phases(items, item).map(of_rows));
                         self.add_to(found, body);
                     }
                 },

@@ -127,6 +127,9 @@ impl Machine<'_> {
         if name == "run" || name == "run_apart" {
             return Some(self.loop_in_lanes(call));
         }
+        if name == "inner_product" || name == "add_multiples" {
+            return Some(self.products(call));
+        }
         if !matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("motion")) {
             return None;
         }

@@ -34,10 +34,7 @@ impl Machine<'_> {
         let mut sums =
             Value::list((0..sums_of_type(&next.sig)?).map(|_| Number::plain(0.0).of_kind(Kind::Wide).into()));
         for number in from.value..to.value {
-            let near = |offset: i128| match usize::try_from(number + offset) {
-                Ok(place) => Ok(place),
-                Err(_) => panic("a point before the first one"),
-            };
+            let near = |offset: i128| place(number + offset);
             let mut read = Vec::new();
             for point in &reads {
                 let offset = offset(point)?;
@@ -63,6 +60,46 @@ impl Machine<'_> {
             }
         }
         Ok(sums.lifted(Kind::Scalar))
+    }
+
+    /// A call of `Loop::inner_product` or `Loop::add_multiples`.
+    pub(crate) fn products(&mut self, call: &syn::ExprMethodCall) -> Outcome<Value> {
+        let run = self.expression(&call.receiver)?;
+        let [parts, constants, common] = ["parts", "constants", "common"].map(|name| run.field(name));
+        let (Some(offset), table) = (call.args.first(), argument(constants?.items()?, 0)?) else {
+            return foreign("products without an offset");
+        };
+        let offset = signed(offset)?;
+        let gradient = call.args.get(1).map(sums_of).transpose()?;
+        let gradient = gradient.map(|(place, group)| Gradient { place: place.clone(), from: 0, group });
+        let Value::Range(from, to) = run.field("range")?.clone() else { return foreign("a loop without a range") };
+        let mut sum: Value = Number::plain(0.0).of_kind(Kind::Scalar).into();
+        for number in from.value..to.value {
+            let (constant, near) = (table.at(place(number)?)?.lifted(Kind::Scalar), place(number + offset)?);
+            match &gradient {
+                None => {
+                    let read = row(&components(argument(parts.clone()?.items()?, 0)?.at(near)?)?).lifted(Kind::Scalar);
+                    sum = self.method_of(constant, "scale_add", vec![argument(read.items()?, 0)?.clone(), sum])?;
+                }
+                Some(gradient) => {
+                    let factor = argument(common.clone()?.items()?, 0)?.lifted(Kind::Scalar);
+                    let mut numbers = self.expression(&gradient.place)?.items()?.to_vec();
+                    let before = argument(gradient.point(&numbers, near)?.items()?, 0)?.clone();
+                    let after = self.method_of(constant, "scale_add", vec![factor, before])?;
+                    gradient.set(&mut numbers, near, &Value::list([after]))?;
+                    self.store(&gradient.place, Value::list(numbers))?;
+                }
+            }
+        }
+        Ok(sum)
+    }
+}
+
+/// A place that is not before the first one.
+fn place(number: i128) -> Outcome<usize> {
+    match usize::try_from(number) {
+        Ok(place) => Ok(place),
+        Err(_) => panic("a point before the first one"),
     }
 }
 
@@ -100,22 +137,22 @@ impl Gradient {
 }
 
 impl Machine<'_> {
-    /// Both parts of a gradient, `apart(&mut gradient[..], from)`, or these as chunks; or the results of all iterations,
-    /// `results.each_mut()`, as chunks.
+    /// Both parts of a gradient, `apart(&mut gradient[..], from)` or `groups_apart` of those, as chunks; or the results of all
+    /// iterations, a block with `let [results_0] = &mut results`, as chunks.
     fn several(&mut self, several: &Expr) -> Outcome<Vec<Gradient>> {
-        let (several, group) = match several {
-            Expr::MethodCall(map) if map.method == "map" => match map.args.first() {
-                Some(Expr::Closure(chunks)) => (&*map.receiver, sums_of(&chunks.body)?.1),
-                _ => return foreign("chunks of a gradient"),
-            },
-            several => (several, None),
-        };
-        match several {
-            Expr::MethodCall(each) if each.method == "each_mut" => {
-                let (list, count) = (&each.receiver, self.expression(&each.receiver)?.items()?.len());
-                Ok((0..count).map(|n| Gradient { place: syn::parse_quote!(#list[#n]), from: 0, group }).collect())
+        let Expr::Reference(several) = several else { return foreign("parts of a gradient that are no reference") };
+        match &*several.expr {
+            Expr::Block(block) => {
+                let Some(syn::Stmt::Local(syn::Local { init: Some(results), .. })) = block.block.stmts.first() else {
+                    return foreign("results without a name");
+                };
+                let Expr::Reference(list) = &*results.expr else { return foreign("results that are no reference") };
+                let (list, count) = (&list.expr, self.expression(&list.expr)?.items()?.len());
+                let gradient = |n: usize| Gradient { place: syn::parse_quote!(#list[#n]), from: 0, group: Some(1) };
+                Ok((0..count).map(gradient).collect())
             }
             Expr::Call(call) => {
+                let group = group_of(call)?;
                 let (Some(gradient), Some(from)) = (call.args.first(), call.args.get(1)) else {
                     return foreign("parts of no gradient");
                 };
@@ -124,6 +161,17 @@ impl Machine<'_> {
             }
             _ => foreign("parts of a gradient"),
         }
+    }
+}
+
+/// The numbers of a point, `2` of `groups_apart::<_, 2>(..)`; `None` of `apart(..)`.
+fn group_of(call: &syn::ExprCall) -> Outcome<Option<usize>> {
+    let Expr::Path(path) = &*call.func else { return foreign("parts of a gradient") };
+    let arguments = path.path.segments.last().map(|last| &last.arguments);
+    let Some(syn::PathArguments::AngleBracketed(types)) = arguments else { return Ok(None) };
+    match types.args.last() {
+        Some(syn::GenericArgument::Const(count)) => Ok(Some(signed(count)? as usize)),
+        _ => foreign("points of no length"),
     }
 }
 

@@ -30,6 +30,9 @@ impl Block<'_> {
 
     /// A loop in lanes, with the beginning of its sums.
     pub(super) fn in_lanes(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>) -> TokenStream {
+        if let Some(products) = self.products(fields, by, lanes) {
+            return products;
+        }
         let (iteration, reads_time) = self.iteration(fields, lanes);
         let call = self.call_of_loop(fields, by, lanes, reads_time);
         let sums = lanes.sums.iter().map(|sum| &self.printer.names[sum]);
@@ -118,40 +121,51 @@ impl Block<'_> {
 
     /// The call of the runtime.
     fn call_of_loop(&self, fields: &mut Fields, by: LoopId, lanes: &LoopInLanes<'_>, reads_time: bool) -> TokenStream {
-        let (printer, Names { runtime, iteration, .. }) = (&self.printer, self.names);
+        let Names { runtime, iteration, results, .. } = self.names;
+        let values = self.loop_of(fields, by, lanes, reads_time);
+        let (method, gradient) = match (lanes.target, lanes.apart) {
+            (None, _) if !lanes.results.is_empty() => {
+                let lists: Vec<Ident> = (0..lanes.results.len()).map(|n| format_ident!("{results}_{n}")).collect();
+                let points = quote!(let [#(#lists),*] = &mut #results; [#(#lists.as_chunks_mut::<1>().0),*]);
+                (quote!(run_apart), quote!(&mut { #points }))
+            }
+            (None, _) => (quote!(run), quote!(&mut [])),
+            (Some(_), None) => (quote!(run), gradient_of_points(lanes.points)),
+            (Some(_), Some(from)) => {
+                let from = self.printer.index(fields, from);
+                let count = Literal::usize_unsuffixed(lanes.points.components());
+                let apart = match lanes.points {
+                    Points::Components(_) => quote!(apart),
+                    Points::Numbers | Points::Groups(_) => quote!(groups_apart::<_, #count>),
+                };
+                (quote!(run_apart), quote!(&mut #runtime::#apart(&mut gradient[..], #from)))
+            }
+        };
+        quote!(#values.#method::<#iteration, _, _, _>(#gradient))
+    }
+
+    /// The runtime's struct of a loop.
+    pub(super) fn loop_of(
+        &self,
+        fields: &mut Fields,
+        by: LoopId,
+        lanes: &LoopInLanes<'_>,
+        reads_time: bool,
+    ) -> TokenStream {
+        let (printer, Names { runtime, kept, .. }) = (&self.printer, self.names);
         let range = printer.range(fields, by);
         let mut constants: Vec<_> = lanes.constants.iter().map(|id| printer.table(fields, by, *id)).collect();
-        let kept = &self.names.kept;
         constants.extend(lanes.kept.iter().map(|(_, number)| {
             let number = Literal::usize_unsuffixed(*number);
             quote!(&#kept[#number][..])
         }));
         let operands = (&lanes.parts[..], lanes.points, &constants[..], &lanes.common[..]);
         let operands = printer.operands(fields, operands, reads_time);
-        let (method, gradient) = match (lanes.target, lanes.apart) {
-            (None, _) if !lanes.results.is_empty() => {
-                let results = &self.names.results;
-                (quote!(run_apart), quote!(#results.each_mut().map(|values| values.as_chunks_mut::<1>().0)))
-            }
-            (None, _) => (quote!(run), quote!(&mut [])),
-            (Some(_), None) => (quote!(run), gradient_of_points(lanes.points)),
-            (Some(_), Some(from)) => {
-                let from = printer.index(fields, from);
-                let both = quote!(#runtime::apart(&mut gradient[..], #from));
-                let count = Literal::usize_unsuffixed(lanes.points.components());
-                let both = match lanes.points {
-                    Points::Components(_) => both,
-                    Points::Numbers | Points::Groups(_) => quote!(#both.map(|part| part.as_chunks_mut::<#count>().0)),
-                };
-                (quote!(run_apart), both)
-            }
-        };
         quote! {
             #runtime::Loop {
                 range: #range,
                 #operands
             }
-            .#method::<#iteration, _, _, _>(#gradient)
         }
     }
 }

@@ -12,4 +12,5 @@ pub(super) mod interleaved;
 pub(super) mod lanes;
 pub(super) mod lists;
 mod phases;
+mod products;
 pub(super) mod sites;

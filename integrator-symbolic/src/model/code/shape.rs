@@ -23,7 +23,7 @@ pub(crate) enum Length {
 }
 
 impl Length {
-    fn of(expression: &Expr) -> Self {
+    pub(crate) fn of(expression: &Expr) -> Self {
         let constant = || Self::Constant(Box::new(expression.clone()));
         match expression {
             Expr::Lit(ExprLit { lit: Lit::Int(number), .. }) => {

@@ -1,9 +1,6 @@
 //! Conditions and branches.
 
-use crate::graph::{
-    Comparison, Node, NodeId,
-    index::{Index, IndexId},
-};
+use crate::graph::{Comparison, NodeId};
 use crate::model::{
     BindingId, Reader, Target,
     code::{assigned::Assigned, escape::Skip},
@@ -304,6 +301,9 @@ impl Reader<'_> {
                 if let Some(list) = self.either_list(condition, [&a, &b], place) {
                     return Some(Value::List(list));
                 }
+                if let Some(coordinate) = self.coordinate_of_ring(condition, &a, &b) {
+                    return Some(Value::Real(coordinate));
+                }
                 if [&a, &b].iter().any(|value| matches!(value, Value::Integer(_)))
                     && let Some(own) = self.own_choice(condition, &a, &b)
                 {
@@ -349,46 +349,5 @@ impl Reader<'_> {
             self.errors.at(place.to_token_stream(), message);
         }
         None
-    }
-}
-
-impl Reader<'_> {
-    /// The remainder that a choice between two integers is at the end of a ring: `if i + 1 == n { 0 } else { i + 1 }` and
-    /// `if i == 0 { n - 1 } else { i - 1 }` with `i` below `n`.
-    pub(crate) fn wrapped(&mut self, condition: NodeId, a: IndexId, b: IndexId) -> Option<IndexId> {
-        let one = self.literal_index(1);
-        let (left, right, at_edge, inside) = match self.graph.node(condition) {
-            Node::CompareIndex(Comparison::Equal, left, right) => (left, right, a, b),
-            Node::CompareIndex(Comparison::Less, left, right) if a == left => (left, right, b, a),
-            Node::Not(inner) => match self.graph.node(inner) {
-                Node::CompareIndex(Comparison::Equal, left, right) => (left, right, b, a),
-                _ => return None,
-            },
-            _ => return None,
-        };
-        let loops = &mut self.graph.loops;
-        if let Index::Running(by) = loops.index(left)
-            && loops.literal(right) == Some(0)
-            && loops.index(inside) == Index::Sub(left, one)
-        {
-            let size = loops.get(by).to;
-            if loops.intern(Index::Sub(size, one)) != at_edge {
-                return None;
-            }
-            let before = loops.intern(Index::Add(left, at_edge));
-            return Some(loops.intern(Index::Rem(before, size)));
-        }
-        // `if i == n - 1 { 0 } else { i + 1 }`
-        if let Index::Running(by) = loops.index(left)
-            && loops.literal(at_edge) == Some(0)
-            && loops.index(inside) == Index::Add(left, one)
-        {
-            let size = loops.get(by).to;
-            return (loops.intern(Index::Sub(size, one)) == right).then(|| loops.intern(Index::Rem(inside, size)));
-        }
-        let Index::Add(base, step) = loops.index(left) else { return None };
-        let Index::Running(by) = loops.index(base) else { return None };
-        let fits = step == one && inside == left && loops.literal(at_edge) == Some(0) && loops.get(by).to == right;
-        fits.then(|| loops.intern(Index::Rem(left, right)))
     }
 }

@@ -84,8 +84,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10005673203932307365;
-        const WIDE: bool = true;
+        const FINGERPRINT: u64 = 5361497942864501966;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
@@ -132,39 +131,13 @@ const _: () = {
                 runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
             ];
             for row in 0..motion.parameters.prepared_0 {
-                let [sum_0] = {
-                    struct Iteration;
-                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
-                        const READS: [runtime::Near; 1] = [
-                            runtime::Near {
-                                part: 0,
-                                offset: 1,
-                            },
-                        ];
-                        #[inline(always)]
-                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                            [[read_0_0,
-                            ],
-                            ]: [[Wide; 1]; 1],
-                            [constant_0,
-                            ]: [Wide; 1],
-                            []: [Wide; 0],
-                            [mut sum_0,
-                            ]: [Wide; 1],
-                            []: [[Wide; 1]; 0],
-                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
-                            sum_0 = constant_0.scale_add(read_0_0, sum_0);
-                            ([sum_0], [])
-                        }
-                    }
-                    runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [],
-                    }
-                        .run::<Iteration, _, _, _>(&mut [])
-                };
+                let sum_0 = runtime::Loop {
+                    range: 0..motion.q.len().saturating_sub(1),
+                    parts: [motion.q.as_chunks::<1>().0],
+                    constants: [&motion.parameters.covariates[row][..]],
+                    common: [],
+                }
+                    .inner_product(1);
                 kept[0][row] = sum_0;
             }
             let mut results = [
@@ -206,38 +179,22 @@ const _: () = {
                         _,
                         _,
                         _,
-                    >(results.each_mut().map(|values| values.as_chunks_mut::<1>().0))
+                    >(
+                        &mut {
+                            let [results_0] = &mut results;
+                            [results_0.as_chunks_mut::<1>().0]
+                        },
+                    )
             };
             for row in 0..motion.parameters.prepared_0 {
                 let shared_0 = results[0][row];
-                {
-                    struct Iteration;
-                    impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
-                        const READS: [runtime::Near; 0] = [];
-                        const TARGET: isize = 1;
-                        #[inline(always)]
-                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                            []: [[Wide; 1]; 0],
-                            [constant_0,
-                            ]: [Wide; 1],
-                            [shared_0,
-                            ]: [Wide; 1],
-                            []: [Wide; 0],
-                            [mut gradient,
-                            ]: [[Wide; 1]; 1],
-                        ) -> ([Wide; 0], [[Wide; 1]; 1]) {
-                            gradient[0] = constant_0.scale_add(shared_0, gradient[0]);
-                            ([], [gradient])
-                        }
-                    }
-                    runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [shared_0],
-                    }
-                        .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
+                runtime::Loop {
+                    range: 0..motion.q.len().saturating_sub(1),
+                    parts: [motion.q.as_chunks::<1>().0],
+                    constants: [&motion.parameters.covariates[row][..]],
+                    common: [shared_0],
                 }
+                    .add_multiples(1, gradient.as_chunks_mut::<1>().0);
             }
             gradient[0] += sum_1;
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
@@ -293,39 +250,13 @@ const _: () = {
                 runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
             ];
             for row in 0..motion.parameters.prepared_0 {
-                let [sum_0] = {
-                    struct Iteration;
-                    impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
-                        const READS: [runtime::Near; 1] = [
-                            runtime::Near {
-                                part: 0,
-                                offset: 1,
-                            },
-                        ];
-                        #[inline(always)]
-                        fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                            [[read_0_0,
-                            ],
-                            ]: [[Wide; 1]; 1],
-                            [constant_0,
-                            ]: [Wide; 1],
-                            []: [Wide; 0],
-                            [mut sum_0,
-                            ]: [Wide; 1],
-                            []: [[Wide; 1]; 0],
-                        ) -> ([Wide; 1], [[Wide; 1]; 0]) {
-                            sum_0 = constant_0.scale_add(read_0_0, sum_0);
-                            ([sum_0], [])
-                        }
-                    }
-                    runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [],
-                    }
-                        .run::<Iteration, _, _, _>(&mut [])
-                };
+                let sum_0 = runtime::Loop {
+                    range: 0..motion.q.len().saturating_sub(1),
+                    parts: [motion.q.as_chunks::<1>().0],
+                    constants: [&motion.parameters.covariates[row][..]],
+                    common: [],
+                }
+                    .inner_product(1);
                 kept[0][row] = sum_0;
             }
             let [sum_1] = {
@@ -648,39 +579,13 @@ const _: () = {
                     runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
                 ];
                 for row in 0..motion.parameters.prepared_0 {
-                    let [sum_0] = {
-                        struct Iteration;
-                        impl runtime::Iteration<1, 1, 0, 1, 0, 1> for Iteration {
-                            const READS: [runtime::Near; 1] = [
-                                runtime::Near {
-                                    part: 0,
-                                    offset: 1,
-                                },
-                            ];
-                            #[inline(always)]
-                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                                [[read_0_0,
-                                ],
-                                ]: [[Wide; 1]; 1],
-                                [constant_0,
-                                ]: [Wide; 1],
-                                []: [Wide; 0],
-                                [mut sum_0,
-                                ]: [Wide; 1],
-                                []: [[Wide; 1]; 0],
-                            ) -> ([Wide; 1], [[Wide; 1]; 0]) {
-                                sum_0 = constant_0.scale_add(read_0_0, sum_0);
-                                ([sum_0], [])
-                            }
-                        }
-                        runtime::Loop {
-                            range: 0..motion.q.len().saturating_sub(1),
-                            parts: [motion.q.as_chunks::<1>().0],
-                            constants: [&motion.parameters.covariates[row][..]],
-                            common: [],
-                        }
-                            .run::<Iteration, _, _, _>(&mut [])
-                    };
+                    let sum_0 = runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [],
+                    }
+                        .inner_product(1);
                     kept[0][row] = sum_0;
                 }
                 let mut results = [
@@ -727,38 +632,22 @@ const _: () = {
                             _,
                             _,
                             _,
-                        >(results.each_mut().map(|values| values.as_chunks_mut::<1>().0))
+                        >(
+                            &mut {
+                                let [results_0] = &mut results;
+                                [results_0.as_chunks_mut::<1>().0]
+                            },
+                        )
                 };
                 for row in 0..motion.parameters.prepared_0 {
                     let shared_1 = results[0][row];
-                    {
-                        struct Iteration;
-                        impl runtime::Iteration<0, 1, 1, 0, 1, 1> for Iteration {
-                            const READS: [runtime::Near; 0] = [];
-                            const TARGET: isize = 1;
-                            #[inline(always)]
-                            fn next<Scalar: runtime::Real, Wide: runtime::Block<Scalar>>(
-                                []: [[Wide; 1]; 0],
-                                [constant_0,
-                                ]: [Wide; 1],
-                                [shared_1,
-                                ]: [Wide; 1],
-                                []: [Wide; 0],
-                                [mut gradient,
-                                ]: [[Wide; 1]; 1],
-                            ) -> ([Wide; 0], [[Wide; 1]; 1]) {
-                                gradient[0] = constant_0.scale_add(shared_1, gradient[0]);
-                                ([], [gradient])
-                            }
-                        }
-                        runtime::Loop {
-                            range: 0..motion.q.len().saturating_sub(1),
-                            parts: [motion.q.as_chunks::<1>().0],
-                            constants: [&motion.parameters.covariates[row][..]],
-                            common: [shared_1],
-                        }
-                            .run::<Iteration, _, _, _>(gradient.as_chunks_mut::<1>().0);
+                    runtime::Loop {
+                        range: 0..motion.q.len().saturating_sub(1),
+                        parts: [motion.q.as_chunks::<1>().0],
+                        constants: [&motion.parameters.covariates[row][..]],
+                        common: [shared_1],
                     }
+                        .add_multiples(1, gradient.as_chunks_mut::<1>().0);
                 }
                 gradient[0] += sum_2;
                 sum_1
