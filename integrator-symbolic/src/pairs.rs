@@ -14,6 +14,7 @@ mod exchange;
 mod extremes;
 mod images;
 mod included;
+mod merged;
 mod order;
 mod partners;
 pub(crate) mod points;
@@ -91,7 +92,12 @@ pub(crate) fn pairs(
     let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair));
     let pair = pair.ok_or(obstacle.unwrap_or(Reason::NoPairs))?;
     visited.extend(embedded.densities.iter().map(|density| Visited { pair: density.pair, ascending: None }));
-    let [written, alone, others] = [pairs, alone, others].map(|terms| total(graph, terms));
+    let [alone, others] = [alone, others].map(|terms| total(graph, terms));
+    let mut written = graph.constant(0.0);
+    for term in pairs {
+        let term = merged::in_one_direction(graph, term, pair, parameters);
+        written = merged::sum(graph, written, term);
+    }
     let of_others = gradient(graph, others, Part::Position);
     if !of_others.is_empty() && !are_many {
         return Err(obstacle.unwrap_or(Reason::PairsAndOthers));
