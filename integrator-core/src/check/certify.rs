@@ -9,7 +9,7 @@ use crate::{
         property::{
             agreement::{Visited, agreement},
             drive::turns,
-            energies::{Energies, gradient_tolerance},
+            energies::{Differentiable, Energies, gradient_tolerance},
             energy::EnergyDrift,
             flow_laws::{Broken, FlowErrors, flow_errors},
             gradient::error_at,
@@ -345,7 +345,8 @@ impl Subject<'_> {
         let piece = unit * UNITS as f64;
         let pieces = ((span / piece.abs()).ceil() as u64).min(MOST_PIECES);
         let needed = needed_along(stepper.facts().order);
-        let along = order_along((stepper, needed), &self.start, piece, pieces);
+        let measured = (stepper, self.measured.stated().energies() as &dyn Differentiable);
+        let along = order_along(measured, needed, &self.start, (piece, pieces));
         if along.loss.is_some() || within(unit, self.h.abs()) {
             return along;
         }
@@ -354,7 +355,7 @@ impl Subject<'_> {
         let piece = (unit / FINER).abs().max(self.h.abs()).copysign(self.h) * UNITS as f64;
         let coordinates = self.start.phase.q.len() as u64;
         let pieces = (MOST_FINE * FEW_COORDINATES / coordinates.max(FEW_COORDINATES)).max(1);
-        let fine = order_along((stepper, needed.min(needed_along(4))), &self.start, piece, pieces);
+        let fine = order_along(measured, needed.min(needed_along(4)), &self.start, (piece, pieces));
         if fine.loss.is_some() { fine } else { along }
     }
 

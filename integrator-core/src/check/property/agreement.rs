@@ -9,7 +9,7 @@ use crate::{
     check::{
         CheckError,
         property::{
-            energies::{Energies, slopes},
+            energies::{Energies, read_by, slopes},
             gradient::Gradient,
             part_flows::Flows,
             slope::{KNOWN, SAFETY, Slope, slope_of},
@@ -241,10 +241,16 @@ impl Point<'_> {
     fn tangent(&self, direction: &[f64]) -> Result<bool, Disagreement> {
         let mut digits = Digits::default();
         let weights: Vec<f64> = direction.iter().map(|_| 1.5 + 0.5 * digits.next()).collect();
+        let system = self.system.energies();
         let value = |distance| {
-            let terms = self.generated(&self.moved(direction, distance)).into_iter().zip(&weights);
+            let state = self.moved(direction, distance);
+            let terms = self.generated(&state).into_iter().zip(&weights);
             let terms: Vec<f64> = terms.map(|(slope, weight)| slope * weight).collect();
-            [terms.iter().sum(), f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>()]
+            // Beside the sum, each force rounds by what cancels in it, where a bound on that is known.
+            let of_forces = system.flow_rounding(self.function, &read_by(system, self.function, &state), self.time);
+            let of_forces: f64 = of_forces.iter().zip(&weights).map(|(bound, weight)| bound * weight).sum();
+            let of_sum = f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>();
+            [terms.iter().sum(), of_sum + if of_forces.is_finite() { of_forces } else { 0.0 }]
         };
         let still = origin(self.state);
         let own = self.with(&still, self.own(self.state).into_iter());

@@ -61,6 +61,16 @@ pub(crate) trait Differentiable {
     fn flow_rounding(&self, part: Part, point: &Flat, time: f64) -> Vec<f64>;
 }
 
+/// The point with the coordinates alone that the gradient of an energy reads, and zeros for the others.
+pub(crate) fn read_by(system: &dyn Differentiable, part: Part, point: &Flat) -> Flat {
+    let still = origin(point);
+    match part {
+        _ if system.in_one_piece() => point.clone(),
+        Part::Kinetic => Phase { q: still.q, p: point.p.clone() },
+        Part::Potential => Phase { q: point.q.clone(), p: still.p },
+    }
+}
+
 /// The energies of a system with its parameters, and a point in the shape of its coordinates.
 pub(crate) struct Energies<'s, H: Hamiltonian> {
     pub(crate) system: &'s H,

@@ -9,7 +9,7 @@ use crate::{
     check::{
         CheckError,
         property::{
-            energies::{Differentiable, Energies, Part, gradient_tolerance},
+            energies::{Differentiable, Energies, Part, gradient_tolerance, read_by},
             flow_laws::generator_error,
             part_flows::Flows,
         },
@@ -21,7 +21,6 @@ use crate::{
     state::{
         coords::Coords,
         flat::{Flat, flat},
-        phase::Phase,
         precision::Precision,
     },
     system::Shaped,
@@ -35,7 +34,7 @@ use crate::{
 /// formulas of `g`. A tiny component is hence compared with its own size, and cancellation of large terms is not
 /// counted as an error.
 ///
-/// `point` is a [`Phase`] or a [`Start`], by value or by reference. `time` counts from the time of a `Start`.
+/// `point` is a [`Phase`](crate::Phase) or a [`Start`], by value or by reference. `time` counts from the time of a `Start`.
 ///
 /// If the parts of `H` are not `T(p)` and `V(q)`, the derivative of each flow by its duration is compared with the
 /// gradient of the energy. The result is the largest difference that finite differences do not explain, in units of
@@ -81,11 +80,7 @@ impl<'s> Gradient<'s> {
     fn error(&self, point: &Flat) -> Result<f64, CheckError> {
         let still = origin(point);
         let in_one_piece = self.system.in_one_piece();
-        let point = match self.part {
-            _ if in_one_piece => point.clone(),
-            Part::Kinetic => Phase { q: still.q.clone(), p: point.p.clone() },
-            Part::Potential => Phase { q: point.q.clone(), p: still.p.clone() },
-        };
+        let point = read_by(self.system, self.part, point);
         let extent = largest(numbers(&point));
         let generated = self.flow(&point, None);
         let roundings = self.system.flow_rounding(self.part, &point, self.time);

@@ -10,9 +10,17 @@
 //! the order, in the second case one part never does.
 
 use crate::{
-    check::{oracle::exact::Stepper, property::order::CLEARANCE, start::Start, statistics::path::Path},
+    check::{
+        oracle::exact::Stepper,
+        property::{
+            energies::{Differentiable, Part, read_by},
+            order::CLEARANCE,
+        },
+        start::Start,
+        statistics::path::Path,
+    },
     error::Error,
-    scalar::tolerance::{largest, within},
+    scalar::tolerance::{largest, length, ratio, within},
 };
 
 /// The number of units in a piece. A step is a whole fraction of a unit, so that what switches at one of the user's
@@ -41,8 +49,8 @@ const CLOSE_LOW: Divisions = (&[&[2, 3], &[4, 5, 6], &[8, 10, 12], &[16, 20, 24]
 /// longest: at an eccentricity of 0.999 the motion at the pericentre is 3·10^4 times faster than elsewhere.
 const HALVINGS: u32 = 16;
 
-/// The smallest ratio of an error to the rounding of a state for the error to count. Forces that are small differences
-/// of large terms round that much more than the state.
+/// The smallest ratio of an error to the rounding of a state for the error to count. Forces whose terms cancel may round
+/// that much more than the state.
 const FLOOR: f64 = 1e3;
 
 /// The number of pieces in a row, each a half of the one before, in which the order has to be missing before errors
@@ -70,12 +78,12 @@ pub(crate) struct OrderAlong {
 
 /// Examines the `order` in `pieces` pieces of `piece` each.
 pub(crate) fn order_along(
-    (stepper, order): (&dyn Stepper, f64),
+    (stepper, energies): (&dyn Stepper, &dyn Differentiable),
+    order: f64,
     start: &Start<Vec<f64>>,
-    piece: f64,
-    pieces: u64,
+    (piece, pieces): (f64, u64),
 ) -> OrderAlong {
-    let orbit = Orbit { stepper, order, is_long: pieces > MANY };
+    let orbit = Orbit { stepper, energies, order, is_long: pieces > MANY };
     let mut at = start.clone();
     for number in 0..pieces {
         at.time = start.time + number as f64 * piece;
@@ -93,6 +101,7 @@ pub(crate) fn order_along(
 /// The orbit of a method, and the order that is examined.
 struct Orbit<'s> {
     stepper: &'s dyn Stepper,
+    energies: &'s dyn Differentiable,
     /// The power of the step with which errors have to shrink.
     order: f64,
     /// Whether the orbit has many pieces.
@@ -114,7 +123,12 @@ impl Orbit<'_> {
     /// around it in which the order was missing.
     fn examine(&self, at: &Start<Vec<f64>>, piece: f64, depth: u32, above: Missing) -> (Verdict, Start<Vec<f64>>) {
         let view = self.view(at, piece, depth);
-        let slopes = match view.judge(self.order, self.clock(at, piece)) {
+        let clock = self.clock(at, piece);
+        let mut judgement = view.judge(self.order, clock, 0.0);
+        if matches!(judgement, Judgement::Missing(_)) {
+            judgement = view.judge(self.order, clock, self.force_rounding(&view, at.time, piece));
+        }
+        let slopes = match judgement {
             Judgement::Passed(verdict) => return (verdict, view.end(at, piece)),
             Judgement::Missing(slopes) => slopes,
         };
@@ -148,6 +162,23 @@ impl Orbit<'_> {
     /// The time in pieces, where a force reads it.
     fn clock(&self, at: &Start<Vec<f64>>, piece: f64) -> f64 {
         if self.stepper.autonomous() { 0.0 } else { at.time / piece }
+    }
+
+    /// What the roundings of forces and velocities change over a piece at most, in units of the excursion. Where forces are
+    /// small differences of large terms, that is far more than the rounding of a state.
+    fn force_rounding(&self, view: &View, time: f64, piece: f64) -> f64 {
+        let has_gradients = self.energies.is_separable() || self.energies.in_one_piece();
+        let Some(exact) = view.exact.as_ref().filter(|_| has_gradients) else { return 0.0 };
+        let scale = exact.excursion();
+        let over_piece = |part, unit| {
+            let at =
+                |(point, time)| length(self.energies.flow_rounding(part, &read_by(self.energies, part, point), time));
+            let last = exact.ends.last().map(|end| (end, time + piece));
+            ratio(piece.abs() * largest([(&exact.start, time)].into_iter().chain(last).map(at)), unit)
+        };
+        let rounding = over_piece(Part::Kinetic, scale.q) + over_piece(Part::Potential, scale.p);
+        // Without a bound, the roundings of states have to do.
+        if rounding.is_finite() { rounding } else { 0.0 }
     }
 
     /// Views a piece in steps that are halved again and again.
@@ -220,8 +251,8 @@ enum Judgement {
 
 impl View {
     /// Judges errors that have to shrink with the power `needed`. A force that reads the time, which is `clock` pieces,
-    /// is off by its rounding.
-    fn judge(&self, needed: f64, clock: f64) -> Judgement {
+    /// is off by its rounding. `of_forces` bounds the roundings of forces.
+    fn judge(&self, needed: f64, clock: f64, of_forces: f64) -> Judgement {
         let Some(exact) = &self.exact else { return Judgement::Missing(Vec::new()) };
         let rounding = exact.rounding(exact.excursion()) + (4.0 + clock.abs()) * f64::EPSILON;
         // Momenta that stay, in free flight, or positions have no unit to measure errors in.
@@ -231,7 +262,7 @@ impl View {
         if !self.errors.iter().all(|error| error.is_finite()) {
             return Judgement::Missing(Vec::new());
         }
-        let floor = FLOOR * rounding;
+        let floor = (FLOOR * rounding).max(CLEARANCE * of_forces);
         let mut errors = self.errors.clone();
         // What is smaller than in finer steps is so by chance.
         for index in (1..errors.len()).rev() {
@@ -243,7 +274,7 @@ impl View {
             return Judgement::Missing(slopes);
         }
         // What drowns in steps of half the length has shrunk as it seems, or to the rounding.
-        let shrunk = |finer: f64| (errors[clear - 1] / finer.max(CLEARANCE * rounding)).log2() >= needed;
+        let shrunk = |finer: f64| (errors[clear - 1] / finer.max(CLEARANCE * rounding).max(of_forces)).log2() >= needed;
         let drowned = clear > 0 && errors.get(clear).is_some_and(|finer| shrunk(*finer));
         Judgement::Passed(if clear > 1 || drowned { Verdict::Shown } else { Verdict::Silent })
     }

@@ -72,6 +72,9 @@ pub(crate) const ORDER_TOLERANCE: f64 = 0.5;
 /// The standard error of a slope up to which its points are taken to lie on a line.
 const SCATTER: f64 = 0.05;
 
+/// The largest distance of a slope from a whole number where the leading term of the error prevails.
+const WHOLE: f64 = 0.1;
+
 /// The number of halvings by a reference of a time that four steps of a method follow: composed flows, in shorter
 /// steps, follow it to the rounding before that.
 const SHORT: i32 = 8;
@@ -163,6 +166,15 @@ pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) ->
             best = shorter;
         }
     }
+    // Where the next term of the error still shows, the slope is between two orders.
+    while best.from_whole() > WHOLE && attempts < ATTEMPTS {
+        attempts += 1;
+        span *= SHORTENING;
+        let shorter = problem.order(Grid::over(span));
+        if shorter.shows(facts.order) && shorter.from_whole() < best.from_whole() {
+            best = shorter;
+        }
+    }
     best.order.map(|order| Order { followed, ..order })
 }
 
@@ -201,6 +213,14 @@ impl Slope {
     /// the composition.
     fn shows(&self, claimed: u32) -> bool {
         self.is_line() && self.order.as_ref().is_ok_and(|order| order.reaches(claimed))
+    }
+
+    /// The distance of the slope from a whole number; none where errors lie on no line.
+    fn from_whole(&self) -> f64 {
+        match &self.order {
+            Ok(order) if self.is_line() => (order.slope - order.slope.round()).abs(),
+            _ => 0.0,
+        }
     }
 
     /// Whether this fit is the better line.
