@@ -28,6 +28,8 @@ pub(crate) struct Ellipse {
 /// The orbit of a system at the ends of its steps.
 #[derive(Clone, Debug)]
 pub(crate) struct Steps {
+    /// The tolerance, in units of the orbit.
+    pub(crate) tolerance: f64,
     /// In the view of the problem.
     pub(crate) portrait: Vec<(f64, f64)>,
     /// The change of the energy in units of the largest kinetic energy.
@@ -36,8 +38,8 @@ pub(crate) struct Steps {
 
 /// The tolerance along the ellipse.
 pub(crate) const TOLERANCE: f64 = 1e-6;
-/// The tolerance of the portrait, with which a change of the energy is seen.
-pub(crate) const COARSE: f64 = 1e-2;
+/// The tolerances of the portrait: a change of the energy is seen with the first of them, unless the orbit falls into a centre.
+const COARSE: [f64; 3] = [1e-2, 1e-3, 1e-4];
 
 /// Follows the steps along an eccentric orbit of Kepler's problem.
 pub(crate) fn ellipse() -> Option<Ellipse> {
@@ -57,12 +59,15 @@ pub(crate) fn ellipse() -> Option<Ellipse> {
 /// Follows the steps along the orbit of a system; none if the method comes to no end.
 pub(crate) fn steps<H: Hamiltonian>(problem: &Problem<'_, H>, plan: &Plan, exact: &Exact) -> Option<Steps> {
     let units = exact.size.map(|size| vec![size; problem.freedom()]).concat();
-    let method = DormandPrince5 { tolerance: COARSE };
-    let orbit = method.steps(problem.system, &problem.start, plan.periods * problem.period, &units).ok()?;
+    let (tolerance, orbit) = COARSE.into_iter().find_map(|tolerance| {
+        let steps =
+            DormandPrince5 { tolerance }.steps(problem.system, &problem.start, plan.periods * problem.period, &units);
+        Some((tolerance, steps.ok()?))
+    })?;
     let states: Vec<_> = orbit.iter().map(|(_, numbers)| problem.state(numbers)).collect();
     let energy = |state: &Phase<H::Coords>| Some(problem.run(Verlet, state, problem.step).ok()?.energy());
     let change = (energy(states.last()?)? - energy(&problem.start)?) / exact.motion;
-    Some(Steps { portrait: states.iter().map(|state| problem.seen(state)).collect(), change })
+    Some(Steps { tolerance, portrait: states.iter().map(|state| problem.seen(state)).collect(), change })
 }
 
 /// The slope of the logarithms of points by least squares.

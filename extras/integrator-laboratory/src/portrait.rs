@@ -36,6 +36,8 @@ const LONGER: f64 = 8.0;
 const COARSE: [u32; 5] = [20, 28, 40, 57, 80];
 /// A change of the energy that is seen.
 pub(crate) const SEEN: f64 = 0.2;
+/// The largest ratio of the energy errors of the second and the first half of a run without drift.
+pub(crate) const STAYS: f64 = 1.5;
 /// Within this, a symplectic method is not near its limit of stability.
 const KEPT: f64 = 0.3;
 /// With a change like the first one an orbit has gained or lost; with the second one it has left.
@@ -49,6 +51,11 @@ impl Portrait {
             return f64::INFINITY;
         }
         self.largest[1].max(self.rounding) / self.largest[0].max(self.rounding)
+    }
+
+    /// Returns whether the change of the energy grows, and its size.
+    fn rank(&self) -> (bool, f64) {
+        (self.growth() > STAYS, self.change.abs())
     }
 }
 
@@ -78,8 +85,8 @@ pub(crate) fn portrait<H: Hamiltonian>(
         if portrait.change.abs() > SEEN {
             return Ok(portrait);
         }
-        // Where nothing is seen, the largest change is shown.
-        if best.as_ref().is_none_or(|best| portrait.change.abs() > best.change.abs()) {
+        // Where nothing is seen, the largest change that grows is shown, or the largest of all.
+        if best.as_ref().is_none_or(|best| portrait.rank() > best.rank()) {
             best = Some(portrait);
         }
     }

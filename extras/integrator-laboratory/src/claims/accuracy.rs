@@ -128,7 +128,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     Claim {
         name: "adaptive_runge_kutta_energy_changes",
         shown: ("adaptive", "K", KEEPS),
-        says: "Adaptive steps do not conserve the energy: the size of its change with a tolerance of a hundredth",
+        says: "Adaptive steps do not conserve the energy: the size of its change with the loosest tolerance that follows the orbit",
         applies: |study| study.resolved,
         value: |study| Some(study.steps.as_ref()?.change.abs()),
         within: [CHANGED, f64::INFINITY],

@@ -1,7 +1,7 @@
 //! Runge–Kutta with steps by an error estimate.
 
 use crate::{
-    adaptive::{COARSE, TOLERANCE},
+    adaptive::TOLERANCE,
     models::ECCENTRICITY,
     numbers::{plain, signed},
     problem::broken,
@@ -41,7 +41,7 @@ pub(super) fn adaptive(study: &Study) -> Option<Panels> {
         .coloured(ink)
         .wide(0.8);
     let portrait = Chart::new("Phase portrait")
-        .claim(format!("tolerance {}", plain(COARSE)))
+        .claim(format!("tolerance {}", plain(own.tolerance)))
         .measured(if study.resolved { format!("ΔE = {} K", signed(own.change)) } else { String::new() })
         .along(Axis::linear(&study.view[0]))
         .up(Axis::linear(&study.view[1]))

@@ -149,18 +149,24 @@ impl<F: Real, const N: usize> SubAssign for Lanes<F, N> {
 
 macro_rules! fast_lanes {
     (unary: $($unary:ident $precise:ident)*; binary: $($binary:ident $other:ident)*;) => {
-        $(
-            #[inline(always)]
-            fn $unary(self) -> Self {
-                self.map(F::$unary)
+        $(in_turn!($unary());)*
+        $(in_turn!($binary(other));)*
+    };
+}
+
+/// A function of each lane in a loop without closures: a closure that contains an elementary function is too large to be inlined
+/// where it is called more than once, and outside of a function with the features of an instruction set, each of its instructions
+/// is a call.
+macro_rules! in_turn {
+    ($function:ident($($other:ident)?)) => {
+        #[inline(always)]
+        fn $function(self $(, $other: Self)?) -> Self {
+            let Self(mut parts) = self;
+            for part in 0..N {
+                parts[part] = parts[part].$function($($other.0[part])?);
             }
-        )*
-        $(
-            #[inline(always)]
-            fn $binary(self, other: Self) -> Self {
-                self.zip(other, F::$binary)
-            }
-        )*
+            Self(parts)
+        }
     };
 }
 
@@ -227,14 +233,13 @@ macro_rules! lanes_real {
                 }
                 Self(parts)
             }
-            #[inline(always)]
-            fn div_pow_3_2(self, x: Self) -> Self {
-                self.zip(x, F::div_pow_3_2)
-            }
+            in_turn!(div_pow_3_2(x));
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let (mut sines, mut cosines) = (self, self);
-                each::<N>(|part| (sines.0[part], cosines.0[part]) = self.0[part].sin_cos());
+                for part in 0..N {
+                    (sines.0[part], cosines.0[part]) = self.0[part].sin_cos();
+                }
                 (sines, cosines)
             }
             elementary_functions!(fast ones of fast_lanes!);
@@ -262,18 +267,8 @@ macro_rules! lanes_real {
                 each::<N>(|part| parts[part] = F::select(mask.0[part], parts[part], b.0[part]));
                 Self(parts)
             }
-            $(
-                #[inline(always)]
-                fn $unary(self) -> Self {
-                    self.map(F::$unary)
-                }
-            )*
-            $(
-                #[inline(always)]
-                fn $binary(self, other: Self) -> Self {
-                    self.zip(other, F::$binary)
-                }
-            )*
+            $(in_turn!($unary());)*
+            $(in_turn!($binary(other));)*
             #[inline(always)]
             fn enter<K: Kernel>(kernel: K) -> K::Out {
                 F::enter(kernel)
