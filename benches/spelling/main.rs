@@ -8,6 +8,7 @@ mod bodies;
 mod fields;
 mod liquids;
 mod pairs;
+mod polymers;
 mod sums;
 
 use integrator_bench::{
@@ -76,6 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for group in liquids::groups()
         .into_iter()
         .chain(pairs::groups())
+        .chain(polymers::groups())
         .chain(bodies::groups())
         .chain(sums::groups())
         .chain(fields::groups())

@@ -13,6 +13,8 @@ mod embedded;
 mod exchange;
 mod extremes;
 mod images;
+mod included;
+mod merged;
 mod order;
 mod partners;
 pub(crate) mod points;
@@ -25,7 +27,7 @@ use crate::{
     graph::{
         Graph, Node, NodeId, Part,
         index::{Index, IndexId, Loop, LoopId},
-        rename::{End, Parameters, Renaming},
+        rename::{Parameters, Renaming},
     },
     reason::Reason,
 };
@@ -33,7 +35,8 @@ pub(crate) use attraction::{attraction, inverse_mass, softening};
 pub(crate) use canonical::canonical;
 pub(crate) use central::pull;
 pub(crate) use components::written_out;
-pub(crate) use cutoff::{Cutoff, cutoff};
+pub(crate) use cutoff::Cutoff;
+use cutoff::cutoff;
 pub(crate) use embedded::{Density, Embedded};
 use exchange::Forms;
 pub(crate) use exchange::{are_equal, sign_of_exchange};
@@ -53,13 +56,12 @@ pub(crate) struct Pairs {
     pub(crate) pair: [LoopId; 2],
     /// All loops over the two bodies of a pair.
     pub(crate) visited: Vec<Visited>,
-    /// The ends at which the bodies of a pair have no partner; none where each pair comes twice, or among few bodies.
-    pub(crate) ends: [Option<End>; 2],
-    /// The energy of a pair.
+    /// The distance beyond which bodies do not act on each other, or why lists of neighbours are not used.
+    pub(crate) cutoff: Result<Cutoff, Reason>,
+    /// The condition of indices and parameters without which a pair contributes nothing, where lists leave such pairs out.
+    pub(crate) included: Option<NodeId>,
+    /// The energy of a pair that is not left out.
     pub(crate) energy: NodeId,
-    /// The same whose bodies come in the order of the loops, without choices by their numbers, and with terms whose gradient is that
-    /// of energies of densities.
-    pub(crate) written: NodeId,
     /// The gradient of a pair's energy by the coordinates of its first body.
     pub(crate) force: Vec<Contribution>,
     /// Whether the gradient by those of the second body is the same with another sign: action is reaction.
@@ -75,12 +77,14 @@ pub(crate) struct Pairs {
 }
 
 /// Recognises a potential of pairs among `length` bodies. Only of many bodies are the pairs apart from other terms, and are
-/// those in order that may not be exchanged.
+/// those in order that may not be exchanged. `dimension` is the number of coordinates of a body whose neighbours may be listed, or the
+/// reason why not.
 pub(crate) fn pairs(
     graph: &mut Graph,
     potential: NodeId,
     length: IndexId,
     are_many: bool,
+    dimension: Result<u64, Reason>,
     parameters: &mut dyn Parameters,
 ) -> Result<Pairs, Reason> {
     let Terms { pair, ascending, bodies, mut visited, pairs, alone, embedded, others, obstacle, .. } =
@@ -88,7 +92,12 @@ pub(crate) fn pairs(
     let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair));
     let pair = pair.ok_or(obstacle.unwrap_or(Reason::NoPairs))?;
     visited.extend(embedded.densities.iter().map(|density| Visited { pair: density.pair, ascending: None }));
-    let [written, alone, others] = [pairs, alone, others].map(|terms| total(graph, terms));
+    let [alone, others] = [alone, others].map(|terms| total(graph, terms));
+    let mut written = graph.constant(0.0);
+    for term in pairs {
+        let term = merged::in_one_direction(graph, term, pair, parameters);
+        written = merged::sum(graph, written, term);
+    }
     let of_others = gradient(graph, others, Part::Position);
     if !of_others.is_empty() && !are_many {
         return Err(obstacle.unwrap_or(Reason::PairsAndOthers));
@@ -99,14 +108,28 @@ pub(crate) fn pairs(
         Some(order) => (order.symmetric(graph, written, parameters).ok_or(Reason::PairOrder)?, Some(order)),
     };
     let embedded_pairs = embedded.of_pair(graph, pair, parameters).ok_or(Reason::PairOrder)?;
-    let mut forms = Forms::new(pair, order, parameters);
     if order.is_none() {
+        let mut forms = Forms::new(pair, order, parameters);
         let exchanged = [false, true].map(|exchanged| forms.of(graph, energy, exchanged));
         if exchanged[0].is_none() || exchanged[0] != exchanged[1] {
             return Err(Reason::PairOrder);
         }
     }
-    let [written, with_embedded] = [written, energy].map(|energy| graph.add(energy, embedded_pairs));
+    let ends = order.map_or([None; 2], |order| order.ends);
+    let cutoff = dimension.and_then(|dimension| {
+        // Bodies come in the order of the loops, without choices by their numbers.
+        let written = graph.add(written, embedded_pairs);
+        cutoff(graph, written, (pair, ends), bodies, dimension, parameters)
+    });
+    let mut forms = Forms::new(pair, order, parameters);
+    let (mut energy, mut included) = (energy, None);
+    if cutoff.is_ok()
+        && embedded.densities.is_empty()
+        && let Some((condition, inner)) = included::included(graph, energy, pair, &mut forms)
+    {
+        (energy, included) = (inner, Some(condition));
+    }
+    let with_embedded = graph.add(energy, embedded_pairs);
     let gradients = gradient(graph, with_embedded, Part::Position);
     let [force, reaction] = pair.map(|by| -> Vec<Contribution> {
         let own = |contribution: &&Contribution| graph.loops.index(contribution.element.index) == Index::Running(by);
@@ -124,8 +147,20 @@ pub(crate) fn pairs(
     let energy_alone = alone;
     let alone = gradient(graph, alone, Part::Position);
     let others = (others, of_others);
-    let ends = order.map_or([None; 2], |order| order.ends);
-    Ok(Pairs { bodies, pair, visited, ends, energy, written, force, reciprocal, energy_alone, alone, embedded, others })
+    Ok(Pairs {
+        bodies,
+        pair,
+        visited,
+        cutoff,
+        included,
+        energy,
+        force,
+        reciprocal,
+        energy_alone,
+        alone,
+        embedded,
+        others,
+    })
 }
 
 fn total(graph: &mut Graph, terms: Vec<NodeId>) -> NodeId {

@@ -320,7 +320,7 @@ fn of_pairs(length: &str, kind: &str, distance: &str, branch: &str) -> String {
 const NUMBERS: [(&str, &str, bool); 6] = [
     ("bodies alike", "v += 1.0 / r2;", false),
     ("a table by type", "v += self.table[self.kind[i]][self.kind[j]] / r2;", true),
-    ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += 1.0 / r2; }", true),
+    ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += 1.0 / r2; } else { v += r2; }", true),
     ("an odd power", "v += (q[i][0] - q[j][0]).powi(3);", true),
     ("neighbours in a chain", "if i - j > 1 { v += 1.0 / r2; }", false),
     ("a set of pairs", "if !self.bonded.contains(&(i, j)) { v += 1.0 / r2; }", false),
@@ -333,6 +333,43 @@ fn lists_keep_no_numbers_that_pairs_only_compare() {
         assert!(text.contains("const LISTED_FROM"), "{name}: {text}");
         assert_eq!(text.contains("const NUMBER"), is_order, "{name}: {text}");
     }
+}
+
+/// Energies within a cutoff that pairs have under a condition: a name, the text, and how many constants of a body lists read to leave
+/// out the other pairs.
+const LEFT_OUT: [(&str, &str, u32); 4] = [
+    ("molecules", "if self.kind[i] != self.kind[j] { v += 1.0 / r2; }", 1),
+    ("a chain", "if i - j > 1 { v += 1.0 / r2; }", 1),
+    ("a set of pairs", "if !self.bonded.contains(&(i, j)) { v += 1.0 / r2; }", 1),
+    (
+        "types and a set",
+        "if self.kind[i] == 1 && self.kind[j] == 2 { if self.bonded.contains(&(i, j)) { v += 1.0 / r2; } }",
+        2,
+    ),
+];
+
+#[test]
+fn lists_leave_out_pairs_that_never_act() {
+    for (name, energy, own) in LEFT_OUT {
+        let text = of_pairs("len", "[[f64; 3]]", OPEN, &format!("if r2 < self.cutoff {{ {energy} }}"));
+        let left_out = format!(
+            "const LEAVES_OUT : :: core :: option :: Option < usize > = :: core :: option :: Option :: Some ({own})"
+        );
+        assert!(text.contains(&left_out), "{name}: {text}");
+        let of =
+            |function: &str| text.split(function).nth(1).and_then(|text| text.split("fn ").next()).expect("a function");
+        let conditions = [of("fn pair <"), of("fn energy <")].map(|code| code.matches(". any ()").count());
+        assert_eq!(conditions, [1, 1], "only the cutoff, {name}: {text}");
+    }
+    // Another energy elsewhere, other coordinates, and no cutoff.
+    for energy in
+        ["if self.kind[i] != self.kind[j] { v += 1.0 / r2; } else { v += r2; }", "if q[i][0] < q[j][0] { v += r2; }"]
+    {
+        let text = of_pairs("len", "[[f64; 3]]", OPEN, &format!("if r2 < self.cutoff {{ {energy} }}"));
+        assert!(!text.contains("LEAVES_OUT"), "{energy}: {text}");
+    }
+    let everywhere = of_pairs("len", "[[f64; 3]]", OPEN, "if self.kind[i] != self.kind[j] { v += 1.0 / r2; }");
+    assert!(!everywhere.contains("LEAVES_OUT"), "{everywhere}");
 }
 
 /// Loops over bodies whose number is not the length of the coordinates: a name, the coordinates, T, V, and what is found: the

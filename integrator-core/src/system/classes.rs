@@ -71,6 +71,8 @@ pub fn numbers_of_values(
 pub struct ByClass<R> {
     /// The number of classes of the second body.
     columns: usize,
+    /// Whether both bodies have the same classes, and the entries of exchanged bodies are equal.
+    is_symmetric: bool,
     /// The rows, one for each class of the first body.
     pub(super) entries: SharedTable<R>,
 }
@@ -86,13 +88,24 @@ impl ByClass<f64> {
         value: &dyn Fn(usize, usize) -> Option<f64>,
     ) -> Self {
         let [rows, columns] = bodies;
-        let (rows, columns) = (classified(rows, is_equal[0]).1, classified(columns, is_equal[1]).1);
-        let entry = |row: &Ends, column: &Ends| {
+        let (rows, columns) = (classified(rows, is_equal[0]), classified(columns, is_equal[1]));
+        let (are_alike, rows, columns) = (rows == columns, rows.1, columns.1);
+        let value_of = |row: &Ends, column: &Ends| {
             let pairs = [[row[0], column[1]], [row[1], column[0]]];
-            pairs.into_iter().find_map(|[i, j]| value(i, j)).unwrap_or(0.0)
+            pairs.into_iter().find_map(|[i, j]| value(i, j))
         };
-        let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| entry(row, column)));
-        Self { columns: columns.len(), entries: entries.collect::<Vec<_>>().into() }
+        // Without a pair in this order, nothing reads the entry, which may be that of exchanged bodies.
+        let entry = |row: &Ends, column: &Ends| {
+            let exchanged = || are_alike.then(|| value_of(column, row)).flatten();
+            value_of(row, column).or_else(exchanged).unwrap_or(0.0)
+        };
+        let entries: Vec<_> =
+            rows.iter().flat_map(|row| columns.iter().map(move |column| entry(row, column))).collect();
+        let count = columns.len();
+        let is_symmetric = are_alike
+            && (0..count)
+                .all(|row| (0..row).all(|column| entries[row * count + column] == entries[column * count + row]));
+        Self { columns: count, is_symmetric, entries: entries.into() }
     }
 }
 
@@ -107,9 +120,8 @@ impl<R: Real> ByClass<R> {
         if let (2, [a, b, c, d]) = (self.columns, &self.entries[..]) {
             let [first, second, third, fourth] = [a, b, c, d].map(|entry| W::splat(*entry));
             let [in_second_row, in_second_column] = [W::of(0.5).less(row), W::of(0.5).less(column)];
-            let [above, below] =
-                [W::select(in_second_column, second, first), W::select(in_second_column, fourth, third)];
-            return W::select(in_second_row, below, above);
+            let [left, right] = [W::select(in_second_row, third, first), W::select(in_second_row, fourth, second)];
+            return W::select(in_second_column, right, left);
         }
         let first = self.entries.first().copied().unwrap_or(R::of(0.0));
         let mut entries = W::splat(first);
@@ -136,6 +148,15 @@ impl<R: Real> ByClass<R> {
         }
         W::read(&found)
     }
+    /// Returns the entry of two classes for each pair: the first class is that of the row where the bodies are in order, and of the
+    /// column elsewhere.
+    #[inline(always)]
+    pub fn entry_in_order<W: Row<R>>(&self, in_order: W::Mask, first: W, second: W) -> W {
+        if self.is_symmetric {
+            return self.entry(first, second);
+        }
+        self.entry(W::select(in_order, first, second), W::select(in_order, second, first))
+    }
     /// Returns a table of as many zeros.
     pub fn zeros(mut self) -> Self {
         self.entries = table(self.entries.len(), &|_| R::of(0.0));
@@ -152,7 +173,8 @@ impl<R: Real> OfMembers<ByClass<f64>> for ByClass<R> {
     where
         ByClass<f64>: 'c,
     {
-        Self { columns: of_lane(0).columns, entries: OfMembers::in_lanes(&|lane| &of_lane(lane).entries) }
+        let is_symmetric = (0..R::LANES).all(|lane| of_lane(lane).is_symmetric);
+        Self { columns: of_lane(0).columns, is_symmetric, entries: OfMembers::in_lanes(&|lane| &of_lane(lane).entries) }
     }
 }
 
@@ -228,13 +250,32 @@ mod tests {
         assert_eq!(table.entries[6..], [0.0, 1.0, 0.0], "{table:?}");
     }
 
+    #[test]
+    fn an_entry_in_order_is_that_of_a_pair_of_the_loops() {
+        let is_equal = |a: usize, b: usize| KINDS[a] == KINDS[b];
+        let sum = |i: usize, j: usize| f64::from(u32::from(KINDS[i]) + u32::from(KINDS[j]));
+        let ratio = |i: usize, j: usize| f64::from(u32::from(KINDS[i])) / f64::from(u32::from(KINDS[j]));
+        let (numbers, values): (_, [(&dyn Fn(usize, usize) -> f64, bool); 2]) =
+            (classes(0..6, 6, &is_equal), [(&sum, true), (&ratio, false)]);
+        for (value, is_symmetric) in values {
+            let table = ByClass::new([0..6, 0..6], [&is_equal; 2], &|i, j| (i > j).then(|| value(i, j)));
+            assert_eq!(table.is_symmetric, is_symmetric, "{table:?}");
+            for (i, j) in (0..6).flat_map(|i| (0..i).map(move |j| (i, j))) {
+                for (in_order, [first, second]) in [(true, [i, j]), (false, [j, i])] {
+                    let entry = table.entry_in_order(in_order, numbers[first], numbers[second]);
+                    assert_eq!(entry, value(i, j), "{i}, {j}, in order: {in_order}");
+                }
+            }
+        }
+    }
+
     /// The place of an entry of a large table has more bits than a short number.
     #[test]
     fn short_numbers_find_every_entry() {
         const CLASSES: usize = 4097;
         let mut entries = vec![0.0_f32; CLASSES * CLASSES];
         entries[CLASSES * CLASSES - 2] = 1.0;
-        let table = ByClass { columns: CLASSES, entries: entries.into() };
+        let table = ByClass { columns: CLASSES, is_symmetric: false, entries: entries.into() };
         let last = (CLASSES - 1) as f32;
         assert_eq!([last - 2.0, last - 1.0, last].map(|column| table.entry(last, column)), [0.0, 1.0, 0.0]);
     }

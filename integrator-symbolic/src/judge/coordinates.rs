@@ -10,6 +10,7 @@ use crate::{
     model::{Jacobi, Model, Shape, Split, Texts, with_own_self},
     pairs::{Pairs, attraction, canonical, inverse_mass, pairs, per_body, softening},
     pattern::all_pairs::AllPairs,
+    reason::Reason,
     syntax::{Coordinates, Input, names::Names},
 };
 use proc_macro2::TokenStream;
@@ -100,7 +101,7 @@ fn read(coordinates: &Coordinates, model: &mut Model, names: &Names) -> Result<J
     let Model { graph, parameters, running, kinetic, potential, lengths, root, .. } = &mut *model;
     let length = lengths[0];
     let mut texts = Texts::new(parameters, running, root);
-    let found = pairs(graph, *potential, length, false, &mut texts);
+    let found = pairs(graph, *potential, length, false, Err(Reason::ListsInJacobi), &mut texts);
     let Pairs { bodies, pair, energy, .. } = found.map_err(|_| {
         Obstacle::Potential(
             "Jacobi coordinates require V as a sum over all pairs of bodies\nhelp: write a loop over `i` and one over \

@@ -125,7 +125,7 @@ fn is_of_pairs(model: &mut Model, energy: NodeId) -> bool {
     let Some(length) = model.lengths.first().copied() else { return false };
     let Model { graph, parameters, running, root, .. } = model;
     let Ok(acting) = acting(graph, energy, length) else { return false };
-    pairs(graph, energy, acting, true, &mut Texts::new(parameters, running, root)).is_ok()
+    pairs(graph, energy, acting, true, Err(Reason::NoCutoff), &mut Texts::new(parameters, running, root)).is_ok()
 }
 
 /// Why sites do not take part alike, if iterations read neighbours, and the lattice that they would be.

@@ -49,6 +49,8 @@ enum Form {
     Factors(u64, Vec<(Signed, i32)>),
     Unary(Function, Signed),
     Binary(Function, Signed, Signed),
+    /// A number within two opposite bounds, by the bits of the upper one.
+    Clamped(u64, Signed),
     Entry(NodeId, Signed, Signed),
     Sum(LoopId, Signed),
     Compare(Comparison, Signed, Signed),
@@ -127,6 +129,11 @@ impl<'p> Forms<'p> {
         let loops = graph.loops_of(id);
         let fixed = graph.is_prepared(id) && !self.pair.iter().any(|by| loops.contains(*by));
         let by = Renaming::exchange(self.pair);
+        if let Some((bound, inner)) = clamped(graph, id) {
+            let inner = self.of(graph, inner, exchanged)?;
+            let form = self.id(Form::Clamped(bound.to_bits(), inner.unsigned_if(true)));
+            return Some(form.negated_if(inner.negative));
+        }
         let form = match graph.node(id) {
             Node::Constant(_) | Node::Parameter(_) | Node::Mul(..) | Node::Div(..) | Node::Power(..) => {
                 return self.product(graph, id, exchanged);
@@ -307,4 +314,17 @@ impl<'p> Forms<'p> {
         let next = self.ids.len() as u32;
         Signed { form: *self.ids.entry(form).or_insert(next), negative: false }
     }
+}
+
+/// The upper one of two opposite bounds, and the number that is kept within them.
+fn clamped(graph: &Graph, id: NodeId) -> Option<(f64, NodeId)> {
+    let bounded = |id, name| match graph.node(id) {
+        Node::Binary(function, a, b) if function.name() == name => {
+            [(a, b), (b, a)].into_iter().find_map(|(number, bound)| Some((number, graph.as_constant(bound)?)))
+        }
+        _ => None,
+    };
+    let (inner, upper) = bounded(id, "min")?;
+    let (number, lower) = bounded(inner, "max")?;
+    (upper > 0.0 && upper == -lower).then_some((upper, number))
 }

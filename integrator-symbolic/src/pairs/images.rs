@@ -1,8 +1,8 @@
 //! Nearest images in a periodic box, whose squares get one form however they are written.
 //!
 //! In: an energy. Out: the same energy up to rounding, with `x - L round(x / L)` in place of other images. Those among the nearest
-//! boxes only, as by branches or by the shorter one of both ways, are `x - L` above `L / 2` and `x + L` below `-L / 2`. Both forms
-//! are odd in `x`, so the bodies of a pair may be exchanged.
+//! boxes only, as by branches or by the shorter one of both ways, shift by one side at most. Both forms are odd in `x`, so the bodies
+//! of a pair may be exchanged.
 //!
 //! Proved property: the square is the same for every displacement and every side above zero, but at `x = (n + 1/2) L`, where both
 //! images are as far. If each operation of an image results in `n x / L + m / 2` with integers, `|n| <= 1`, then its edges are at
@@ -54,23 +54,16 @@ fn in_one_form(graph: &mut Graph, image: NodeId, parameters: &mut dyn Parameters
         Some((side, kind))
     })?;
     let [x, _] = both;
-    Some(match kind {
-        Kind::Periodic => {
-            let quotient = graph.div(x, side);
-            let whole = graph.call("round_ties_even", quotient);
-            let shift = graph.mul(side, whole);
-            graph.sub(x, shift)
+    let quotient = graph.div(x, side);
+    let mut whole = graph.call("round_ties_even", quotient);
+    if kind == Kind::AmongNearest {
+        for (name, bound) in [("max", -1.0), ("min", 1.0)] {
+            let bound = graph.constant(bound);
+            whole = graph.call_two(name, whole, bound);
         }
-        Kind::AmongNearest => {
-            let [half, zero] = [0.5, 0.0].map(|number| graph.constant(number));
-            let half = graph.mul(half, side);
-            let below = graph.neg(half);
-            let [is_above, is_below] = [[half, x], [x, below]].map(|[a, b]| graph.compare(Comparison::Less, a, b));
-            let [above, below] = [is_above, is_below].map(|is_far| graph.select(is_far, side, zero));
-            let lowered = graph.sub(x, above);
-            graph.add(lowered, below)
-        }
-    })
+    }
+    let shift = graph.mul(side, whole);
+    Some(graph.sub(x, shift))
 }
 
 /// An image by a quotient, if the text does not show that it is one by the side, such as a product with another parameter:

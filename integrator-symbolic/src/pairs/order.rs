@@ -184,7 +184,7 @@ fn choose(graph: &mut Graph, energy: NodeId, constants: Constants, chosen: &Hash
                     let [a, b] = [of(graph, a), of(graph, b)];
                     Some(graph.compare(comparison, a, b))
                 }
-                Node::Entry(table, row, column) if some != Constants::InConditions => {
+                Node::Entry(table, row, column) if some != Constants::InConditions && !graph.is_symmetric(table) => {
                     let [row, column] = [of(graph, row), of(graph, column)];
                     Some(graph.rebuilt(Node::Entry(table, row, column)))
                 }

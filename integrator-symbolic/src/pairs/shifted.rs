@@ -150,7 +150,7 @@ impl<'g> Shifted<'g> {
     }
 }
 
-/// Whether a number is an integer: a sum or product of rounded numbers and of integer constants.
+/// Whether a number is an integer: a sum, a product or an extreme of rounded numbers and of integer constants.
 fn is_integer(graph: &Graph, root: NodeId) -> bool {
     let mut open = vec![root];
     let mut seen = HashSet::new();
@@ -163,6 +163,7 @@ fn is_integer(graph: &Graph, root: NodeId) -> bool {
             Node::Neg(a) => open.push(a),
             Node::Add(a, b) | Node::Mul(a, b) | Node::Select(_, a, b) => open.extend([a, b]),
             Node::Unary(function, _) if ROUNDED.contains(&function.name()) => {}
+            Node::Binary(function, a, b) if matches!(function.name(), "max" | "min") => open.extend([a, b]),
             _ => return false,
         }
     }

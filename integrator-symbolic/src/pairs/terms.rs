@@ -3,6 +3,7 @@
 use super::{
     embedded::Embedded,
     exchange::is_symmetric,
+    merged::{in_one_direction, sum},
     order::{ends, with_numbers},
     over_all,
     partners::{Visited, addend_of_distinct_pair, is_before, is_partner},
@@ -243,7 +244,8 @@ impl<'p> Terms<'p> {
             energy = self.with_conditions(graph, both, pair, ascending)?;
         } else if twice {
             let exchanged = renamed(graph, energy, Renaming::exchange(pair), self.parameters)?;
-            energy = graph.add(energy, exchanged);
+            let both = [energy, exchanged].map(|energy| in_one_direction(graph, energy, pair, self.parameters));
+            energy = sum(graph, both[0], both[1]);
         }
         self.in_known_loops(graph, energy, pair, ascending)
     }

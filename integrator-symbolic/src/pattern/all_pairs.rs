@@ -12,7 +12,7 @@ use crate::{
     },
     model::{Length, Model, Texts},
     pairs::{
-        Cutoff, Density, Embedded, Pairs, Visited, acting, cutoff, moving, over_all, pairs, per_body, points, pull,
+        Cutoff, Density, Embedded, Pairs, Visited, acting, moving, over_all, pairs, per_body, points, pull,
         with_one_form, written_out,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
@@ -61,6 +61,8 @@ pub(crate) struct AllPairs {
     pub(crate) energies: Option<EnergiesOfBodies>,
     /// The condition under which neighbours within a cutoff are listed, or why they are not.
     pub(crate) listed: Result<Listed, Reason>,
+    /// Which pairs lists do not leave out.
+    pub(crate) included: Option<Included>,
     /// How many bodies there are.
     pub(crate) of: Bodies,
     /// The constant that is the number of a body, where pairs do nothing but compare it with that of the other body.
@@ -194,20 +196,25 @@ impl AllPairs {
         if !in_jacobi && !fewer_than(LISTED_FROM) && !reads_middle(graph, &[potential, kinetic]) {
             potential = with_one_form(graph, potential, &mut texts);
         }
+        let listed_dimension = match (in_jacobi, fewer_than(LISTED_FROM)) {
+            (true, _) => Err(Reason::ListsInJacobi),
+            (_, true) => Err(Reason::FewBodiesForLists),
+            (false, false) => Ok(dimension),
+        };
         let Pairs {
             bodies,
             pair,
             visited,
-            ends,
+            cutoff,
+            included,
             energy,
-            written,
             force,
             reciprocal,
             energy_alone,
             alone,
             embedded,
             others,
-        } = pairs(graph, potential, acting, are_many, &mut texts)?;
+        } = pairs(graph, potential, acting, are_many, listed_dimension, &mut texts)?;
         let (mut energy_of_others, mut others) = others;
         if is_flat {
             energy_of_others = points::of_numbers(graph, energy_of_others, dimension);
@@ -228,15 +235,6 @@ impl AllPairs {
             texts.name_in_place(by, pair[0], &pair);
         }
 
-        let cutoff = match (in_jacobi, fewer_than(LISTED_FROM)) {
-            (true, _) => Err(Reason::ListsInJacobi),
-            (_, true) => Err(Reason::FewBodiesForLists),
-            (false, false) => {
-                let Model { graph, parameters, running, root, .. } = &mut *model;
-                let mut texts = Texts::of_bodies(parameters, running, root, is_length);
-                cutoff(graph, written, (pair, ends), bodies, dimension, &mut texts)
-            }
-        };
         let mut constants = Constants::new(every);
         let embedded = match &embedded.densities[..] {
             [] => None,
@@ -283,6 +281,14 @@ impl AllPairs {
             }
             _ => None,
         };
+        let shared = constants.count();
+        let included = match included {
+            None => None,
+            Some(condition) => {
+                let condition = OfBodies::value(model, &mut constants, &pair, condition)?;
+                Some(Included { condition, own: constants.count() - shared })
+            }
+        };
         let of = Bodies { flat: is_flat.then_some(dimension), acting: first_acting, moving: first_moving };
         let of_pairs = [
             Some(&force),
@@ -293,7 +299,9 @@ impl AllPairs {
         let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
         let of_one = energies.iter().flat_map(|energies| &energies.alone);
         let weights = embedded.iter().map(|embedded| &embedded.weights);
-        let of_bodies: Vec<_> = [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).collect();
+        let of_lists = included.iter().map(|included| &included.condition);
+        let of_bodies: Vec<_> =
+            [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).chain(of_lists).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Ok(Self {
             pair,
@@ -310,6 +318,7 @@ impl AllPairs {
             others,
             energies,
             listed,
+            included,
             of,
             number,
         })
@@ -319,6 +328,14 @@ impl AllPairs {
     pub(crate) fn are_of_length(&self) -> bool {
         self.of.flat.is_none() && self.of.acting.is_none()
     }
+}
+
+/// The pairs that lists do not leave out.
+pub(crate) struct Included {
+    /// The condition, which reads no coordinates.
+    pub(crate) condition: OfBodies,
+    /// The number of constants of a body that nothing else reads, the last ones.
+    pub(crate) own: usize,
 }
 
 /// The condition under which neighbours within a cutoff are listed.

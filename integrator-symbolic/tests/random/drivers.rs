@@ -248,8 +248,11 @@ impl Machine<'_> {
             }
             for j in 0..i {
                 let of_both = [row(&read[i]), row(&read[j]), prepared[i].clone(), prepared[j].clone()];
-                let arguments = std::iter::once(parameters.clone()).chain(of_both).chain([time.clone()]).collect();
-                sum = sum.add(self.call(energy, arguments)?.number()?);
+                let arguments: Vec<_> =
+                    std::iter::once(parameters.clone()).chain(of_both).chain([time.clone()]).collect();
+                if self.is_included(bodies, arguments.clone())? {
+                    sum = sum.add(self.call(energy, arguments)?.number()?);
+                }
             }
         }
         Ok(sum)
@@ -402,6 +405,14 @@ impl Machine<'_> {
         Ok(sums.into_iter().zip(read).map(|(sum, own)| sum.unwrap_or_else(|| vec![zero.clone(); own.len()])).collect())
     }
 
+    /// Whether lists do not leave two bodies out.
+    fn is_included(&mut self, bodies: &Bodies<'_>, arguments: Vec<Value>) -> Outcome<bool> {
+        match bodies.functions.get("included").copied() {
+            Some(included) => self.call(included, arguments)?.truth(),
+            None => Ok(true),
+        }
+    }
+
     /// The gradient of the energy of two bodies by the coordinates of the first one.
     fn force(&mut self, bodies: &Bodies<'_>, [i, j]: [&[Number]; 2], arguments: Vec<Value>) -> Outcome<Vec<Number>> {
         let interacts = match bodies.functions.get("interacts").copied() {
@@ -409,7 +420,10 @@ impl Machine<'_> {
             None => true,
         };
         let Some(pair) = bodies.functions.get("pair").copied() else { return foreign("no `pair`") };
-        let force = components(&self.call(pair, arguments)?)?;
+        let mut force = components(&self.call(pair, arguments.clone())?)?;
+        if !self.is_included(bodies, arguments)? {
+            force.fill(Number::plain(0.0).of_kind(Kind::Wide));
+        }
         if !interacts && force.iter().any(|force| force.main.value != 0.0) {
             return foreign("a force where nothing interacts");
         }

@@ -93,7 +93,8 @@ impl Expansion {
     fn bodies(&self) -> Option<Bodies<'_>> {
         let (system, constants) = (self.implementation("ManyBody", "")?, self.implementation("BodyConstants", "")?);
         let functions =
-            ["drift_body", "pair", "interacts", "one_body", "other_terms", "energy", "energy_alone"].into_iter();
+            ["drift_body", "pair", "interacts", "included", "one_body", "other_terms", "energy", "energy_alone"]
+                .into_iter();
         let functions = functions.filter_map(|name| Some((name.to_owned(), function(system, name)?)));
         let body_constants =
             function(constants, "body_constants").map(|function| ("body_constants".to_owned(), function));

@@ -6,7 +6,10 @@
 
 use crate::{
     layout::lattice::stencil::Array,
-    scalar::{real::Real, simd::row::Row},
+    scalar::{
+        real::{Mask, Real},
+        simd::row::Row,
+    },
     state::{coords::Coords, precision::Slot},
     system::System,
 };
@@ -127,6 +130,24 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
     /// the order of these numbers, and do not read them.
     const NUMBER: Option<usize> = None;
 
+    /// The number of constants that only [`Self::included`] reads, the last ones; `None` if lists leave no pair out.
+    const LEAVES_OUT: Option<usize> = None;
+
+    /// The pairs that have a force and an energy, whatever their coordinates. Lists leave the others out, and `pair` and `energy`
+    /// do not read this condition.
+    #[inline(always)]
+    fn included<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        constants_i: [W; S],
+        constants_j: [W; S],
+        time: f64,
+    ) -> W::Mask {
+        let _ = (parameters, q_i, q_j, constants_i, constants_j, time);
+        Mask::of(true)
+    }
+
     /// The square of the distance beyond which a pair has neither a force nor an energy, the same for all pairs.
     #[inline(always)]
     fn cutoff<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> W {
@@ -233,11 +254,12 @@ fn sub<W: Real, const D: usize>(mut a: [W; D], b: [W; D]) -> [W; D] {
     a
 }
 
-/// The forces between each body and the one in the same lane of another row.
+/// The forces between each body and the one in the same lane of another row. `are_included` means that no pair is left out.
 #[inline(always)]
 pub(crate) fn pair_forces<H, R, W, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
-    [i, j]: [Bodies<W, D, S>; 2],
+    bodies: [Bodies<W, D, S>; 2],
+    are_included: bool,
     time: f64,
 ) -> H::Force<W>
 where
@@ -246,12 +268,12 @@ where
     W: Row<R>,
 {
     if const { W::PARTS == 0 } {
-        return H::pair::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+        return included_forces::<H, R, W, D, S>(parameters, bodies, are_included, time);
     }
     let mut forces = H::Force::<W>::filled(W::of(0.0));
     for part in 0..W::PARTS {
-        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
-        let force = H::pair::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
+        let bodies = of_part::<R, W, D, S>(&bodies, part);
+        let force = included_forces::<H, R, R, D, S>(parameters, bodies, are_included, time);
         for (forces, force) in forces.as_mut().iter_mut().zip(force.as_ref()) {
             forces.set_part(part, *force);
         }
@@ -259,11 +281,36 @@ where
     forces
 }
 
-/// The energy of each body with the one in the same lane of another row.
+/// The forces of a row that is no parts, zero of pairs that are left out.
+#[inline(always)]
+fn included_forces<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: [Bodies<W, D, S>; 2],
+    are_included: bool,
+    time: f64,
+) -> H::Force<W>
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    let [i, j] = bodies;
+    let mut forces = H::pair::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+    if const { H::LEAVES_OUT.is_some() } && !are_included {
+        let included = H::included::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+        for force in forces.as_mut() {
+            *force = W::select(included, *force, W::of(0.0));
+        }
+    }
+    forces
+}
+
+/// The energy of each body with the one in the same lane of another row. `are_included` means that no pair is left out.
 #[inline(always)]
 pub(crate) fn pair_energies<H, R, W, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
-    [i, j]: [Bodies<W, D, S>; 2],
+    bodies: [Bodies<W, D, S>; 2],
+    are_included: bool,
     time: f64,
 ) -> W
 where
@@ -272,21 +319,52 @@ where
     W: Row<R>,
 {
     if const { W::PARTS == 0 } {
-        return H::energy::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+        return included_energies::<H, R, W, D, S>(parameters, bodies, are_included, time);
     }
     let mut energies = W::of(0.0);
     for part in 0..W::PARTS {
-        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
-        energies.set_part(part, H::energy::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time));
+        let bodies = of_part::<R, W, D, S>(&bodies, part);
+        energies.set_part(part, included_energies::<H, R, R, D, S>(parameters, bodies, are_included, time));
     }
     energies
+}
+
+/// The energies of a row that is no parts, zero of pairs that are left out.
+#[inline(always)]
+fn included_energies<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    bodies: [Bodies<W, D, S>; 2],
+    are_included: bool,
+    time: f64,
+) -> W
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    let [i, j] = bodies;
+    let energies = H::energy::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+    if const { H::LEAVES_OUT.is_none() } || are_included {
+        return energies;
+    }
+    let included = H::included::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
+    W::select(included, energies, W::of(0.0))
+}
+
+/// The bodies of one part of two rows.
+#[inline(always)]
+fn of_part<R: Real, W: Row<R>, const D: usize, const S: usize>(
+    [i, j]: &[Bodies<W, D, S>; 2],
+    part: usize,
+) -> [Bodies<R, D, S>; 2] {
+    [i.part::<R>(part), j.part::<R>(part)]
 }
 
 /// What each body of a row gets for its densities from the one in the same lane of another row.
 #[inline(always)]
 pub(crate) fn pair_densities<H, R, W, const D: usize, const S: usize>(
     parameters: &H::Parameters<R>,
-    [i, j]: [Bodies<W, D, S>; 2],
+    bodies: [Bodies<W, D, S>; 2],
     time: f64,
 ) -> [W; D]
 where
@@ -295,11 +373,12 @@ where
     W: Row<R>,
 {
     if const { W::PARTS == 0 } {
+        let [i, j] = bodies;
         return H::densities::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time);
     }
     let mut densities = [W::of(0.0); D];
     for part in 0..W::PARTS {
-        let (i, j) = (i.part::<R>(part), j.part::<R>(part));
+        let [i, j] = of_part::<R, W, D, S>(&bodies, part);
         let of_part = H::densities::<R, R>(parameters, i.q, j.q, i.constants, j.constants, time);
         for (densities, of_part) in densities.iter_mut().zip(of_part) {
             densities.set_part(part, of_part);
@@ -407,7 +486,7 @@ where
     W: Row<R>,
 {
     let bodies = [bodies, bodies.rotate::<R, N>(by)];
-    let force = pair_forces::<H, R, W, D, S>(parameters, bodies, time);
+    let force = pair_forces::<H, R, W, D, S>(parameters, bodies, false, time);
     let mut force = masked(components::<H, W, D, S>(force, bodies), active);
     if let Some(active) = active {
         force = masked(force, Some(active.rotate::<N>(by)));
@@ -483,7 +562,7 @@ impl<W: Real, const D: usize, const S: usize> RowPair<W, D, S> {
         let rows = [bodies, self.others];
         let [i, j] = &rows;
         if H::interacts::<R, W>(parameters, i.q, j.q, i.constants, j.constants, time) {
-            let force = pair_forces::<H, R, W, D, S>(parameters, rows, time);
+            let force = pair_forces::<H, R, W, D, S>(parameters, rows, false, time);
             if H::CENTRAL && self.active.is_none() {
                 let (radial, separation) = (force.as_ref()[0], displacement(rows));
                 let Self { sum, reaction, .. } = self;
@@ -528,7 +607,7 @@ pub(crate) fn intra_energies<H, R, W, const N: usize, const D: usize, const S: u
     W: Row<R>,
 {
     for by in 1..=N / 2 {
-        let energies = pair_energies::<H, R, W, D, S>(parameters, [bodies, bodies.rotate::<R, N>(by)], time);
+        let energies = pair_energies::<H, R, W, D, S>(parameters, [bodies, bodies.rotate::<R, N>(by)], false, time);
         let [mut energies] = masked([energies], active);
         if let Some(active) = active {
             [energies] = masked([energies], Some(active.rotate::<N>(by)));
@@ -557,7 +636,7 @@ pub(crate) fn inter_energies<H, R, W, const N: usize, const D: usize, const S: u
 {
     for _ in 0..N {
         // Bodies that do not interact may have an energy, which is then constant.
-        add_active(sum, pair_energies::<H, R, W, D, S>(parameters, [bodies, others], time), active);
+        add_active(sum, pair_energies::<H, R, W, D, S>(parameters, [bodies, others], false, time), active);
         others = others.rotate::<R, N>(1);
         if let Some(row) = active {
             active = Some(row.rotate::<N>(1));

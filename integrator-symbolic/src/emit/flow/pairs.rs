@@ -11,7 +11,9 @@ use crate::{
     graph::{NodeId, Part, index::LoopId},
     model::Model,
     pattern::{
-        all_pairs::{AllPairs, Bodies, EmbeddedOfBodies, EnergiesOfBodies, First, LISTED_FROM, Listed, Others, ROW},
+        all_pairs::{
+            AllPairs, Bodies, EmbeddedOfBodies, EnergiesOfBodies, First, Included, LISTED_FROM, Listed, Others, ROW,
+        },
         bodies::{Constants, OfBodies},
     },
     syntax::names::Names,
@@ -58,6 +60,7 @@ impl ManyBody {
             others,
             energies,
             listed,
+            included,
             of,
             number,
         } = pairs;
@@ -67,6 +70,7 @@ impl ManyBody {
         let mut writer = Writer { emitter, constants, sizes: &sizes };
         let functions = [writer.drift(drift), writer.pair(force, central, pair)];
         let acts = acts.as_ref().map(|(condition, holds)| writer.acts(condition, *holds, pair));
+        let included = included.as_ref().map(|included| writer.included(included, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let embedded = embedded.as_ref().map(|embedded| writer.embedded(embedded));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
@@ -96,6 +100,7 @@ impl ManyBody {
 
             #(#functions)*
             #acts
+            #included
             #alone
             #embedded
             #beside
@@ -220,6 +225,19 @@ impl Writer<'_, '_> {
         let body =
             self.lines(condition).map(|condition| quote!(let interacting = { #condition }; interacting #negated.any()));
         self.function("interacts", TokenStream::new(), self.two_bodies(of), Some(quote!(bool)), body)
+    }
+
+    /// Whether lists do not leave a pair out.
+    fn included(&mut self, Included { condition, own }: &Included, of: [LoopId; 2]) -> TokenStream {
+        let (wide, own) = (self.emitter.names.wide.clone(), Literal::usize_unsuffixed(*own));
+        let body = self.lines(condition);
+        let included =
+            self.function("included", TokenStream::new(), self.two_bodies(of), Some(quote!(#wide::Mask)), body);
+        quote! {
+            const LEAVES_OUT: ::core::option::Option<usize> = ::core::option::Option::Some(#own);
+
+            #included
+        }
     }
 
     /// The coordinates and prepared constants of a pair, as arguments.

@@ -174,9 +174,19 @@ impl Printer<'_> {
             Node::Binary(function, a, b) => self.method(fields, a, self.method_name(function), Some(b)),
             Node::External(id, arguments) => self.external(fields, id, arguments),
             Node::Entry(table, row, column) => {
-                let [row, column] = [row, column].map(|number| self.expression(fields, number).tokens);
+                let is_symmetric = self.graph.is_symmetric(table);
                 let name = fields.number(self.graph, self.parameters, table);
                 let table = self.prepared(name, LoopSet::EMPTY);
+                // The order of the bodies decides which is the row, if the table is not symmetric.
+                if let (Node::Select(order, first, second), Node::Select(other, b, a)) =
+                    (self.graph.node(row), self.graph.node(column))
+                    && (order, first, second) == (other, a, b)
+                    && !is_symmetric
+                {
+                    let [order, first, second] = [order, first, second].map(|id| self.expression(fields, id).tokens);
+                    return Printed::new(Binding::Atom, quote!(#table.entry_in_order(#order, #first, #second)));
+                }
+                let [row, column] = [row, column].map(|number| self.expression(fields, number).tokens);
                 Printed::new(Binding::Atom, quote!(#table.entry(#row, #column)))
             }
             // Of two prepared numbers; the blocks inside of all other choices, and of sums, compute them.

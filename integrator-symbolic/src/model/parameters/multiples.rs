@@ -1,6 +1,10 @@
 //! Parameters that are a number times another one, such as half of the side of a box.
 
-use super::{factors::factors, parameter_text::Texts, text::without_parentheses};
+use super::{
+    factors::factors,
+    parameter_text::{Texts, without_sign},
+    text::without_parentheses,
+};
 use crate::graph::{Graph, ParameterId};
 use proc_macro2::TokenStream;
 use syn::{Expr, Lit, UnOp};
@@ -8,8 +12,11 @@ use syn::{Expr, Lit, UnOp};
 impl Texts<'_> {
     /// The number and the other parameter; one and the parameter itself where its text is no such product.
     pub(super) fn multiple_of(&mut self, graph: &mut Graph, id: ParameterId) -> (f64, ParameterId) {
-        let (mut number, mut rest) = (1.0, None);
-        for (text, exponent) in factors(self.text(id)) {
+        let (mut number, mut rest, mut text) = (1.0, None, self.text(id));
+        while let Some(positive) = without_sign(text.clone()) {
+            (number, text) = (-number, positive);
+        }
+        for (text, exponent) in factors(text) {
             match literal(&text) {
                 Some(factor) => number *= f64::powi(factor, exponent),
                 None if exponent == 1 && rest.is_none() => rest = Some(text),

@@ -495,7 +495,7 @@ fn mentions_name(text: &TokenStream, name: &Ident) -> bool {
 }
 
 /// The text after a minus sign in front of a product.
-fn without_sign(text: TokenStream) -> Option<TokenStream> {
+pub(super) fn without_sign(text: TokenStream) -> Option<TokenStream> {
     let tokens: Vec<TokenTree> = text.into_iter().collect();
     match &tokens[..] {
         [TokenTree::Group(group)] if group.delimiter() == Delimiter::Parenthesis => without_sign(group.stream()),

@@ -10,6 +10,7 @@
 mod candidates;
 pub(crate) mod cells;
 mod found;
+mod left_out;
 mod listed;
 pub(crate) mod lists;
 mod skin;
@@ -37,6 +38,7 @@ use alloc::{
 };
 use cells::Sides;
 use core::{marker::PhantomData, ops::Range};
+use left_out::leave_out;
 use listed::Listed;
 use lists::{Lists, PORTIONS};
 use skin::{FIRST_SKIN, next_skin};
@@ -149,13 +151,12 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
 
     /// Makes new lists, unless the last ones still have all pairs that act.
     #[inline(always)]
-    fn renew<L: Slot<R::Row<WIDTH>>>(
+    fn renew<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         &mut self,
-        q: &[[L; D]],
-        bodies: usize,
+        sum: &Sum<'_, H, R, L, D, S>,
         cutoffs: &Cutoffs<D>,
-        threads: usize,
     ) -> Arc<Listed<R::Row<WIDTH>, D>> {
+        let Sum { q, constants, bodies, parameters, time, threads } = *sum;
         let last = self.last();
         // No closure, which might be compiled outside of the variant for the instruction set.
         if let Some(listed) = &last
@@ -170,7 +171,15 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         }
         let skin = last.map_or(FIRST_SKIN * distance, |listed| next_skin(distance, listed.skin, self.sums, D));
         let old = self.listed.take().and_then(Arc::into_inner).and_then(|listed| Arc::into_inner(listed.lists));
-        let listed = Arc::new(Listed::new::<R, L>(q, bodies, cutoffs, skin, threads, old));
+        let mut listed = Listed::new::<R, L>(q, bodies, cutoffs, skin, threads, old);
+        if const { H::LEAVES_OUT.is_some() && sums::leave_out::<R>() }
+            && let Some(lists) = Arc::get_mut(&mut listed.lists)
+        {
+            self.fill::<H, L, S>(q, constants, &lists.slot_of);
+            let (points, _) = self.points.as_chunks();
+            leave_out::<H, R, D, S>(lists, points, bodies, (parameters, time), threads);
+        }
+        let listed = Arc::new(listed);
         (self.listed, self.borrowed, self.sums) = (Some(listed.clone()), Weak::new(), 1);
         listed
     }
@@ -222,7 +231,7 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         cutoffs: &Cutoffs<D>,
     ) -> Arc<Listed<R::Row<WIDTH>, D>> {
         let Sum { q, constants, bodies, parameters, time, threads } = *sum;
-        let listed = self.renew(q, bodies, cutoffs, threads);
+        let listed = self.renew(sum, cutoffs);
         let lists = &*listed.lists;
         self.fill::<H, L, S>(q, constants, &lists.slot_of);
         let Neighbours { points, results, .. } = self;
@@ -416,8 +425,8 @@ where
     #[inline(always)]
     fn call(self) -> R {
         let Self { mut neighbours, sum, cutoffs } = self;
+        let listed = neighbours.renew(&sum, cutoffs);
         let Sum { q, constants, bodies, parameters, time, threads } = sum;
-        let listed = neighbours.renew(q, bodies, cutoffs, threads);
         let lists = &*listed.lists;
         neighbours.fill::<H, L, S>(q, constants, &lists.slot_of);
         let (points, _) = neighbours.points.as_chunks();

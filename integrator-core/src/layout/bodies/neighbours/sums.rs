@@ -50,33 +50,48 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const DENSITIES
         let Self { points, portion, rows, bodies, parameters, time, results, .. } = self;
         for (number, row) in rows.enumerate() {
             let own = own_slots(row, bodies);
-            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own);
+            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own, false);
             let mut sum = [Real::of(0.0); D];
             match portion {
                 Some(portion) => {
+                    let are_included = leave_out::<R>();
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.counts);
                     let before = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
                     let (common, rest) = portion.steps[head.first..][..range.most].split_at(range.common);
                     for (step, slots) in common.iter().enumerate() {
                         R::Row::<WIDTH>::fetch_once(slots.as_ptr().wrapping_add(AHEAD));
-                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots, are_included);
                         put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
-                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], None, time);
+                        add_forces::<H, R, D, S, DENSITIES>(
+                            &mut sum,
+                            parameters,
+                            [body, others],
+                            are_included,
+                            None,
+                            time,
+                        );
                     }
                     for (step, slots) in (range.common..).zip(rest) {
                         let acting = range.acting(step);
-                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots, are_included);
                         put_in_order::<H, R, D, S>(&mut others, || before.acting(step));
-                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], Some(acting), time);
+                        add_forces::<H, R, D, S, DENSITIES>(
+                            &mut sum,
+                            parameters,
+                            [body, others],
+                            are_included,
+                            Some(acting),
+                            time,
+                        );
                     }
                 }
                 None => {
                     for other in 0..bodies {
-                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
+                        let mut others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH], false);
                         put_in_order::<H, R, D, S>(&mut others, || behind::<R>(other, row));
                         let acting = (other / WIDTH == row).then(|| others_than::<R>(other % WIDTH));
-                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], acting, time);
+                        add_forces::<H, R, D, S, DENSITIES>(&mut sum, parameters, [body, others], false, acting, time);
                     }
                 }
             }
@@ -95,21 +110,36 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
         let Self { points, portion, rows, bodies, parameters, time, results, .. } = self;
         for (number, row) in rows.enumerate() {
             let own = own_slots(row, bodies);
-            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own);
+            let body = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &own, false);
             let mut sum = <R::Row<WIDTH> as Real>::of(0.0);
             match portion {
                 Some(portion) => {
+                    let are_included = leave_out::<R>();
                     let head = &portion.heads[number];
                     let range = Steps::<R::Row<WIDTH>>::of::<R>(&head.before);
                     for (step, slots) in portion.steps[head.first..][..range.most].iter().enumerate() {
-                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots);
-                        add_energies::<H, R, D, S>(&mut sum, parameters, [body, others], range.acting(step), time);
+                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, slots, are_included);
+                        add_energies::<H, R, D, S>(
+                            &mut sum,
+                            parameters,
+                            [body, others],
+                            are_included,
+                            range.acting(step),
+                            time,
+                        );
                     }
                 }
                 None => {
                     for other in 0..bodies.min((row + 1) * WIDTH) {
-                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH]);
-                        add_energies::<H, R, D, S>(&mut sum, parameters, [body, others], behind::<R>(other, row), time);
+                        let others = bodies_at::<H, R, R::Row<WIDTH>, D, S>(points, &[other as u32; WIDTH], false);
+                        add_energies::<H, R, D, S>(
+                            &mut sum,
+                            parameters,
+                            [body, others],
+                            false,
+                            behind::<R>(other, row),
+                            time,
+                        );
                     }
                 }
             }
@@ -118,12 +148,17 @@ impl<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize> Kernel for Ener
     }
 }
 
+/// Whether lists leave out the pairs that the system does: several members share lists, and may leave out other pairs each.
+pub(super) const fn leave_out<R: Real>() -> bool {
+    R::MEMBERS == 1
+}
+
 /// The mask of some lanes of a row.
 type Lanes<R> = <<R as Real>::Row<WIDTH> as Real>::Mask;
 
 /// The slots of a row; lanes after the last body repeat it.
 #[inline(always)]
-fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
+pub(super) fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
     let mut slots = [0; WIDTH];
     for (lane, slot) in slots.iter_mut().enumerate() {
         *slot = (row * WIDTH + lane).min(bodies - 1) as u32;
@@ -131,17 +166,21 @@ fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
     slots
 }
 
-/// The bodies in some slots.
+/// The bodies in some slots; zero in place of what only the condition of included pairs reads, if all `are_included`.
 #[inline(always)]
-fn bodies_at<H: ManyBody<D, S>, R: Real, W: Row<R>, const D: usize, const S: usize>(
+pub(super) fn bodies_at<H: ManyBody<D, S>, R: Real, W: Row<R>, const D: usize, const S: usize>(
     points: &[[R; 4]],
     slots: &[u32; WIDTH],
+    are_included: bool,
 ) -> Bodies<W, D, S> {
     let zero = W::of(0.0);
     let mut bodies = Bodies { q: [zero; D], constants: [zero; S] };
-    let count = const { numbers::<H, D, S>() };
     let quads = const { quads(numbers::<H, D, S>()) };
-    for quad in 0..quads {
+    let count = match H::LEAVES_OUT {
+        Some(own) if are_included => numbers::<H, D, S>() - own,
+        _ => numbers::<H, D, S>(),
+    };
+    for quad in 0..count.div_ceil(4) {
         let numbers = W::transposed(points, slots, quads, quad);
         for (at, number) in numbers.into_iter().enumerate() {
             let place = quad * 4 + at;
@@ -172,6 +211,7 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const 
     sum: &mut [R::Row<WIDTH>; D],
     parameters: &H::Parameters<R>,
     rows: [Bodies<R::Row<WIDTH>, D, S>; 2],
+    are_included: bool,
     acting: Option<Lanes<R>>,
     time: f64,
 ) {
@@ -185,7 +225,7 @@ fn add_forces<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize, const 
         }
         return;
     }
-    let mut force = pair_forces::<H, R, R::Row<WIDTH>, D, S>(parameters, rows, time);
+    let mut force = pair_forces::<H, R, R::Row<WIDTH>, D, S>(parameters, rows, are_included, time);
     if let Some(acting) = acting {
         let none = Real::of(0.0);
         for force in force.as_mut() {
@@ -211,24 +251,25 @@ fn add_energies<H: ManyBody<D, S>, R: Real, const D: usize, const S: usize>(
     sum: &mut R::Row<WIDTH>,
     parameters: &H::Parameters<R>,
     [row, mut others]: [Bodies<R::Row<WIDTH>, D, S>; 2],
+    are_included: bool,
     acting: Lanes<R>,
     time: f64,
 ) {
     put_in_order::<H, R, D, S>(&mut others, || acting);
-    let energies = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [row, others], time);
+    let energies = pair_energies::<H, R, R::Row<WIDTH>, D, S>(parameters, [row, others], are_included, time);
     *sum += Real::select(acting, energies, Real::of(0.0));
 }
 
 /// The numbers of steps of a row: of those with all lanes, of those with any lane, and of those with each lane.
-struct Steps<W> {
+pub(super) struct Steps<W> {
     common: usize,
-    most: usize,
+    pub(super) most: usize,
     of_lane: W,
 }
 
 impl<W: Real> Steps<W> {
     #[inline(always)]
-    fn of<R: Real>(of_lane: &[u32; WIDTH]) -> Self
+    pub(super) fn of<R: Real>(of_lane: &[u32; WIDTH]) -> Self
     where
         W: Row<R>,
     {
