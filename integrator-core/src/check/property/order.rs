@@ -167,11 +167,11 @@ pub(crate) fn order_of(stepper: &dyn Stepper, start: Start<Vec<f64>>, h: f64) ->
         }
     }
     // Where the next term of the error still shows, the slope is between two orders.
-    while best.from_whole() > WHOLE && attempts < ATTEMPTS {
+    while best.between_orders() > WHOLE && attempts < ATTEMPTS {
         attempts += 1;
         span *= SHORTENING;
         let shorter = problem.order(Grid::over(span));
-        if shorter.shows(facts.order) && shorter.from_whole() < best.from_whole() {
+        if shorter.shows(facts.order) && shorter.between_orders() < best.between_orders() {
             best = shorter;
         }
     }
@@ -216,7 +216,7 @@ impl Slope {
     }
 
     /// The distance of the slope from a whole number; none where errors lie on no line.
-    fn from_whole(&self) -> f64 {
+    fn between_orders(&self) -> f64 {
         match &self.order {
             Ok(order) if self.is_line() => (order.slope - order.slope.round()).abs(),
             _ => 0.0,
