@@ -255,9 +255,9 @@ mod tests {
         let is_equal = |a: usize, b: usize| KINDS[a] == KINDS[b];
         let sum = |i: usize, j: usize| f64::from(u32::from(KINDS[i]) + u32::from(KINDS[j]));
         let ratio = |i: usize, j: usize| f64::from(u32::from(KINDS[i])) / f64::from(u32::from(KINDS[j]));
-        let (numbers, values): (_, [(&dyn Fn(usize, usize) -> f64, bool); 2]) =
-            (classes(0..6, 6, &is_equal), [(&sum, true), (&ratio, false)]);
-        for (value, is_symmetric) in values {
+        let numbers = classes(0..6, 6, &is_equal);
+        for is_symmetric in [true, false] {
+            let value = |i, j| if is_symmetric { sum(i, j) } else { ratio(i, j) };
             let table = ByClass::new([0..6, 0..6], [&is_equal; 2], &|i, j| (i > j).then(|| value(i, j)));
             assert_eq!(table.is_symmetric, is_symmetric, "{table:?}");
             for (i, j) in (0..6).flat_map(|i| (0..i).map(move |j| (i, j))) {
