@@ -24,7 +24,7 @@ use std::{
 const BLOCK: u64 = 1024;
 
 /// Names of the counted problems; they use `Verlet` unless the name contains a composition.
-const PROBLEMS: [&str; 10] = [
+const PROBLEMS: [&str; 11] = [
     "pendulum",
     "henon",
     "kepler",
@@ -33,9 +33,29 @@ const PROBLEMS: [&str; 10] = [
     "fput_kahanli8",
     "fput_1e3",
     "nbody_32",
+    "rotors_32",
     "pendulum_x64",
     "kepler_x64",
 ];
+
+/// Rotors of which each turns every other one: a sine for each pair.
+struct Rotors;
+
+#[hamiltonian]
+impl Rotors {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| 0.5 * p * p).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..q.len() {
+            for j in 0..i {
+                sum -= (q[i] - q[j]).cos();
+            }
+        }
+        sum
+    }
+}
 
 fn advance<H: Hamiltonian, X: Composition<H>>(system: &H, start: Phase<H::Coords>, _: X, h: f64, steps: u64)
 where
@@ -72,6 +92,7 @@ fn take(problem: &str, steps: u64) {
             let (system, start) = cluster(32);
             advance(&system, start, Verlet, 1e-3, steps);
         }
+        "rotors_32" => advance(&Rotors, waves(32), Verlet, 0.01, steps),
         "pendulum_x64" => {
             let pendulum = Pendulum { mass: 1.0, length: 1.0, gravity: 1.0 };
             let members = angles.map(|q| (pendulum, Phase::new([q], [0.0])));

@@ -182,7 +182,7 @@ macro_rules! image {
 
 /// Energies of a pair with a distance: a name, what finds the square of the distance, the branch, and what is found of a
 /// cutoff: whether there is one, and whether distances are those in a box.
-const CUTOFFS: [(&str, &str, &str, Option<bool>); 42] = [
+const CUTOFFS: [(&str, &str, &str, Option<bool>); 43] = [
     ("a number", OPEN, "if r2 < 6.25 { v += 1.0 / r2; }", Some(false)),
     ("a parameter", OPEN, "if r2 < self.cutoff * self.cutoff { v += 1.0 / r2; }", Some(false)),
     ("a distance", OPEN, "let r = r2.sqrt(); if r <= self.cutoff { v += (r - self.cutoff).powi(2); }", Some(false)),
@@ -257,6 +257,12 @@ const CUTOFFS: [(&str, &str, &str, Option<bool>); 42] = [
         "if self.excluded.contains(&(i, j)) { continue; } if r2 < self.cutoff { v += 1.0 / r2; }",
         Some(true),
     ),
+    (
+        "an exclusion of molecules and of lists",
+        OPEN,
+        "if self.kind[i] == self.kind[j] || self.excluded[i].contains(&j) { continue; } if r2 < self.cutoff { v += 1.0 / r2; }",
+        Some(false),
+    ),
     ("a cutoff without bounds", OPEN, "if r2 < 2.0 + (self.m[i] - self.m[j]).sin() { v += 1.0 / r2; }", None),
     ("no distance", "let r2 = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);", IF, None),
     ("any image", image!("x - self.side * (x * self.k).round()"), IF, Some(true)),
@@ -307,6 +313,9 @@ fn a_cutoff_is_proved_or_all_pairs_are_summed() {
     let text = of_pairs("len", "[[f64; 3]]", distance, IF);
     let sides = text.split("fn sides <").nth(1).and_then(|text| text.split('}').next()).expect("sides");
     assert!(text.contains("prepared_") && !sides.contains("half"), "{sides}");
+    // A condition that another one guards is not evaluated without it.
+    let guarded = "if self.next[i] != j && self.m[self.next[i]] == self.m[j] { continue; }";
+    assert!(!of_pairs("len", "[[f64; 3]]", &format!("{guarded} {OPEN}"), IF).contains("LISTED_FROM"));
     let [few, many] = [9, 1500].map(|bodies| of_pairs(&bodies.to_string(), &format!("[[f64; 3]; {bodies}]"), BOX, IF));
     assert!(!few.contains("LISTED_FROM") && many.contains("LISTED_FROM"));
 }
@@ -317,13 +326,18 @@ fn of_pairs(length: &str, kind: &str, distance: &str, branch: &str) -> String {
 
 /// Energies within a cutoff: a name, the text, and whether the order of the bodies is all that is read of their numbers, which
 /// lists know.
-const NUMBERS: [(&str, &str, bool); 6] = [
+const NUMBERS: [(&str, &str, bool); 7] = [
     ("bodies alike", "v += 1.0 / r2;", false),
     ("a table by type", "v += self.table[self.kind[i]][self.kind[j]] / r2;", true),
     ("types of both", "if self.kind[i] == 1 && self.kind[j] == 2 { v += 1.0 / r2; } else { v += r2; }", true),
     ("an odd power", "v += (q[i][0] - q[j][0]).powi(3);", true),
     ("neighbours in a chain", "if i - j > 1 { v += 1.0 / r2; }", false),
     ("a set of pairs", "if !self.bonded.contains(&(i, j)) { v += 1.0 / r2; }", false),
+    (
+        "joined conditions",
+        "if self.kind[i] != self.kind[j] && !self.excluded[i].contains(&j) { v += 1.0 / r2; }",
+        false,
+    ),
 ];
 
 #[test]

@@ -442,6 +442,12 @@ potential!(sets_of_pairs, self, q, v;
             if !self.0.skipped.contains(&(j - i)) && self.0.allowed.contains(&(self.0.types[i], self.0.types[j])) && r2 < 1.5 {
                 v += (1.5 - r2).powi(2);
             }
+            if self.0.types[i] == self.0.types[j] || self.0.bonded.contains(&(j, i)) {
+                continue;
+            }
+            if r2 < 1.2 {
+                v += (1.2 - r2).powi(2);
+            }
         }
     }
 );

@@ -43,7 +43,8 @@ impl Texts<'_> {
             let zero = graph.constant(0.0);
             Some(graph.compare(Comparison::Less, zero, entry))
         });
-        condition.or_else(|| self.membership(graph, id, pair, ends))
+        let condition = condition.or_else(|| self.membership(graph, id, pair, ends));
+        condition.or_else(|| self.joined(graph, id, pair, ends))
     }
 
     /// An equality of values of the two bodies.

@@ -7,6 +7,7 @@ pub(crate) mod entries;
 mod extremes;
 pub(crate) mod factors;
 mod flags;
+mod joined;
 mod membership;
 mod multiples;
 pub(crate) mod numbers;
