@@ -225,7 +225,7 @@ pub fn apart<T>(gradient: &mut [T], from: usize) -> [&mut [T]; 2] {
     gradient.split_at_mut(from.min(gradient.len())).into()
 }
 
-/// The same of a gradient of numbers, `D` of which are a point.
+/// The same of a gradient of numbers; each point has `D` of them.
 pub fn groups_apart<T, const D: usize>(gradient: &mut [T], from: usize) -> [&mut [[T; D]]; 2] {
     let [first, second] = apart(gradient, from);
     [first.as_chunks_mut().0, second.as_chunks_mut().0]
