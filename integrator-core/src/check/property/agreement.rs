@@ -209,9 +209,7 @@ impl Point<'_> {
         if !system.is_separable() {
             return self.slopes(state);
         }
-        let still = origin(state);
-        let own = self.with(&still, self.own(state).into_iter());
-        Gradient::new(system, self.function, self.time).flow(&own, None)
+        Gradient::new(system, self.function, self.time).flow(&read_by(system, self.function, state), None)
     }
 
     /// The derivatives of the generated energy by all coordinates, where these are read by any part.
@@ -252,11 +250,9 @@ impl Point<'_> {
             let of_sum = f64::EPSILON * terms.iter().map(|term| term.abs()).sum::<f64>();
             [terms.iter().sum(), of_sum + if of_forces.is_finite() { of_forces } else { 0.0 }]
         };
-        let still = origin(self.state);
-        let own = self.with(&still, self.own(self.state).into_iter());
-        let along = self.with(&still, direction.iter().copied());
-        let gradient = Gradient::new(self.system.energies(), self.function, self.time);
-        let tangents = gradient.flow(&own, Some(&along));
+        let along = self.with(&origin(self.state), direction.iter().copied());
+        let gradient = Gradient::new(system, self.function, self.time);
+        let tangents = gradient.flow(&read_by(system, self.function, self.state), Some(&along));
         self.hold(
             2,
             tangents.into_iter().zip(&weights).map(|(tangent, weight)| tangent * weight).collect(),

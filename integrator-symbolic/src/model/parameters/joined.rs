@@ -3,12 +3,12 @@
 //! In: the text of a condition of two bodies. Out: the conditions that it joins, each as one of its own. Always true: each of them may be
 //! evaluated where the one before it decides already, since its indices are numbers of bodies as they stand.
 
-use super::{parameter_text::Texts, running_index::mentions};
-use crate::graph::{
-    Graph, NodeId, ParameterId,
-    index::{LoopId, LoopSet},
-    rename::End,
+use super::{
+    parameter_text::Texts,
+    running_index::{mentioned, mentions},
+    text::without_parentheses,
 };
+use crate::graph::{Graph, NodeId, ParameterId, index::LoopId, rename::End};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{BinOp, Expr};
@@ -22,29 +22,21 @@ impl Texts<'_> {
         pair: [LoopId; 2],
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
-        let mut condition = syn::parse2::<Expr>(self.text_of_pair(id, pair, ends)).ok()?;
-        let joined = loop {
-            condition = match condition {
-                Expr::Paren(inner) => *inner.expr,
-                Expr::Group(inner) => *inner.expr,
-                Expr::Binary(joined) => break joined,
-                _ => return None,
-            };
-        };
+        let condition = syn::parse2::<Expr>(self.text_of_pair(id, pair, ends)).ok()?;
+        let Expr::Binary(joined) = without_parentheses(&condition) else { return None };
         let is_and = match joined.op {
             BinOp::And(_) => true,
             BinOp::Or(_) => false,
             _ => return None,
         };
-        let sides = [joined.left, joined.right].map(|side| side.to_token_stream());
+        let sides = [&joined.left, &joined.right].map(|side| side.to_token_stream());
         let reads_both = |side: &TokenStream| pair.iter().all(|by| mentions(side, *by));
         if !sides.iter().all(|side| reads_both(side) && is_unguarded(side.clone())) {
             return None;
         }
         let loops = graph.loops.of_parameter(id);
         let mut of = |side: TokenStream| {
-            let own = loops.iter().filter(|by| mentions(&side, *by));
-            let own = own.fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(by)));
+            let own = mentioned(&side, loops);
             let side = self.id(graph, side, own);
             graph.declare_like(side, id);
             self.flag_of_pair(graph, side, pair, ends)

@@ -11,7 +11,7 @@ use crate::model::{
         classes::THIS_BODY,
         factors::factors,
         flags::OTHER_BODY,
-        running_index::{loop_of, mentions, running_index, with_index, with_indices},
+        running_index::{loop_of, mentioned, mentions, running_index, with_index, with_indices},
     },
 };
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
@@ -76,8 +76,7 @@ impl Parameters for Texts<'_> {
         }
         let loops = graph.loops.of_parameter(id);
         let mut of = |(text, exponent): (TokenStream, i32)| {
-            let own = loops.iter().filter(|by| mentions(&text, *by));
-            let own = own.fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(by)));
+            let own = mentioned(&text, loops);
             (self.id(graph, text, own), exponent)
         };
         factors.into_iter().map(&mut of).collect()

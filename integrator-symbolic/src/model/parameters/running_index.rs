@@ -55,6 +55,12 @@ pub(super) fn but_for(end: Option<End>, count: &Ident) -> TokenStream {
     }
 }
 
+/// The loops among these whose indices a text mentions.
+pub(super) fn mentioned(text: &TokenStream, loops: LoopSet) -> LoopSet {
+    let own = loops.iter().filter(|by| mentions(text, *by));
+    own.fold(LoopSet::EMPTY, |set, by| set.union(LoopSet::of(by)))
+}
+
 /// Whether a text mentions the index of a loop.
 pub(crate) fn mentions(text: &TokenStream, by: LoopId) -> bool {
     text.clone().into_iter().any(|token| match token {

@@ -32,10 +32,11 @@ pub(crate) fn in_parentheses(text: TokenStream) -> TokenStream {
     group.to_token_stream()
 }
 
-/// What parentheses contain.
+/// What parentheses contain, or the group that a macro made of an argument.
 pub(crate) fn without_parentheses(expression: &Expr) -> &Expr {
     match expression {
         Expr::Paren(inner) => without_parentheses(&inner.expr),
+        Expr::Group(inner) => without_parentheses(&inner.expr),
         other => other,
     }
 }
