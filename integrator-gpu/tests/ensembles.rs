@@ -65,6 +65,29 @@ impl Waves {
     }
 }
 
+/// A logistic regression: sums over rows, and over the columns of each.
+struct Regression {
+    rows: Vec<[f64; 20]>,
+}
+
+#[hamiltonian(gpu)]
+impl Regression {
+    fn kinetic(&self, p: [f64; 20]) -> f64 {
+        0.5 * p.iter().map(|p| p * p).sum::<f64>()
+    }
+    fn potential(&self, q: [f64; 20]) -> f64 {
+        let mut sum = 0.0;
+        for row in 0..self.rows.len() {
+            let mut x = 0.0;
+            for column in 0..20 {
+                x += self.rows[row][column] * q[column];
+            }
+            sum += (1.0 + x.exp()).ln();
+        }
+        sum
+    }
+}
+
 /// An outer solar system.
 struct Planets {
     gravity: f64,
@@ -185,6 +208,24 @@ fn lists_of_the_fields_lengths_have_room_for_some() {
     }
     let longer = members(16).chain(members(17));
     assert_eq!(Ensemble::on(Device::Text, Yoshida4, longer, 0.01).err(), Some(GpuError::List(3)));
+}
+
+#[test]
+fn sums_over_rows_are_added_in_the_order_of_the_processor() {
+    for count in [5, 8, 13, 16] {
+        let number = |row: usize, column: usize| ((row * 20 + column) as f64 * 0.7).sin();
+        let rows = (0..count).map(|row| std::array::from_fn(|column| number(row, column))).collect();
+        let start = Phase::new(std::array::from_fn(|i| 0.1 * (i as f64).cos()), [0.3; 20]);
+        let members = || [(Regression { rows: Vec::clone(&rows) }, start)];
+        let made = Ensemble::on(Device::Text, Yoshida4, members(), 0.01);
+        if can_compare(&made) {
+            let mut ensemble = made.expect("an ensemble");
+            let mut processor = OnProcessor::new(Yoshida4, members(), 0.01).expect("an ensemble");
+            ensemble.advance(20).expect("finite");
+            processor.advance(20).expect("finite");
+            assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>(), "{count} rows");
+        }
+    }
 }
 
 #[test]

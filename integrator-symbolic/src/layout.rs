@@ -17,7 +17,12 @@ use crate::{
         all_pairs::{AllPairs, LISTED_FROM, ROW},
         stores::passes,
     },
-    program::{Constraints, Item, Program, Store, lanes::LaneContext, lists::ListSum, schedule_with},
+    program::{
+        Constraints, Item, Program, Store,
+        lanes::{LaneContext, LoopInLanes},
+        lists::ListSum,
+        schedule_with,
+    },
     reason::Reason,
     stencil::Lattice,
 };
@@ -167,9 +172,14 @@ pub(crate) fn lane_context<'m>(
 
 /// Whether a program has loops in lanes, and whether one of these gains from the widest vectors.
 pub(crate) fn has_lanes(model: &Model, program: &Program) -> [bool; 2] {
+    let loops = loops_in_lanes(model, program, |lanes| lanes.is_wide);
+    [!loops.is_empty(), loops.contains(&true)]
+}
+
+/// What is asked of each of the loops in lanes of a program.
+pub(crate) fn loops_in_lanes<T>(model: &Model, program: &Program, of: impl Fn(&LoopInLanes<'_>) -> T) -> Vec<T> {
     let is_kept = |id| is_field(&model.graph, &model.parameters, id);
-    let loops = lane_context(model, program, &is_kept).all(program);
-    [!loops.is_empty(), loops.iter().any(|lanes| lanes.is_wide)]
+    lane_context(model, program, &is_kept).all(program).iter().map(of).collect()
 }
 
 /// The sum over a list that a loop of a program is, if its terms share vectors.

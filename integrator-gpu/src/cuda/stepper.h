@@ -30,6 +30,23 @@ template <class T, int LENGTH> DEVICE T element_of(const T (&table)[LENGTH], lon
     return at < LENGTH ? table[at] : T(0);
 }
 
+// A sum over the iterations of a loop in the order of integrator-core/src/layout/loops.rs: in groups of eight, iteration `n`
+// adds to partial sum `n` modulo 16; the rest has a sum of its own; partial sums are added in pairs, and then the rest.
+template <class R> struct PartialSums {
+    static constexpr int COUNT = 16, GROUP = 8;
+    R partial[COUNT] = {}, rest = R(0.0);
+    long long from, grouped;
+    DEVICE PartialSums(long long from, long long to) : from(from), grouped(from < to ? (to - from) / GROUP * GROUP : 0) {}
+    DEVICE R& at(long long i) { return i - from < grouped ? partial[(i - from) % COUNT] : rest; }
+    DEVICE R total() {
+        if (grouped == 0) return rest;
+        for (int half = COUNT / 2; half > 0; half /= 2) {
+            for (int n = 0; n < half; ++n) partial[n] = partial[n] + partial[n + half];
+        }
+        return partial[0] + rest;
+    }
+};
+
 // As `Stage` in Rust.
 struct Stage {
     double drift, kick, gradient, drift_time, kick_time, within, behind;

@@ -6,6 +6,7 @@
 
 mod functions;
 mod identifier;
+mod partial_sums;
 mod reads;
 mod sites;
 
@@ -28,9 +29,10 @@ use crate::{
 };
 pub(crate) use functions::device_functions;
 use identifier::identifier;
+use partial_sums::{PartialSums, partial_sums};
 use proc_macro2::Ident;
 pub(crate) use reads::{Read, Reads};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// What lines are within: loops that the caller runs, and tables that stand in for what is read of a body with one of their indices.
 #[derive(Default)]
@@ -64,6 +66,8 @@ pub(crate) fn evaluate(
         Length::Constant(_) | Length::OfStart => 0,
     };
     let is_of_body = !loops.is_empty();
+    let is_alone = loops.is_empty() && stencil.is_none();
+    let partial = if is_alone { partial_sums(model, &program) } else { BTreeSet::new() };
     let mut cuda = Cuda {
         printer,
         fields,
@@ -74,6 +78,7 @@ pub(crate) fn evaluate(
         length,
         conditions: 0,
         is_rounded: false,
+        partial,
         loops: Vec::new(),
         obstacle: None,
     };
@@ -124,6 +129,8 @@ struct Cuda<'m, 'r> {
     conditions: usize,
     /// Whether values are rounded before they are added to a gradient.
     is_rounded: bool,
+    /// The sums that are added in the order of lanes.
+    partial: BTreeSet<NodeId>,
     /// The loops around it, with the names of their indices.
     loops: Vec<(LoopId, String)>,
     obstacle: Option<String>,
@@ -156,6 +163,8 @@ impl Cuda<'_, '_> {
                 Node::Fold(fold, ..) => {
                     self.refuse(format!("`gpu` does not support a {} over any number of items", fold.noun()))
                 }
+                // It is begun after its loop.
+                _ if self.partial.contains(id) => String::new(),
                 _ => format!("R {} = R(0.0);\n", self.name(*id)),
             },
             Item::Loop { by, body } => {
@@ -164,10 +173,12 @@ impl Cuda<'_, '_> {
                 let index = self.open(*by);
                 let is_over_list = is_over_list(self.printer.graph, *by, body);
                 let around = std::mem::replace(&mut self.is_rounded, is_over_list);
+                let partial = self.partial_sums_of(body, &index, [&from, &to]);
                 let body = self.items(body);
                 self.is_rounded = around;
                 self.loops.pop();
-                format!("for (long long {index} = {from}; {index} < {to}; ++{index}) {{\n{body}}}\n")
+                let PartialSums { begin, open, end } = partial;
+                format!("{begin}for (long long {index} = {from}; {index} < {to}; ++{index}) {{\n{open}{body}}}\n{end}")
             }
             Item::Branch { condition, holds, body } => {
                 let condition = self.expression(*condition).1;

@@ -28,14 +28,15 @@ fn is_taken(name: &str) -> bool {
     });
     let is_reserved = name.starts_with('_') || !name.bytes().any(|letter| letter.is_ascii_lowercase());
     let is_function = device_functions().any(|known| known == name)
-        || ["fast_", "library_"].iter().any(|start| name.starts_with(start));
+        || ["fast_", "library_", "partial_"].iter().any(|start| name.starts_with(start));
     is_numbered || is_reserved || is_function || TAKEN.contains(&name)
 }
 
 /// Names that mean something in C++, or in the text around the lines.
-const TAKEN: [&str; 111] = [
+const TAKEN: [&str; 112] = [
     "Motion",
     "Parameters",
+    "PartialSums",
     "Source",
     "alignas",
     "alignof",
