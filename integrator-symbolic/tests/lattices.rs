@@ -113,7 +113,7 @@ fn rows_with_bonds_along_them_are_sites() {
 }
 
 /// Loops over flat coordinates as rows of `self.w` sites, and whether these are moved as a plane. `LOOPS` are loops over all sites.
-const FLAT_PLANES: [(&str, &str, bool); 22] = [
+const FLAT_PLANES: [(&str, &str, bool); 24] = [
     (
         "a torus",
         "LOOPS { v += b(q[y * w + (x + 1) % w] - q[y * w + x]) + b(q[(y + 1) % h * w + x] - q[y * w + x]); }",
@@ -129,8 +129,17 @@ const FLAT_PLANES: [(&str, &str, bool); 22] = [
     ),
     (
         "a condition, which is a number of each site",
-        "LOOPS { if x + 1 < w { v += b(q[y * w + x + 1] - q[y * w + x]); } }",
+        "LOOPS { if x + 1 < self.k { v += b(q[y * w + x + 1] - q[y * w + x]); } }",
         false,
+    ),
+    ("a condition at the end of a row", "LOOPS { if x + 1 < w { v += b(q[y * w + x + 1] - q[y * w + x]); } }", true),
+    (
+        "choices between the ends of rows and columns",
+        "LOOPS {
+             let right = if x + 1 == w { q[y * w] } else { q[y * w + x + 1] };
+             let below = if y + 1 == h { q[x] } else { q[(y + 1) * w + x] };
+             v += b(right - q[y * w + x]) + b(below - q[y * w + x]);",
+        true,
     ),
     (
         "open columns",

@@ -11,7 +11,7 @@ use crate::model::{
         cure::{Power, by_components, power_by_exclusive_or, power_by_operator},
         types::is_collected,
     },
-    parameters::text::{mentions_item, referent},
+    parameters::text::{bare, mentions_item, place, referent},
     values::{
         integer::Own,
         value::{Joint, Opaque, Value},
@@ -110,6 +110,18 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether an integer, which varies with a loop, is compared with the end of that loop, as in `i + 1 == self.n`. Such
+    /// comparisons are of indices, so that it is known in which iterations they hold.
+    fn is_at_end(&self, value: &Value, end: &Value) -> bool {
+        let (Value::Integer(index), Value::Opaque(end)) = (value, end) else { return false };
+        let (loops, end) = (&self.graph.loops, bare(place(end.text.clone())).to_string());
+        let mut around = loops.of_index(*index).iter();
+        around.any(|by| match loops.index(loops.get(by).to) {
+            Index::Parameter(id) => self.parameters[id.0 as usize].own.to_string() == end,
+            _ => false,
+        })
+    }
+
     /// `left op right`
     pub(crate) fn combine(
         &mut self,
@@ -128,8 +140,10 @@ impl Reader<'_> {
             }
             let literals =
                 matches!((&left, &right), (Value::Integer(_) | Value::Real(_), Value::Integer(_) | Value::Real(_)));
+            let is_at_end = is_condition(op) && (self.is_at_end(&left, &right) || self.is_at_end(&right, &left));
             if let (Some(left), Some(right)) = (self.opaque(&left), self.opaque(&right))
                 && !literals
+                && !is_at_end
             {
                 return Some(Value::Opaque(joined(&left, op, &right)));
             }
