@@ -225,6 +225,7 @@ pub mod __private {
             },
             lists::{Addend, Read, Term, Terms},
             loops::{Iteration, Loop, Near, apart, groups_apart},
+            products::{add_multiples_of_rows, inner_products},
         },
         methods::{
             implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
@@ -271,7 +272,7 @@ pub mod __private {
             flows::Flows,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             least_length::{are_at_least, are_points},
-            motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving},
+            motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving, in_place},
             not_finite::{all_found, not_finite},
             pair_set::{Items, PairSet, Unlisted},
             prepared::in_lanes,

@@ -238,6 +238,12 @@ fn points<R: Real, S: Slot<R>, W: Block<R>, const D: usize>(from: &[[S; D]]) -> 
         return [S::read(from.as_flattened()); D];
     }
     let (from, mut vectors) = (&from[..W::WIDTH], [W::of(0.0); D]);
+    if const { D == 2 } {
+        let numbers = from.as_flattened();
+        let both = S::read::<W>(numbers).deinterleave(S::read(&numbers[W::WIDTH..]));
+        vectors.copy_from_slice(&both);
+        return vectors;
+    }
     for component in 0..D {
         let mut numbers = [R::of(0.0); WIDEST];
         for lane in 0..W::WIDTH {
@@ -256,6 +262,12 @@ fn write<R: Real, W: Block<R>, const D: usize>(points: [W; D], to: &mut [[R; D]]
         return;
     }
     let to = &mut to[..W::WIDTH];
+    if const { D == 2 } {
+        let (numbers, [first, second]) = (to.as_flattened_mut(), points[0].interleave(points[1]));
+        first.write(numbers);
+        second.write(&mut numbers[W::WIDTH..]);
+        return;
+    }
     for component in 0..D {
         let mut numbers = [R::of(0.0); WIDEST];
         points[component].write(&mut numbers);
@@ -305,11 +317,14 @@ pub(super) fn total<R: Real, W: Block<R>>(mut partial: [R; PARTIAL]) -> R {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{
-        fma::{Fma, Fused},
-        instruction_set::InstructionSet,
-        real::Kernel,
-        simd::lanes::Lanes,
+    use crate::{
+        layout::products::{add_multiples_of_rows, inner_products},
+        scalar::{
+            fma::{Fma, Fused},
+            instruction_set::InstructionSet,
+            real::Kernel,
+            simd::lanes::Lanes,
+        },
     };
     use core::marker::PhantomData;
 
@@ -357,6 +372,8 @@ mod tests {
     const MOST: usize = 40;
     const BEFORE: usize = 3;
     const POINTS: usize = BEFORE + MOST + 2;
+    /// The number of rows: some that are computed together, and some that are left.
+    const ROWS: usize = 6;
 
     /// Bits of all lanes.
     fn bits<R: Real>(number: R) -> Vec<u64> {
@@ -395,7 +412,7 @@ mod tests {
                 (0..POINTS).map(|i| [0, 1].map(|d| number(seed + 2 * i + d))).collect()
             };
             let (q, p, start) = (points(1), points(500), points(900));
-            let constants: Vec<R> = (0..POINTS).map(|i| number(2000 + i)).collect();
+            let constants: Vec<R> = (0..POINTS + ROWS).map(|i| number(2000 + i)).collect();
             let factor = number(7);
             for count in 0..=MOST {
                 let range = BEFORE..BEFORE + count;
@@ -433,6 +450,22 @@ mod tests {
                 row.add_multiples(-1, gradient.as_chunks_mut::<1>().0);
                 let all = |numbers: Vec<R>| numbers.into_iter().map(bits).collect::<Vec<_>>();
                 assert_eq!(all(gradient), all(multiples), "{count} multiples");
+                // Rows together are rows one after the other.
+                let rows: Vec<&[R]> = (0..ROWS).map(|row| &constants[row..]).collect();
+                let factors: Vec<R> = (0..ROWS).map(|row| number(3000 + row)).collect();
+                let (mut inner, mut multiples) = (Vec::new(), start.as_flattened().to_vec());
+                for (constants, factor) in rows.iter().zip(&factors) {
+                    let row = Loop { range: range.clone(), parts, constants: [constants], common: [] };
+                    inner.push(row.inner_product(2));
+                    let row = Loop { range: range.clone(), parts, constants: [constants], common: [*factor] };
+                    row.add_multiples(-1, multiples.as_chunks_mut::<1>().0);
+                }
+                let mut found = vec![R::of(0.0); ROWS];
+                inner_products(&rows, range.clone(), 2, parts[0], &mut found);
+                assert_eq!(all(found), all(inner), "{count} columns");
+                let mut found = start.as_flattened().to_vec();
+                add_multiples_of_rows(&rows, range.clone(), -1, &factors, found.as_chunks_mut::<1>().0);
+                assert_eq!(all(found), all(multiples), "{count} columns");
                 let line = Loop { range, parts, constants: [], common: [] };
                 assert_eq!(
                     line.run::<Product, _, _, _>(&mut []).map(bits),

@@ -73,6 +73,7 @@ impl Machine<'_> {
         match names.last().map_or("", String::as_str) {
             "from_fn" => self.array_from(given(&call.args, 0)?),
             "table" => self.table(given(&call.args, 0)?, given(&call.args, 1)?),
+            "inner_products" | "add_multiples_of_rows" => self.products_of_rows(call),
             // Whether a list has an element is asked of the list.
             "Elements" => self.expression(given(&call.args, 0)?),
             // A reference is its value here, and a type the one that it has.

@@ -65,33 +65,81 @@ impl Machine<'_> {
     /// A call of `Loop::inner_product` or `Loop::add_multiples`.
     pub(crate) fn products(&mut self, call: &syn::ExprMethodCall) -> Outcome<Value> {
         let run = self.expression(&call.receiver)?;
-        let [parts, constants, common] = ["parts", "constants", "common"].map(|name| run.field(name));
-        let (Some(offset), table) = (call.args.first(), argument(constants?.items()?, 0)?) else {
+        let [parts, constants, common, range] = ["parts", "constants", "common", "range"].map(|name| run.field(name));
+        let (Some(offset), table) = (call.args.first(), argument(constants?.items()?, 0)?.clone()) else {
             return foreign("products without an offset");
         };
-        let offset = signed(offset)?;
-        let gradient = call.args.get(1).map(sums_of).transpose()?;
-        let gradient = gradient.map(|(place, group)| Gradient { place: place.clone(), from: 0, group });
-        let Value::Range(from, to) = run.field("range")?.clone() else { return foreign("a loop without a range") };
-        let mut sum: Value = Number::plain(0.0).of_kind(Kind::Scalar).into();
-        for number in from.value..to.value {
-            let (constant, near) = (table.at(place(number)?)?.lifted(Kind::Scalar), place(number + offset)?);
-            match &gradient {
-                None => {
-                    let read = row(&components(argument(parts.clone()?.items()?, 0)?.at(near)?)?).lifted(Kind::Scalar);
-                    sum = self.method_of(constant, "scale_add", vec![argument(read.items()?, 0)?.clone(), sum])?;
-                }
-                Some(gradient) => {
-                    let factor = argument(common.clone()?.items()?, 0)?.lifted(Kind::Scalar);
-                    let mut numbers = self.expression(&gradient.place)?.items()?.to_vec();
-                    let before = argument(gradient.point(&numbers, near)?.items()?, 0)?.clone();
-                    let after = self.method_of(constant, "scale_add", vec![factor, before])?;
-                    gradient.set(&mut numbers, near, &Value::list([after]))?;
-                    self.store(&gradient.place, Value::list(numbers))?;
-                }
+        let row = Row { table, range: range?.clone(), offset: signed(offset)? };
+        match call.args.get(1) {
+            None => self.inner_product(&row, argument(parts?.items()?, 0)?),
+            Some(gradient) => self.add_multiples(&row, argument(common?.items()?, 0)?, gradient),
+        }
+    }
+
+    /// A call of `inner_products` or `add_multiples_of_rows`.
+    pub(crate) fn products_of_rows(&mut self, call: &syn::ExprCall) -> Outcome<Value> {
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let [table, range, offset, read, Expr::Reference(syn::ExprReference { expr: to, .. })] = arguments[..] else {
+            let [table, range, offset, factors, gradient] = arguments[..] else {
+                return foreign("products of rows with other arguments");
+            };
+            let [table, range, factors] = [table, range, factors].map(|argument| self.expression(argument));
+            let (table, range, offset) = (table?, range?, signed(offset)?);
+            for (number, factor) in factors?.items()?.iter().enumerate() {
+                let row = Row { table: table.at(number)?.clone(), range: range.clone(), offset };
+                self.add_multiples(&row, factor, gradient)?;
             }
+            return Ok(Value::Unit);
+        };
+        let [table, range, read] = [table, range, read].map(|argument| self.expression(argument));
+        let (table, range, read, offset) = (table?, range?, read?, signed(offset)?);
+        let count = self.expression(to)?.items()?.len();
+        let products = (0..count).map(|number| {
+            let row = Row { table: table.at(number)?.clone(), range: range.clone(), offset };
+            self.inner_product(&row, &read)
+        });
+        let products = Value::list(products.collect::<Outcome<Vec<_>>>()?);
+        self.store(to, products)?;
+        Ok(Value::Unit)
+    }
+
+    fn inner_product(&mut self, of: &Row, coordinates: &Value) -> Outcome<Value> {
+        let mut sum: Value = Number::plain(0.0).of_kind(Kind::Scalar).into();
+        for (constant, near) in of.entries()? {
+            let read = row(&components(coordinates.at(near)?)?).lifted(Kind::Scalar);
+            sum = self.method_of(constant, "scale_add", vec![argument(read.items()?, 0)?.clone(), sum])?;
         }
         Ok(sum)
+    }
+
+    fn add_multiples(&mut self, of: &Row, factor: &Value, gradient: &Expr) -> Outcome<Value> {
+        let (to, group) = sums_of(gradient)?;
+        let gradient = Gradient { place: to.clone(), from: 0, group };
+        for (constant, near) in of.entries()? {
+            let mut numbers = self.expression(&gradient.place)?.items()?.to_vec();
+            let before = argument(gradient.point(&numbers, near)?.items()?, 0)?.clone();
+            let after = self.method_of(constant, "scale_add", vec![factor.lifted(Kind::Scalar), before])?;
+            gradient.set(&mut numbers, near, &Value::list([after]))?;
+            self.store(&gradient.place, Value::list(numbers))?;
+        }
+        Ok(Value::Unit)
+    }
+}
+
+/// A row of constants, the range of those that are multiplied, and how far coordinates are from these.
+struct Row {
+    table: Value,
+    range: Value,
+    offset: i128,
+}
+
+impl Row {
+    /// The constants, each with the index of its coordinate.
+    fn entries(&self) -> Outcome<Vec<(Value, usize)>> {
+        let Value::Range(from, to) = &self.range else { return foreign("a row without a range") };
+        let entry =
+            |number: i128| Ok((self.table.at(place(number)?)?.lifted(Kind::Scalar), place(number + self.offset)?));
+        (from.value..to.value).map(entry).collect()
     }
 }
 

@@ -162,7 +162,12 @@ impl Printer<'_> {
     }
 
     /// Coordinates as points. Without an iteration, there may be none from an index on.
-    fn points(&self, fields: &mut Fields, Coordinates { part, from }: Coordinates, points: Points) -> TokenStream {
+    pub(super) fn points(
+        &self,
+        fields: &mut Fields,
+        Coordinates { part, from }: Coordinates,
+        points: Points,
+    ) -> TokenStream {
         let part = part_name(part);
         let part = match from {
             Some(from) => {

@@ -5,7 +5,7 @@ use super::{
     fields::Fields,
 };
 use crate::{
-    graph::index::LoopId,
+    graph::{NodeId, index::LoopId},
     program::{Item, phases::Phases},
     syntax::names::Names,
 };
@@ -30,32 +30,46 @@ impl Block<'_> {
             quote!([#(#values),*])
         };
         let (all_sums, all_results) = (values_of(sums.len()), values_of(middle.results.len()));
-        let lines = self.owned_lines(fields, before);
-        let keeps = sums.iter().enumerate().map(|(number, id)| {
-            let (number, name) = (Literal::usize_unsuffixed(number), &self.printer.names[id]);
-            quote!(#kept[#number][#index] = #name;)
-        });
-        let first = self.printer.loop_over(fields, by, &quote!(#lines #(#keeps)*));
+        let place_of = |id: &NodeId| {
+            let (list, number) = match middle.results.iter().position(|result| result == id) {
+                Some(number) => (results, number),
+                None => (kept, sums.iter().position(|sum| sum == id).unwrap_or_default()),
+            };
+            let number = Literal::usize_unsuffixed(number);
+            quote!(#list[#number])
+        };
+        let before = owned(before);
+        let first = match self.inner_products(fields, by, (&before, sums), &quote!(&mut #kept[0])) {
+            Some(call) => call,
+            None => {
+                let lines = self.items(fields, &before);
+                let keeps = sums.iter().map(|id| {
+                    let (place, name) = (place_of(id), &self.printer.names[id]);
+                    quote!(#place[#index] = #name;)
+                });
+                let keeps: TokenStream = keeps.collect();
+                self.printer.loop_over(fields, by, &quote!(#lines #keeps))
+            }
+        };
         let second = self.in_lanes(fields, by, middle);
         let results_begin = (!middle.results.is_empty()).then(|| quote!(let mut #results = #all_results;));
         let third = (!after.is_empty()).then(|| {
-            let lines = self.owned_lines(fields, after);
+            let after = owned(after);
+            let list = |id| given.contains(&id).then(|| place_of(&id)).map(|place| quote!(&#place));
+            if let Some(call) = self.multiples_of_rows(fields, by, &after, list) {
+                return call;
+            }
+            let lines = self.items(fields, &after);
             let reads = given.iter().map(|id| {
-                let name = &self.printer.names[id];
-                let (list, number) = match middle.results.iter().position(|result| result == id) {
-                    Some(number) => (results, number),
-                    None => (kept, sums.iter().position(|sum| sum == id).unwrap_or_default()),
-                };
-                let number = Literal::usize_unsuffixed(number);
-                quote!(let #name = #list[#number][#index];)
+                let (place, name) = (place_of(id), &self.printer.names[id]);
+                quote!(let #name = #place[#index];)
             });
             self.printer.loop_over(fields, by, &quote!(#(#reads)* #lines))
         });
         quote!(let mut #kept = #all_sums; #first #results_begin #second #third)
     }
+}
 
-    fn owned_lines(&mut self, fields: &mut Fields, lines: &[&Item]) -> TokenStream {
-        let lines: Vec<Item> = lines.iter().map(|line| (*line).clone()).collect();
-        self.items(fields, &lines)
-    }
+fn owned(lines: &[&Item]) -> Vec<Item> {
+    lines.iter().map(|line| (*line).clone()).collect()
 }

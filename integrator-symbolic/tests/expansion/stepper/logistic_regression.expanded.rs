@@ -84,7 +84,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5361497942864501966;
+        const FINGERPRINT: u64 = 13326472498009959500;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
@@ -130,16 +130,13 @@ const _: () = {
             let mut kept = [
                 runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
             ];
-            for row in 0..motion.parameters.prepared_0 {
-                let sum_0 = runtime::Loop {
-                    range: 0..motion.q.len().saturating_sub(1),
-                    parts: [motion.q.as_chunks::<1>().0],
-                    constants: [&motion.parameters.covariates[row][..]],
-                    common: [],
-                }
-                    .inner_product(1);
-                kept[0][row] = sum_0;
-            }
+            runtime::inner_products(
+                &motion.parameters.covariates[..],
+                0..motion.q.len().saturating_sub(1),
+                1,
+                motion.q.as_chunks::<1>().0,
+                &mut kept[0],
+            );
             let mut results = [
                 runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
             ];
@@ -186,16 +183,13 @@ const _: () = {
                         },
                     )
             };
-            for row in 0..motion.parameters.prepared_0 {
-                let shared_0 = results[0][row];
-                runtime::Loop {
-                    range: 0..motion.q.len().saturating_sub(1),
-                    parts: [motion.q.as_chunks::<1>().0],
-                    constants: [&motion.parameters.covariates[row][..]],
-                    common: [shared_0],
-                }
-                    .add_multiples(1, gradient.as_chunks_mut::<1>().0);
-            }
+            runtime::add_multiples_of_rows(
+                &motion.parameters.covariates[..],
+                0..motion.q.len().saturating_sub(1),
+                1,
+                &results[0],
+                gradient.as_chunks_mut::<1>().0,
+            );
             gradient[0] += sum_1;
             for (slot, gradient) in ::core::iter::zip(motion.p.iter_mut(), &gradient) {
                 (*slot).scale_add(step, *gradient);
@@ -249,16 +243,13 @@ const _: () = {
             let mut kept = [
                 runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
             ];
-            for row in 0..motion.parameters.prepared_0 {
-                let sum_0 = runtime::Loop {
-                    range: 0..motion.q.len().saturating_sub(1),
-                    parts: [motion.q.as_chunks::<1>().0],
-                    constants: [&motion.parameters.covariates[row][..]],
-                    common: [],
-                }
-                    .inner_product(1);
-                kept[0][row] = sum_0;
-            }
+            runtime::inner_products(
+                &motion.parameters.covariates[..],
+                0..motion.q.len().saturating_sub(1),
+                1,
+                motion.q.as_chunks::<1>().0,
+                &mut kept[0],
+            );
             let [sum_1] = {
                 struct Iteration;
                 impl runtime::Iteration<0, 2, 1, 1, 0, 1> for Iteration {
@@ -562,8 +553,15 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            for k in 0..motion.q.len() {
-                motion.q[k].fma(step, motion.p[k].value());
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for k in 0..motion.q.len() {
+                    motion.q[k].fma(step, motion.p[k].value());
+                }
             }
         }
         #[inline(always)]
@@ -578,16 +576,13 @@ const _: () = {
                 let mut kept = [
                     runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
                 ];
-                for row in 0..motion.parameters.prepared_0 {
-                    let sum_0 = runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [],
-                    }
-                        .inner_product(1);
-                    kept[0][row] = sum_0;
-                }
+                runtime::inner_products(
+                    &motion.parameters.covariates[..],
+                    0..motion.q.len().saturating_sub(1),
+                    1,
+                    motion.q.as_chunks::<1>().0,
+                    &mut kept[0],
+                );
                 let mut results = [
                     runtime::repeated(motion.parameters.prepared_0, Scalar::of(0.0)),
                 ];
@@ -639,16 +634,13 @@ const _: () = {
                             },
                         )
                 };
-                for row in 0..motion.parameters.prepared_0 {
-                    let shared_1 = results[0][row];
-                    runtime::Loop {
-                        range: 0..motion.q.len().saturating_sub(1),
-                        parts: [motion.q.as_chunks::<1>().0],
-                        constants: [&motion.parameters.covariates[row][..]],
-                        common: [shared_1],
-                    }
-                        .add_multiples(1, gradient.as_chunks_mut::<1>().0);
-                }
+                runtime::add_multiples_of_rows(
+                    &motion.parameters.covariates[..],
+                    0..motion.q.len().saturating_sub(1),
+                    1,
+                    &results[0],
+                    gradient.as_chunks_mut::<1>().0,
+                );
                 gradient[0] += sum_2;
                 sum_1
             };
