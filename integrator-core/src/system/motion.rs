@@ -178,6 +178,23 @@ pub struct Plain<R: Real, C: Coords, P> {
     pub parameters: P,
 }
 
+/// Coordinates that are moved on the spot, in slices of one length.
+pub struct InPlace<'m, T, P> {
+    /// Positions.
+    pub q: &'m mut [T],
+    /// Momenta.
+    pub p: &'m mut [T],
+    /// Prepared constants.
+    pub parameters: &'m P,
+}
+
+/// The coordinates of a motion as slices, of which the compiler knows that they have the same length.
+#[inline(always)]
+pub fn in_place<'m, T, P>(q: &'m mut [T], p: &'m mut [T], parameters: &'m P) -> InPlace<'m, T, P> {
+    let count = q.len().min(p.len());
+    InPlace { q: &mut q[..count], p: &mut p[..count], parameters }
+}
+
 impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P> {
     fn load(constants: &[&P::Single], states: &[&Phase<C>]) -> Self {
         Self {

@@ -4,6 +4,7 @@
 //! written. Integers have their types, and overflow as in a debug build.
 
 use crate::{
+    calls::names_of,
     drivers::Driven,
     lists::Term,
     value::{Closure, Integer, IntegerType, Outcome, Stop, USIZE, Value, foreign, panic},
@@ -134,6 +135,10 @@ impl<'t> Machine<'t> {
             match statement {
                 Stmt::Local(local) => {
                     let Some(init) = &local.init else { return foreign("a variable without a value") };
+                    // Slices of the coordinates of a motion are the motion here.
+                    if is_in_place(&init.expr) {
+                        continue;
+                    }
                     let value = self.expression(&init.expr)?;
                     self.bind(&local.pat, value)?;
                 }
@@ -362,4 +367,11 @@ fn pattern_of(input: &syn::FnArg) -> Option<&Pat> {
         syn::FnArg::Typed(typed) => Some(&typed.pat),
         syn::FnArg::Receiver(_) => None,
     }
+}
+
+/// Whether an expression is `&mut runtime::in_place(...)`.
+fn is_in_place(expression: &Expr) -> bool {
+    let Expr::Reference(reference) = expression else { return false };
+    let Expr::Call(call) = &*reference.expr else { return false };
+    matches!(&*call.func, Expr::Path(path) if names_of(&path.path).last().is_some_and(|name| name == "in_place"))
 }

@@ -34,7 +34,7 @@ use crate::{
         stencil_of_energy,
         stores::{Pass, lower_roots, passes},
     },
-    program::Store,
+    program::{Item, Store},
     stencil::Stencil,
     syntax::names::Names,
 };
@@ -408,7 +408,7 @@ impl Flow {
     /// The lines that move each coordinate by `step` times its component.
     fn lines_along(emitter: &mut Emitter<'_>, gradient: &[Contribution], part: Part, frame: &Frame<'_>) -> Lines {
         let passes = passes(emitter.model, gradient, part).into_iter().map(|Pass { stores, moved }| match moved {
-            None => emitter.evaluate(frame, &[], &stores),
+            None => in_place(emitter, frame, &stores),
             Some(moved) => {
                 let method = frame.step_update();
                 let apply = |place, value| quote!(#place.#method(step, #value););
@@ -421,6 +421,18 @@ impl Flow {
         };
         passes.reduce(both).unwrap_or_default()
     }
+}
+
+/// Lines that move coordinates on the spot, in slices of one length if that is known at run time: their loops have vectors then.
+fn in_place(emitter: &mut Emitter<'_>, frame: &Frame<'_>, stores: &[Store]) -> Lines {
+    let lines = emitter.evaluate(frame, &[], stores);
+    let has_loops = lines.program.items.iter().any(|item| matches!(item, Item::Loop { .. }));
+    if !has_loops || !matches!(emitter.model.shape.length, Length::OfStart) {
+        return lines;
+    }
+    let runtime = &emitter.names.runtime;
+    let slices = quote!(#runtime::in_place(&mut motion.q, &mut motion.p, &motion.parameters));
+    lines.map(|lines| quote!({ let motion = &mut #slices; #lines }))
 }
 
 /// The motion of a shear. What it reads does not move, so that both halves are computed together.

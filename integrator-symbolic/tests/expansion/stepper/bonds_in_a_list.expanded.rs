@@ -102,7 +102,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 334652571030831504;
+        const FINGERPRINT: u64 = 14744438705857641148;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["plain", "terms"];
@@ -138,9 +138,16 @@ const _: () = {
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            for k in 0..motion.q.len() {
-                motion.q[k][0].scale_add(step, motion.p[k][0].value());
-                motion.q[k][1].scale_add(step, motion.p[k][1].value());
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for k in 0..motion.q.len() {
+                    motion.q[k][0].scale_add(step, motion.p[k][0].value());
+                    motion.q[k][1].scale_add(step, motion.p[k][1].value());
+                }
             }
         }
         #[inline(always)]
@@ -596,9 +603,16 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            for k in 0..motion.q.len() {
-                motion.q[k][0].fma(step, motion.p[k][0].value());
-                motion.q[k][1].fma(step, motion.p[k][1].value());
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for k in 0..motion.q.len() {
+                    motion.q[k][0].fma(step, motion.p[k][0].value());
+                    motion.q[k][1].fma(step, motion.p[k][1].value());
+                }
             }
         }
         #[inline(always)]

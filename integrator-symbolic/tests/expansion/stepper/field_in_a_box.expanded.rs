@@ -76,7 +76,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 10406371251343990419;
+        const FINGERPRINT: u64 = 14843664097722905913;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -249,10 +249,19 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            for k in 0..motion.q.len() {
-                for k_2 in 0..16 {
-                    for k_3 in 0..32 {
-                        motion.q[k][k_2][k_3].fma(step, motion.p[k][k_2][k_3].value());
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for k in 0..motion.q.len() {
+                    for k_2 in 0..16 {
+                        for k_3 in 0..32 {
+                            motion
+                                .q[k][k_2][k_3]
+                                .fma(step, motion.p[k][k_2][k_3].value());
+                        }
                     }
                 }
             }

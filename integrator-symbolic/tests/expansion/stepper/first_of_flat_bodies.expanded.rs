@@ -110,7 +110,7 @@ const _: () = {
             1,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5870201615866640870;
+        const FINGERPRINT: u64 = 8874551545801474552;
         const WIDE: bool = true;
         const LAYOUT: &'static [&'static str] = &["pairs", "pairs"];
         const ENERGIES_IN_LANES: bool = true;
@@ -442,8 +442,15 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            for k in 0..motion.q.len() {
-                motion.q[k].fma(step, motion.p[k].value());
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for k in 0..motion.q.len() {
+                    motion.q[k].fma(step, motion.p[k].value());
+                }
             }
         }
         #[inline(always)]

@@ -92,7 +92,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16051510220927354858;
+        const FINGERPRINT: u64 = 255818126161148724;
         const WIDE: bool = true;
         const STENCIL_RADII: ::core::option::Option<runtime::StencilRadii> = ::core::option::Option::Some(
             runtime::StencilRadii::of::<Self>(),
@@ -269,15 +269,22 @@ const _: () = {
             duration: Scalar,
         ) {
             let step = duration;
-            for i in 0..motion.q.len() {
-                for j in 0..64 {
-                    motion
-                        .q[i][j]
-                        .fma(
-                            (Scalar::of(2.0) / motion.parameters.prepared_0[i][j])
-                                .scale(step),
-                            motion.p[i][j].value(),
-                        );
+            {
+                let motion = &mut runtime::in_place(
+                    &mut motion.q,
+                    &mut motion.p,
+                    &motion.parameters,
+                );
+                for i in 0..motion.q.len() {
+                    for j in 0..64 {
+                        motion
+                            .q[i][j]
+                            .fma(
+                                (Scalar::of(2.0) / motion.parameters.prepared_0[i][j])
+                                    .scale(step),
+                                motion.p[i][j].value(),
+                            );
+                    }
                 }
             }
         }
