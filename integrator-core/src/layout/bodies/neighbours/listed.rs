@@ -1,6 +1,10 @@
 //! Lists of a motion, with the positions of bodies when they were built. They are valid until a body has moved too far.
 
-use super::{Cutoffs, cells::Cells, lists::Lists};
+use super::{
+    Cutoffs,
+    lists::Lists,
+    places::{Places, farthest, lists},
+};
 use crate::{
     layout::bodies::load_store::{WIDTH, values},
     scalar::{
@@ -34,27 +38,23 @@ impl<W: Real, const D: usize> Listed<W, D> {
     where
         W: Row<R>,
     {
-        let mut cells = Vec::with_capacity(cutoffs.of_members.len());
+        let mut members = Vec::with_capacity(cutoffs.of_members.len());
         for (member, cutoff) in cutoffs.of_members.iter().enumerate() {
-            let mut points = vec![[0.0; D]; q.len() * WIDTH];
-            for (row, points) in q.iter().zip(points.chunks_mut(WIDTH)) {
+            let mut coordinates = vec![0.0; D * bodies];
+            for (row, coordinates) in q.iter().zip(coordinates.chunks_mut(D * WIDTH)) {
                 for (axis, row) in values(row).iter().enumerate() {
-                    for (body, point) in points.iter_mut().enumerate() {
+                    for (body, point) in coordinates.chunks_exact_mut(D).enumerate() {
                         point[axis] = row.lane(body * R::LANES + member * (R::LANES / R::MEMBERS));
                     }
                 }
             }
-            points.truncate(bodies);
-            let mut farthest: f64 = 0.0;
-            for x in points.as_flattened() {
-                farthest = farthest.max(if x.is_finite() { Real::abs(*x) } else { 0.0 });
-            }
+            let farthest = farthest(&coordinates);
             // Where lists are not used in this lane, none are made for it.
             let distance = if cutoff.is_short() { cutoff.distance } else { 0.0 };
             let radius = distance + skin + rounding::<R>(distance + skin, farthest);
-            cells.push(Cells::new(points, cutoff.sides, radius));
+            members.push(Places { coordinates, sides: cutoff.sides.to_vec(), radius });
         }
-        let lists = Arc::new(Lists::new(bodies, &cells, threads, old));
+        let lists = Arc::new(lists::<D>(&members, bodies, threads, old));
         // Half of the skin less what the comparison itself rounds.
         let slack = 0.25 * skin * skin * (1.0 - 16.0 * epsilon::<R>());
         Self { lists, reference: q.iter().map(values).collect(), slack, skin }

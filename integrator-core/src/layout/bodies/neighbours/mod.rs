@@ -13,6 +13,7 @@ mod found;
 mod left_out;
 mod listed;
 pub(crate) mod lists;
+mod places;
 mod skin;
 mod sums;
 #[cfg(test)]
