@@ -257,7 +257,7 @@ fn program_along(model: &mut Model, gradient: &[Contribution], part: Part) -> Op
 
 fn scheduled(model: &Model, stores: &[Store]) -> Program {
     let leaf = |graph: &Graph, id| is_leaf(graph, &model.parameters, id);
-    schedule_with(&model.graph, stores, leaf, &Constraints::default())
+    schedule_with(&model.graph, stores, leaf, &Constraints::default()).hoisted(&model.graph)
 }
 
 #[cfg(test)]
