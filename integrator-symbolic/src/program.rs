@@ -19,6 +19,7 @@ pub(crate) mod phases;
 mod place;
 pub(crate) mod results;
 mod store;
+pub(crate) mod tally;
 mod unwritten;
 
 pub(crate) use store::{is_direct, is_protected};
