@@ -8,11 +8,15 @@
 mod bounded;
 mod calls;
 mod choice;
+mod count;
+mod counts;
 mod device;
 mod drivers;
+mod examples;
 mod expansion;
 mod grammar;
 mod judge;
+mod lines;
 mod lists;
 mod loops;
 mod machine;
