@@ -24,6 +24,8 @@ mod mutate;
 mod number;
 mod operate;
 mod place;
+mod placed;
+mod placement;
 mod sequence;
 mod shrink;
 mod splits;
