@@ -341,12 +341,7 @@ fn operations_are_counted_in_their_loops() {
         }
     }";
     let report = report(TokenStream::new(), tokens(system)).expect("no mistake");
-    let places: Vec<String> = report
-        .kick
-        .places
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    let places: Vec<String> = report.kick.places.iter().map(ToString::to_string).collect();
     // For every pair: a distance, its reciprocal and square, and an addition to each body. For every body: cos q cos t; the runtime
     // calls the function of bodies alone for rows of them, so that cos t is computed for each.
     assert_eq!(
