@@ -6,7 +6,7 @@
 //! - operations under a condition inside of that loop, since their operands may not be there in other iterations
 //! - a test of a mask that was computed in front of the loop, if the loop has lines beside it: two loops would compute
 //!   what both need twice
-//! - conditions in prepared tables, which are computed once per run
+//! - what is in the elements of prepared tables, which are computed once per run from the user's own text
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -176,6 +176,11 @@ impl Walk {
         read.loops
     }
 
+    /// Whether an expression is an operation of a flow or an energy: what is prepared is the user's own text.
+    fn is_computed(&self, expression: &Expr) -> bool {
+        self.function != "parameters" && is_operation(expression)
+    }
+
     /// The loop directly around, unless the expression depends on it.
     fn is_misplaced(&self, expression: &Expr) -> bool {
         matches!(self.scopes.last(), Some(Scope::Loop(around)) if !self.depends(expression).contains(around))
@@ -227,7 +232,7 @@ impl Walk {
                 self.expression(&assign.right);
                 self.assigned(&assign.left, &assign.right);
             }
-            Expr::Binary(binary) if is_operation(expression) => {
+            Expr::Binary(binary) if self.is_computed(expression) => {
                 if matches!(binary.op, syn::BinOp::AddAssign(_) | syn::BinOp::SubAssign(_)) {
                     self.expression(&binary.right);
                     self.assigned(&binary.left, &binary.right);
@@ -241,7 +246,7 @@ impl Walk {
             Expr::MethodCall(call) => {
                 // What adds to a coordinate is no value.
                 let is_slot = call.receiver.to_token_stream().to_string().starts_with("motion .");
-                if !is_slot && is_operation(expression) && self.is_misplaced(expression) {
+                if !is_slot && self.is_computed(expression) && self.is_misplaced(expression) {
                     self.note(Kind::Operation, expression);
                     return;
                 }
