@@ -39,9 +39,10 @@ enum Task {
     /// What is derived of every `#[hamiltonian]` impl in a file: equations, class, operations, compositions
     ///
     /// The impls are read as the macro reads them, with the same messages; the rest of the file is not
-    /// looked at. Operations are those of one iteration of the loops named beside them, with shared
-    /// subexpressions computed once; what depends on parameters alone is left out, as it is computed
-    /// once per run.
+    /// looked at. Operations are those that generated code carries out, once per site, body, pair or
+    /// iteration of the loops named beside them, where the conditions on indices beside them hold. Of a
+    /// condition on numbers, both sides count. What depends on parameters alone is left out, as it is
+    /// computed once per run.
     ///
     /// Keys of --json:
     ///   file, systems
@@ -51,7 +52,8 @@ enum Task {
     ///   drift, kick: form (plain, lanes, terms, line, plane, volume, row, pairs, lists), others (the form beside pairs),
     ///            places, cost, slower
     ///   slower: than, range, reason, instead
-    ///   places: loops, additions, multiplications, divisions, roots, functions, branches, coordinates
+    ///   places: each (iteration, site, body, pair, ordered pair), loops, conditions, additions,
+    ///           multiplications, divisions, roots, functions, branches, coordinates
     ///   composition, admissible: name, order, symmetric, forces_per_step, stability_limit
     #[command(verbatim_doc_comment)]
     Show {

@@ -6,7 +6,7 @@ use crate::{
     mistake::Mistake,
     source::{Annotated, Seen, Source},
 };
-use integrator_symbolic::{Flow, Proved, Report, Slower, Tally, declared, report, sequence};
+use integrator_symbolic::{Each, Flow, Proved, Report, Slower, Tally, declared, report, sequence};
 use proc_macro2::{Span, TokenStream, TokenTree};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -206,7 +206,9 @@ fn flow(flow: &Flow) -> Value {
         let Tally { additions, multiplications, divisions, roots, functions, branches, coordinates } =
             &place.operations;
         json!({
+            "each": each(place.each),
             "loops": place.loops,
+            "conditions": place.conditions,
             "additions": additions,
             "multiplications": multiplications,
             "divisions": divisions,
@@ -223,6 +225,17 @@ fn flow(flow: &Flow) -> Value {
         "cost": flow.cost,
         "slower": slower(&flow.slower),
     })
+}
+
+/// What a function with operations is called for.
+fn each(each: Each) -> &'static str {
+    match each {
+        Each::Iterations => "iteration",
+        Each::Sites => "site",
+        Each::Bodies => "body",
+        Each::Pairs => "pair",
+        Each::OrderedPairs => "ordered pair",
+    }
 }
 
 fn slower(slower: &[Slower]) -> Vec<Value> {

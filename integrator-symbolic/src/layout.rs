@@ -255,6 +255,7 @@ fn program_along(model: &mut Model, gradient: &[Contribution], part: Part) -> Op
     Some(scheduled(model, &first.stores))
 }
 
+/// The lines as they are scheduled. A branch in front of a loop changes no form: a loop that consists of branches is none in lanes.
 fn scheduled(model: &Model, stores: &[Store]) -> Program {
     let leaf = |graph: &Graph, id| is_leaf(graph, &model.parameters, id);
     schedule_with(&model.graph, stores, leaf, &Constraints::default())

@@ -42,7 +42,7 @@ use model::Model;
 pub use other_names::named_otherwise;
 use proc_macro2::TokenStream;
 use quote::quote;
-pub use report::{Flow, FlowOfPart, Place, Report, Slower};
+pub use report::{Each, Flow, FlowOfPart, Place, Report, Slower};
 pub use scheme::{Proved, ProvedStage, ProvedViolation};
 pub use spelling::nearest;
 use syntax::{Compose, Input};

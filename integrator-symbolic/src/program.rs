@@ -10,6 +10,7 @@
 //! - Loops over the same range that do not depend on each other are merged; so are branches on the same condition.
 //! - A node has a name if it is used twice, or in an inner block.
 
+mod hoist;
 pub(crate) mod lanes;
 pub(crate) mod lists;
 pub(crate) mod nest;
@@ -18,6 +19,7 @@ pub(crate) mod phases;
 mod place;
 pub(crate) mod results;
 mod store;
+pub(crate) mod tally;
 mod unwritten;
 
 pub(crate) use store::{is_direct, is_protected};
@@ -118,13 +120,16 @@ pub(crate) struct Program {
 impl Program {
     /// The lines within these loops, which the caller runs.
     pub(crate) fn within(self, loops: &[LoopId]) -> Self {
-        let lines = |items: Vec<Item>, around: &LoopId| -> Vec<Item> {
+        fn lines(items: Vec<Item>, around: &LoopId) -> Vec<Item> {
             let lines = items.into_iter().flat_map(|item| match item {
                 Item::Loop { by, body } if by == *around => body,
+                Item::Branch { condition, holds, body } => {
+                    vec![Item::Branch { condition, holds, body: lines(body, around) }]
+                }
                 other => vec![other],
             });
             lines.collect()
-        };
+        }
         Self { items: loops.iter().fold(self.items, lines), ..self }
     }
 }

@@ -1,7 +1,8 @@
 //! A readable report of what is derived from an annotated impl.
 
+mod places;
+
 use crate::{
-    differentiate::{Contribution, fold_branches},
     graph::{Part, Tally, index::LoopSet},
     layout::{
         Form, forms,
@@ -14,7 +15,7 @@ use crate::{
     syntax::{Compose, Input},
 };
 use quote::ToTokens;
-use std::{collections::HashMap, fmt};
+use std::fmt;
 
 /// The equations of motion of a Hamiltonian, its properties, and the cost of its flows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +44,8 @@ pub struct Report {
     pub drift: Flow,
     /// The flow that moves the momenta.
     pub kick: Flow,
+    /// The computations of the energies `T` and `V`, by their loops, outermost first.
+    pub energies: [Vec<Place>; 2],
     /// The layouts of the parts that `split` names, if these have exact flows other than a drift and a kick.
     pub flows_of_parts: Vec<FlowOfPart>,
     /// The number of operations of one drift and one kick as the derivatives are written; the body of a sum counts
@@ -112,10 +115,59 @@ impl fmt::Display for Slower {
 /// The computations of a flow in one place, with shared subexpressions computed once.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
+    /// What the runtime calls a function with these operations for.
+    pub each: Each,
     /// The enclosing loops, outermost first, as `i in 0..n`; empty outside of loops.
     pub loops: Vec<String>,
-    /// The operations of one iteration.
+    /// The conditions on indices and flags, as `i != j`, under which these are carried out.
+    pub conditions: Vec<String>,
+    /// The operations of one iteration. Of a condition on numbers, both sides count.
     pub operations: Tally,
+}
+
+/// What a function is called for, once each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Each {
+    /// The flow as a whole, whose loops are lines of the function.
+    Iterations,
+    /// The sites of a lattice.
+    Sites,
+    /// The bodies.
+    Bodies,
+    /// Two bodies, in one order.
+    Pairs,
+    /// Two bodies, in both orders.
+    OrderedPairs,
+}
+
+impl Place {
+    /// Whether the operations are carried out more than once.
+    fn repeats(&self) -> bool {
+        self.each != Each::Iterations || !self.loops.is_empty()
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { each, loops, conditions, operations } = self;
+        let each = match each {
+            Each::Iterations => None,
+            Each::Sites => Some("per site"),
+            Each::Bodies => Some("per body"),
+            Each::Pairs => Some("per pair"),
+            Each::OrderedPairs => Some("per ordered pair"),
+        };
+        match (each, &loops[..]) {
+            (None, []) => f.write_str("once")?,
+            (None, loops) => write!(f, "per iteration of {}", loops.join(", "))?,
+            (Some(each), []) => f.write_str(each)?,
+            (Some(each), loops) => write!(f, "{each} and iteration of {}", loops.join(", "))?,
+        }
+        if !conditions.is_empty() {
+            write!(f, ", if {}", conditions.join(" and "))?;
+        }
+        write!(f, ": {operations}")
+    }
 }
 
 impl fmt::Display for Report {
@@ -160,11 +212,8 @@ impl fmt::Display for Flow {
         if let Some(others) = self.others {
             write!(f, "; other terms: {others}")?;
         }
-        for Place { loops, operations } in &self.places {
-            match &loops[..] {
-                [] => write!(f, "\n  once: {operations}")?,
-                loops => write!(f, "\n  per iteration of {}: {operations}", loops.join(", "))?,
-            }
+        for place in &self.places {
+            write!(f, "\n  {place}")?;
         }
         if let Some(cost) = self.cost {
             write!(f, "\n  layout = {}; cost: proportional to {cost}", self.form.name())?;
@@ -175,35 +224,36 @@ impl fmt::Display for Flow {
 
 /// What is derived from `input`, whose model is known to make sense.
 pub(crate) fn report(input: &Input, mut model: Model) -> Report {
-    let [kinetic, potential] = gradients(&mut model);
-    let parts = prose::parts(&model);
-    let equations = prose::equations(&mut model, &kinetic, &potential);
-    let values: Vec<_> = kinetic.iter().chain(&potential).map(|contribution| contribution.value).collect();
-    let energies = vec![model.kinetic, model.potential];
-    let all = [&values[..], &energies].concat();
-    let graph = &mut model.graph;
-    let [flows, energies, together] = [values, energies, all].map(|roots| {
-        let lowered = lower(graph, &roots, |graph, id| graph.is_prepared(id));
-        graph.cost(&lowered)
-    });
-    let places = [&kinetic, &potential].map(|gradient| places(&mut model, gradient));
-    let pattern = recognise(&mut model, [&kinetic, &potential]);
-    let mut stated = model.potential;
-    let [kinetic, potential] = match pattern.restate(&mut model, &mut stated) {
-        true => gradients(&mut model),
-        false => [kinetic, potential],
-    };
-    let (forms, others) = forms(&mut model, [&kinetic, &potential], &pattern);
+    // In the order in which generated code is made, so that nodes have the same numbers.
+    let mut stated = [model.kinetic, model.potential];
+    model.choose_in_the_middle();
+    let written = gradients(&mut model);
+    let energies = [model.kinetic, model.potential];
+    let equations = prose::equations(&mut model, &written[0], &written[1]);
+    let pattern = recognise(&mut model, [&written[0], &written[1]]);
+    let restated = pattern.restate(&mut model, &mut stated[1]).then(|| gradients(&mut model));
+    let [kinetic, potential] = restated.as_ref().unwrap_or(&written);
+    let places = places::of_flows(&mut model, [kinetic, potential], &pattern);
+    let of_energies = places::of_energies(&mut model, stated, &pattern);
+    let (forms, others) = forms(&mut model, [kinetic, potential], &pattern);
     let others = [None, others];
-    let slower = [(&kinetic, Part::Momentum), (&potential, Part::Position)].map(|(gradient, part)| {
+    let slower = [(kinetic, Part::Momentum), (potential, Part::Position)].map(|(gradient, part)| {
         let lost = lost(&mut model, gradient, part, &pattern);
         slower(&model, &lost)
+    });
+    let parts = prose::parts(&model);
+    let values: Vec<_> = written.iter().flatten().map(|contribution| contribution.value).collect();
+    let all = [&values[..], &energies].concat();
+    let graph = &mut model.graph;
+    let [flows, energies, together] = [values, energies.into(), all].map(|roots| {
+        let lowered = lower(graph, &roots, |graph, id| graph.is_prepared(id));
+        graph.cost(&lowered)
     });
     let [drift, kick] = [0, 1].map(|part| Flow {
         form: forms[part],
         others: others[part],
         places: places[part].clone(),
-        cost: (part == 1 && places[part].iter().any(|place| !place.loops.is_empty())).then(|| forms[part].cost()),
+        cost: (part == 1 && places[part].iter().any(Place::repeats)).then(|| forms[part].cost()),
         slower: slower[part].clone(),
     });
     let flows_of_parts = if model.is_separable() { Vec::new() } else { flows_of_parts(&mut model) };
@@ -222,6 +272,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         autonomous: model.autonomous,
         drift,
         kick,
+        energies: of_energies,
         flows_of_parts,
         operations_written: flows.written,
         operations_shared: flows.shared,
@@ -248,32 +299,6 @@ fn flows_of_parts(model: &mut Model) -> Vec<FlowOfPart> {
         FlowOfPart { name, form, slower }
     };
     (0..count).map(part).collect()
-}
-
-/// What a flow along a gradient computes, by the loops around it.
-fn places(model: &mut Model, gradient: &[Contribution]) -> Vec<Place> {
-    let Model { graph, externals, .. } = model;
-    let gradient = fold_branches(graph, gradient);
-    let values: Vec<_> = gradient.iter().map(|contribution| contribution.value).collect();
-    let lowered = lower(graph, &values, |graph, id| graph.is_prepared(id));
-    let tallies = graph.tallies(&lowered, |id| externals[id.0 as usize].to_string());
-    let mut by_loops: HashMap<LoopSet, Tally> = HashMap::new();
-    // What depends on the index of an inner loop stands in those around it too.
-    let whole = |loops: LoopSet| {
-        let around = |by| std::iter::successors(Some(by), |by| graph.loops.get(*by).parent);
-        loops.iter().flat_map(around).fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)))
-    };
-    for (loops, tally) in tallies {
-        by_loops.entry(whole(loops)).or_default().add(tally);
-    }
-    for contribution in &gradient {
-        let loops = contribution.loops().fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)));
-        by_loops.entry(whole(loops)).or_default().coordinates += 1;
-    }
-    let mut places: Vec<_> = by_loops.into_iter().collect();
-    places.sort_by_key(|(loops, _)| loops.iter().collect::<Vec<_>>());
-    let place = |(loops, operations): (LoopSet, Tally)| Place { loops: prose::ranges(model, loops), operations };
-    places.into_iter().map(place).collect()
 }
 
 /// Tokens of a type or a path, with the spaces that people leave.

@@ -1,6 +1,6 @@
 //! Costs of expressions, in arithmetic operations.
 
-use super::{ExternalId, Fold, Graph, Node, NodeId, index::LoopSet};
+use super::{Graph, Node, NodeId};
 use std::{
     collections::{BTreeMap, HashMap, HashSet},
     fmt,
@@ -15,7 +15,7 @@ pub(crate) struct Cost {
     pub(crate) shared: u64,
 }
 
-/// Numbers of operations by kind; a change of sign does not count.
+/// Numbers of operations by kind; a change of sign does not count, and a fused multiply-add is a multiplication and an addition.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Additions and subtractions.
@@ -28,9 +28,9 @@ pub struct Tally {
     pub roots: u64,
     /// Elementary functions and methods of the user, by name.
     pub functions: BTreeMap<String, u64>,
-    /// Selections between values.
+    /// Selections of a value in the lanes in which a condition holds.
     pub branches: u64,
-    /// Coordinates that the flow moves, each by a multiplication with the step and an addition.
+    /// Additions to coordinates, or to their components of the gradient. The multiplication by the step belongs to these.
     pub coordinates: u64,
 }
 
@@ -71,41 +71,6 @@ impl fmt::Display for Tally {
 }
 
 impl Graph {
-    /// The operations of roots without powers per evaluation of a flow, shared expressions once, by the loops whose
-    /// indices operations depend on. `external` names the methods of the user.
-    pub(crate) fn tallies(
-        &self,
-        lowered: &[NodeId],
-        external: impl Fn(ExternalId) -> String,
-    ) -> HashMap<LoopSet, Tally> {
-        let mut tallies: HashMap<LoopSet, Tally> = HashMap::new();
-        for id in self.reachable(lowered.iter().copied()) {
-            if self.is_prepared(id) || !self.node(id).is_operation() {
-                continue;
-            }
-            let node = self.node(id);
-            // A sum adds once per iteration.
-            let loops = match node {
-                Node::Sum(by, _) | Node::Fold(_, by, _) => self.loops_of(id).union(LoopSet::of(by)),
-                _ => self.loops_of(id),
-            };
-            let tally = tallies.entry(loops).or_default();
-            let mut call = |name: String| *tally.functions.entry(name).or_default() += 1;
-            match node {
-                Node::Add(..) | Node::Sum(..) => tally.additions += 1,
-                Node::Mul(..) | Node::Fold(Fold::Product, ..) => tally.multiplications += 1,
-                Node::Fold(Fold::Largest, ..) => call("max".to_owned()),
-                Node::Div(..) => tally.divisions += 1,
-                Node::Power(..) => tally.roots += 1,
-                Node::Unary(function, _) | Node::Binary(function, ..) => call(function.name().to_owned()),
-                Node::External(id, _) => call(external(id)),
-                Node::Select(..) => tally.branches += 1,
-                _ => {}
-            }
-        }
-        tallies
-    }
-
     /// The cost of `roots` per evaluation of a flow, without what depends on parameters alone.
     pub(crate) fn cost(&self, roots: &[NodeId]) -> Cost {
         let mut written: HashMap<NodeId, u64> = HashMap::new();

@@ -3,8 +3,9 @@
 use super::stores::lower_roots;
 use crate::{
     differentiate::Contribution,
-    graph::{Graph, index::IndexId},
+    graph::{Graph, Scope, index::IndexId},
     model::{Model, is_leaf},
+    program::{Sink, Store},
     reason::Reason,
     stencil::{Components, Direction, Stencil, stencil},
 };
@@ -56,4 +57,15 @@ pub(crate) fn lowered(model: &mut Model, stencil: &Stencil) -> Stencil {
         contribution.value = value;
     }
     stencil
+}
+
+/// Where the values of contributions go.
+pub(crate) fn stores(stencil: &Stencil) -> Vec<Store> {
+    let context: Vec<_> = stencil.directions.iter().map(|direction| Scope::Loop(direction.place)).collect();
+    let stores = stencil.contributions.iter().enumerate().map(|(number, contribution)| Store {
+        context: context.clone(),
+        sink: Sink::Contribution(number),
+        value: contribution.value,
+    });
+    stores.collect()
 }

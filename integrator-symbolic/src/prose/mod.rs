@@ -78,6 +78,12 @@ pub(crate) fn ranges(model: &Model, loops: LoopSet) -> Vec<String> {
     loops.iter().map(|by| Formulas::of(model).range(by)).collect()
 }
 
+/// What a condition says about indices and parameters that are no numbers, if it says something: the rest of it may hold
+/// or not.
+pub(crate) fn condition_of_indices(model: &Model, condition: NodeId, holds: bool) -> Option<String> {
+    Formulas::of(model).of_indices(condition, holds).map(|(text, _)| text)
+}
+
 /// The equations of motion as the documentation of the implementation.
 pub(crate) fn motion_documentation(model: &Model, equations: &[String]) -> TokenStream {
     let lines: Vec<String> = equations.iter().map(|line| format!(" {line}")).collect();
@@ -217,7 +223,7 @@ impl Formulas<'_> {
         let binary = |a, sign, b| format!("{} {sign} {}", inner(a), inner(b));
         match self.model.graph.loops.index(id) {
             Index::Literal(value) => value.to_string(),
-            Index::Length => "n".to_owned(),
+            Index::Length => self.length(),
             Index::Running(by) => self.model.running.get(&by).map_or_else(String::new, ToString::to_string),
             Index::Parameter(parameter) => self.text(parameter),
             Index::Add(a, b) => binary(a, '+', b),
@@ -232,6 +238,16 @@ impl Formulas<'_> {
             // Coordinates alone have such an index, and they show its parts.
             Index::InPlane(row, site) => format!("({}, {})", self.index(row), self.index(site)),
         }
+    }
+
+    /// The number of coordinates or points: `n`, unless that is the name of a parameter or of the index of a loop.
+    fn length(&self) -> String {
+        let Model { parameters, running, .. } = self.model;
+        let texts = (0..parameters.len()).map(|number| self.text(ParameterId(number as u32)));
+        let is_word =
+            |text: String| text.split(|next: char| !next.is_alphanumeric() && next != '_').any(|word| word == "n");
+        let is_taken = running.values().any(|name| name == "n") || texts.into_iter().any(is_word);
+        (if is_taken { "q.len()" } else { "n" }).to_owned()
     }
 
     /// A node as a formula.
@@ -348,6 +364,27 @@ impl Formulas<'_> {
             (Node::And(a, b), true) | (Node::Or(a, b), false) => joined(a, b, "and"),
             (Node::Or(a, b), true) | (Node::And(a, b), false) => joined(a, b, "or"),
             _ => self.read(id).text(),
+        }
+    }
+
+    /// The part of a condition that compares no numbers, or that it does not hold; `true` for the word between parts of it.
+    fn of_indices(&self, id: NodeId, holds: bool) -> Option<(String, bool)> {
+        let graph = &self.model.graph;
+        let (a, b, is_and) = match graph.node(id) {
+            Node::Compare(..) => return None,
+            Node::Not(inner) => return self.of_indices(inner, !holds),
+            Node::And(a, b) => (a, b, holds),
+            Node::Or(a, b) => (a, b, !holds),
+            _ => return Some((self.condition(id, holds), false)),
+        };
+        let parts = [self.of_indices(a, holds), self.of_indices(b, holds)];
+        match parts {
+            [Some(a), Some(b)] => {
+                let [a, b] = [a, b].map(|(text, is_joined)| if is_joined { format!("({text})") } else { text });
+                Some((format!("{a} {} {b}", if is_and { "and" } else { "or" }), true))
+            }
+            [Some(one), None] | [None, Some(one)] if is_and => Some(one),
+            _ => None,
         }
     }
 

@@ -37,6 +37,9 @@ impl Machine<'_> {
         }
         let names = names_of(path);
         let last = names.last().map_or("", String::as_str);
+        if let Some(constant) = self.constants.get(last) {
+            return Ok(constant.clone());
+        }
         let constant = match last {
             "PI" => std::f64::consts::PI,
             "E" => std::f64::consts::E,
@@ -49,6 +52,7 @@ impl Machine<'_> {
             "None" => return Ok(Value::Option(None)),
             "Some" => return Ok(Value::Path(names.join("::"))),
             _ if names.len() > 1 => return Ok(Value::Path(names.join("::"))),
+            "Self" => return Ok(Value::Struct(Rc::default())),
             name => match self.structs.get(name) {
                 Some(_) => return Ok(Value::Struct(Rc::default())),
                 None => return foreign(format!("`{name}` is not known")),
@@ -92,6 +96,7 @@ impl Machine<'_> {
         let mut names = path.rsplit("::");
         let (last, before) = (names.next().unwrap_or_default(), names.next().unwrap_or_default());
         if let Some(kind) = kind_of(before) {
+            self.done.branches += u64::from(last == "select");
             return Self::of_flow(kind, last, &arguments);
         }
         match (before, last, &arguments[..]) {
@@ -217,6 +222,7 @@ impl Machine<'_> {
                 "value" => Ok(slot.clone().into()),
                 "add" => {
                     let by = self.expression(given(&call.args, 0)?)?;
+                    self.done.coordinates += 1;
                     self.update(&call.receiver, by.number()?)?;
                     Ok(Value::Unit)
                 }
@@ -226,6 +232,7 @@ impl Machine<'_> {
                     if a.kind != b.kind {
                         return foreign("factors of two kinds");
                     }
+                    self.count_move(call);
                     self.fuse(&call.receiver, a, b)?;
                     Ok(Value::Unit)
                 }
@@ -250,7 +257,11 @@ impl Machine<'_> {
                 None => foreign(format!("no method `{name}`")),
             };
         }
-        self.method_of(receiver, &name, arguments)
+        let value = self.method_of(receiver, &name, arguments)?;
+        if ["scale", "fma", "scale_add"].contains(&&name[..]) {
+            self.count_product([&call.receiver, given(&call.args, 0)?]);
+        }
+        Ok(value)
     }
 
     pub(crate) fn method_of(&mut self, receiver: Value, name: &str, arguments: Vec<Value>) -> Outcome<Value> {
@@ -260,6 +271,10 @@ impl Machine<'_> {
             }
             (Value::Number(number), _) => self.of_number(number, name, &arguments),
             (Value::Integer(integer), _) => Self::of_integer(*integer, name, &arguments),
+            (Value::Torn, _) => receiver.of_torn(name, &arguments),
+            (Value::Mask(mask), "and" | "or") if matches!(arguments.first(), Some(Value::Torn)) => {
+                Ok(if *mask == (name == "and") { Value::Torn } else { receiver.clone() })
+            }
             (Value::Mask(mask), "any") => Ok(Value::Bool(*mask)),
             (Value::Mask(mask), "not") => Ok(Value::Mask(!mask)),
             (Value::Mask(mask), "and") => Ok(Value::Mask(mask & argument(&arguments, 0)?.mask()?)),
@@ -283,6 +298,7 @@ impl Machine<'_> {
     }
 
     fn of_number(&mut self, number: &Number, name: &str, arguments: &[Value]) -> Outcome<Value> {
+        self.count_method(name);
         let alike = |value: &Value| match value {
             Value::Number(other) if other.kind == number.kind => Ok(other.clone()),
             other => foreign(format!("{} of another type as an argument of `{name}`", other.kind())),
@@ -302,6 +318,7 @@ impl Machine<'_> {
             ("powf" | "fast_powf", [exponent]) => number.powf(&alike(exponent)?).into(),
             ("atan2" | "fast_atan2", [x]) => number.atan2(&alike(x)?).into(),
             ("hypot", [x]) => number.hypot(&alike(x)?).into(),
+            ("remainder", [by]) => number.rem(&alike(by)?).into(),
             ("min", [other]) => number.extreme(&alike(other)?, f64::min).into(),
             ("max", [other]) => number.extreme(&alike(other)?, f64::max).into(),
             ("clamp", [low, high]) => {
@@ -339,9 +356,9 @@ impl Machine<'_> {
                     None => Value::Unit,
                 }
             }
-            ("less", [b]) => Value::Mask(self.compared(BinOp::Lt(Default::default()), number, &alike(b)?)?),
-            ("less_or_equal", [b]) => Value::Mask(self.compared(BinOp::Le(Default::default()), number, &alike(b)?)?),
-            ("equal", [b]) => Value::Mask(self.compared(BinOp::Eq(Default::default()), number, &alike(b)?)?),
+            ("less", [b]) => self.mask(BinOp::Lt(Default::default()), number, &alike(b)?)?,
+            ("less_or_equal", [b]) => self.mask(BinOp::Le(Default::default()), number, &alike(b)?)?,
+            ("equal", [b]) => self.mask(BinOp::Eq(Default::default()), number, &alike(b)?)?,
             ("is_nan", []) => Value::Bool(number.main.value.is_nan()),
             ("is_finite", []) => Value::Bool(number.main.value.is_finite()),
             (_, []) => match number.function(name) {

@@ -224,6 +224,7 @@ impl Machine<'_> {
         let rest: Vec<_> = momenta.iter().map(|p| vec![zero.clone(); p.len()]).collect();
         let velocities = self.drifted(bodies, momenta, &rest, motion, [&Number::plain(1.0), time])?;
         let products = momenta.iter().zip(&velocities).flat_map(|(p, v)| p.iter().zip(v));
+        self.done.multiplications += momenta.iter().map(|p| p.len() as u64).sum::<u64>();
         let twice =
             products.fold(zero.of_kind(Kind::Wide), |sum, (p, v)| sum.add(&p.clone().of_kind(Kind::Wide).mul(v)));
         Ok(twice.mul(&Number::plain(0.5).of_kind(Kind::Wide)))
@@ -243,6 +244,7 @@ impl Machine<'_> {
             if let Some(alone) = bodies.functions.get("energy_alone").copied() {
                 let arguments = vec![parameters.clone(), row(&read[i]), prepared[i].clone(), time.clone()];
                 if let Value::Option(Some(alone)) = self.call(alone, arguments)? {
+                    self.done.additions += 1;
                     sum = sum.add(alone.number()?);
                 }
             }
@@ -251,6 +253,7 @@ impl Machine<'_> {
                 let arguments: Vec<_> =
                     std::iter::once(parameters.clone()).chain(of_both).chain([time.clone()]).collect();
                 if self.is_included(bodies, arguments.clone())? {
+                    self.done.additions += 1;
                     sum = sum.add(self.call(energy, arguments)?.number()?);
                 }
             }
@@ -408,7 +411,7 @@ impl Machine<'_> {
     /// Whether lists do not leave two bodies out.
     fn is_included(&mut self, bodies: &Bodies<'_>, arguments: Vec<Value>) -> Outcome<bool> {
         match bodies.functions.get("included").copied() {
-            Some(included) => self.call(included, arguments)?.truth(),
+            Some(included) => self.uncounted(|machine| machine.call(included, arguments))?.truth(),
             None => Ok(true),
         }
     }
@@ -416,7 +419,7 @@ impl Machine<'_> {
     /// The gradient of the energy of two bodies by the coordinates of the first one.
     fn force(&mut self, bodies: &Bodies<'_>, [i, j]: [&[Number]; 2], arguments: Vec<Value>) -> Outcome<Vec<Number>> {
         let interacts = match bodies.functions.get("interacts").copied() {
-            Some(interacts) => self.call(interacts, arguments.clone())?.truth()?,
+            Some(interacts) => self.uncounted(|machine| machine.call(interacts, arguments.clone()))?.truth()?,
             None => true,
         };
         let Some(pair) = bodies.functions.get("pair").copied() else { return foreign("no `pair`") };
@@ -427,6 +430,9 @@ impl Machine<'_> {
         if !interacts && force.iter().any(|force| force.main.value != 0.0) {
             return foreign("a force where nothing interacts");
         }
+        let dimension = i.len() as u64;
+        self.done.coordinates += dimension * u64::from(bodies.central) + dimension * u64::from(bodies.reciprocal);
+        self.done.multiplications += dimension * u64::from(bodies.central);
         let central = |(i, j): (&Number, &Number)| force[0].mul(&i.sub(j).of_kind(Kind::Wide));
         Ok(if bodies.central { i.iter().zip(j).map(central).collect() } else { force })
     }

@@ -51,6 +51,7 @@ impl Machine<'_> {
                     is_flat.is_some(),
                 )?;
                 let before = sum.number()?;
+                self.done.coordinates += 1;
                 *sum = if truth(addend, "negative")? { before.sub(&value) } else { before.add(&value) }.into();
             }
         }

@@ -27,6 +27,8 @@ impl Machine<'_> {
             Some(several) => self.several(several)?,
             None => return foreign("a loop without a gradient"),
         };
+        let keeps_results =
+            matches!(call.args.first(), Some(Expr::Reference(several)) if matches!(&*several.expr, Expr::Block(_)));
         let Value::Range(from, to) = run.field("range")?.clone() else { return foreign("a loop without a range") };
         let [parts, constants] = ["parts", "constants"].map(|name| run.field(name).and_then(Value::items));
         let (parts, constants) = (parts?, constants?);
@@ -49,7 +51,10 @@ impl Machine<'_> {
                 moved.push(row(&components(&gradient.point(&numbers, place)?)?));
             }
             let arguments = vec![Value::list(read), own, common.clone(), sums, Value::list(moved)];
-            let Value::Tuple(results) = self.call(next, arguments)? else {
+            self.keeps_results = keeps_results;
+            let results = self.call(next, arguments);
+            self.keeps_results = false;
+            let Value::Tuple(results) = results? else {
                 return foreign("an iteration without a pair");
             };
             sums = argument(&results, 0)?.clone();
@@ -119,6 +124,7 @@ impl Machine<'_> {
             let mut numbers = self.expression(&gradient.place)?.items()?.to_vec();
             let before = argument(gradient.point(&numbers, near)?.items()?, 0)?.clone();
             let after = self.method_of(constant, "scale_add", vec![factor.lifted(Kind::Scalar), before])?;
+            self.count_addition_to_gradient();
             gradient.set(&mut numbers, near, &Value::list([after]))?;
             self.store(&gradient.place, Value::list(numbers))?;
         }

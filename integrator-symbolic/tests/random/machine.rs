@@ -7,8 +7,10 @@ use crate::{
     calls::names_of,
     drivers::Driven,
     lists::Term,
+    number::Number,
     value::{Closure, Integer, IntegerType, Outcome, Stop, USIZE, Value, foreign, panic},
 };
+use integrator_symbolic::Tally;
 use std::{collections::HashMap, rc::Rc};
 use syn::{Block, Expr, Ident, ImplItemFn, Item, Lit, Pat, Stmt};
 
@@ -19,6 +21,8 @@ pub(crate) struct Machine<'t> {
     /// The fields of generated structs, with their types.
     pub(crate) structs: HashMap<String, &'t syn::ItemStruct>,
     pub(crate) names: Vec<(Ident, Value)>,
+    /// The constants of the user's text, by their last name.
+    pub(crate) constants: HashMap<String, Value>,
     /// The flows that the runtime carries out.
     pub(crate) driven: Driven<'t>,
     /// The term of the sum over a list that comes next.
@@ -33,6 +37,14 @@ pub(crate) struct Machine<'t> {
     pub(crate) budget: usize,
     /// What the runtime was told: names of methods, with the arguments.
     pub(crate) told: Vec<(String, Vec<Value>)>,
+    /// The operations carried out.
+    pub(crate) done: Tally,
+    /// How often functions were called.
+    pub(crate) calls: HashMap<String, u64>,
+    /// Whether lines assign results of a phase, and no components of a gradient.
+    pub(crate) keeps_results: bool,
+    /// Whether comparisons of numbers hold in some lanes of a vector and not in others, so that both sides are taken.
+    pub(crate) takes_both: bool,
 }
 
 /// How many expressions an evaluation may take: no generated system needs as many.
@@ -46,6 +58,7 @@ impl<'t> Machine<'t> {
             functions,
             structs,
             names,
+            constants: HashMap::new(),
             driven: Driven::default(),
             term: None,
             expected: None,
@@ -53,6 +66,10 @@ impl<'t> Machine<'t> {
             is_generated: false,
             budget: BUDGET,
             told: Vec::new(),
+            done: Tally::default(),
+            calls: HashMap::new(),
+            keeps_results: false,
+            takes_both: false,
         }
     }
 
@@ -68,6 +85,7 @@ impl<'t> Machine<'t> {
         arguments: Vec<Value>,
         changed: Option<usize>,
     ) -> Outcome<(Value, Value)> {
+        *self.calls.entry(function.sig.ident.to_string()).or_default() += 1;
         let own = self.names.iter().find(|(name, _)| name == "self").cloned();
         let outer = std::mem::replace(&mut self.names, own.into_iter().collect());
         let patterns: Vec<&Pat> = function.sig.inputs.iter().filter_map(pattern_of).collect();
@@ -140,6 +158,7 @@ impl<'t> Machine<'t> {
                         continue;
                     }
                     let value = self.expression(&init.expr)?;
+                    self.count_contribution(&local.pat, &init.expr);
                     self.bind(&local.pat, value)?;
                 }
                 Stmt::Expr(expression, None) => last = self.expression(expression)?,
@@ -169,6 +188,7 @@ impl<'t> Machine<'t> {
             Expr::Binary(binary) => self.binary(binary),
             Expr::Assign(assign) => {
                 let value = self.expression(&assign.right)?;
+                self.count_assignment(assign);
                 self.store(&assign.left, value)?;
                 Ok(Value::Unit)
             }
@@ -257,7 +277,10 @@ impl<'t> Machine<'t> {
             (false, None) => Ok(Value::Unit),
         };
         self.names.truncate(depth);
-        result
+        Ok(match result? {
+            Value::Number(number) if is_flag(choice) => Number { is_flag: true, ..number }.into(),
+            value => value,
+        })
     }
 
     fn matched(&mut self, choice: &syn::ExprMatch) -> Outcome<Value> {
@@ -345,6 +368,13 @@ impl<'t> Machine<'t> {
         };
         self.bind(pattern, value)
     }
+}
+
+/// Whether a choice is `if condition { 1.0 } else { 0.0 }`, by which conditions are prepared.
+fn is_flag(choice: &syn::ExprIf) -> bool {
+    let is = |text: &dyn quote::ToTokens, number: &str| text.to_token_stream().to_string() == number;
+    let otherwise = choice.else_branch.as_ref();
+    is(&choice.then_branch, "{ 1.0 }") && otherwise.is_some_and(|(_, other)| is(other, "{ 0.0 }"))
 }
 
 /// The list that `zip(list.iter_mut(), &other)` changes, or `zip(list, other)` where `list` is a reference; and the other one.

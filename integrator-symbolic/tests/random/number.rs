@@ -18,6 +18,8 @@ pub(crate) struct Number {
     pub(crate) main: Bounded,
     pub(crate) tangents: Vec<Bounded>,
     pub(crate) kind: Kind,
+    /// Whether it is one where a condition on no numbers holds, and zero where it does not.
+    pub(crate) is_flag: bool,
 }
 
 const ZERO: Bounded = Bounded { value: 0.0, error: 0.0 };
@@ -34,7 +36,7 @@ fn chained(slope: Bounded, tangent: Bounded) -> Bounded {
 
 impl Number {
     pub(crate) fn plain(value: f64) -> Self {
-        Self { main: value.into(), tangents: Vec::new(), kind: Kind::Plain }
+        Self { main: value.into(), tangents: Vec::new(), kind: Kind::Plain, is_flag: false }
     }
 
     pub(crate) fn of_kind(self, kind: Kind) -> Self {
@@ -60,7 +62,7 @@ impl Number {
     ) -> Self {
         let count = others.iter().map(|other| other.tangents.len()).fold(self.tangents.len(), usize::max);
         let tangents = (0..count).map(|place| tangent(&|number: &Number| number.tangent(place))).collect();
-        Self { main, tangents, kind: self.kind }
+        Self { main, tangents, kind: self.kind, is_flag: false }
     }
 
     fn along(&self, main: Bounded, slope: Bounded) -> Self {
@@ -176,7 +178,7 @@ impl Number {
         let Bounded { value: x, error } = self.main;
         let known = error == 0.0 || value(x - error) == value(x + error);
         let main = Bounded { value: value(x), error: if known { 0.0 } else { f64::INFINITY } };
-        Self { main, tangents: Vec::new(), kind: self.kind }
+        Self { main, tangents: Vec::new(), kind: self.kind, is_flag: false }
     }
 
     /// An elementary function of one argument; `fast_` ones are within four units in the last place, which all are

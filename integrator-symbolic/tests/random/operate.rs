@@ -37,12 +37,17 @@ impl Machine<'_> {
                     let right = self.expression(&binary.right)?;
                     let left = self.expression(&binary.left)?;
                     let value = self.operate(plain, &left, &right)?;
+                    self.count_update(&binary.left);
                     self.store(&binary.left, value)?;
                     Ok(Value::Unit)
                 }
                 None => {
                     let (left, right) = (self.expression(&binary.left)?, self.expression(&binary.right)?);
-                    self.operate(op, &left, &right)
+                    let value = self.operate(op, &left, &right)?;
+                    if let (BinOp::Mul(_), Value::Number(_)) = (op, &value) {
+                        self.count_product([&binary.left, &binary.right]);
+                    }
+                    Ok(value)
                 }
             },
         }
@@ -80,6 +85,7 @@ impl Machine<'_> {
     }
 
     fn numbers(&mut self, op: BinOp, a: &Number, b: &Number) -> Outcome<Value> {
+        self.count_operator(op);
         Ok(match op {
             BinOp::Add(_) => a.add(b).into(),
             BinOp::Sub(_) => a.sub(b).into(),

@@ -122,6 +122,8 @@ pub(crate) enum Value {
     Bool(bool),
     /// What a comparison in a flow gives.
     Mask(bool),
+    /// A mask of lanes that disagree.
+    Torn,
     Integer(Integer),
     Number(Number),
     /// A coordinate in a motion.
@@ -173,7 +175,7 @@ impl Value {
         match self {
             Self::Unit => "nothing",
             Self::Bool(_) => "a truth",
-            Self::Mask(_) => "a mask",
+            Self::Mask(_) | Self::Torn => "a mask",
             Self::Integer(_) => "an integer",
             Self::Number(_) => "a number",
             Self::Slot(_) => "a slot",
@@ -218,8 +220,20 @@ impl Value {
     pub(crate) fn mask(&self) -> Outcome<bool> {
         match self {
             Self::Mask(mask) => Ok(*mask),
+            Self::Torn => Ok(true),
             other => foreign(format!("{} in place of a mask", other.kind())),
         }
+    }
+
+    /// A method of a mask of lanes that disagree.
+    pub(crate) fn of_torn(&self, name: &str, arguments: &[Value]) -> Outcome<Value> {
+        Ok(match (name, arguments) {
+            ("any", []) => Self::Bool(true),
+            ("and", [Self::Mask(false)]) => Self::Mask(false),
+            ("or", [Self::Mask(true)]) => Self::Mask(true),
+            ("not", []) | ("and" | "or", [Self::Mask(_) | Self::Torn]) => Self::Torn,
+            _ => return foreign(format!("`{name}` of a mask")),
+        })
     }
     pub(crate) fn items(&self) -> Outcome<&[Value]> {
         match self {

@@ -2,9 +2,9 @@
 
 use crate::{
     emit::printer::{block::Emitter, expression::Printer, frame::Frame, function::Body, sites::contributions},
-    graph::{Part, Scope, index::IndexId},
-    pattern::lowered,
-    program::{Program, Sink, Store},
+    graph::{Part, index::IndexId},
+    pattern::sites::{lowered, stores},
+    program::Program,
     stencil::{Direction, Lattice, Stencil},
     syntax::names::Names,
 };
@@ -207,15 +207,4 @@ pub(crate) fn parts(lattice: Lattice, names: &Names) -> (TokenStream, TokenStrea
         }
     };
     (radii, lattice)
-}
-
-/// Where the values of contributions go.
-pub(super) fn stores(stencil: &Stencil) -> Vec<Store> {
-    let context: Vec<_> = stencil.directions.iter().map(|direction| Scope::Loop(direction.place)).collect();
-    let stores = stencil.contributions.iter().enumerate().map(|(number, contribution)| Store {
-        context: context.clone(),
-        sink: Sink::Contribution(number),
-        value: contribution.value,
-    });
-    stores.collect()
 }

@@ -75,7 +75,8 @@ impl Emitter<'_> {
         in_lanes: bool,
     ) -> Lines {
         let Self { model, names, fields } = self;
-        let program = schedule_with(&model.graph, stores, |_, id| frame.is_leaf(model, id), constraints).within(outer);
+        let program = schedule_with(&model.graph, stores, |_, id| frame.is_leaf(model, id), constraints);
+        let program = program.hoisted(&model.graph).within(outer);
         let is_kept = |id| is_field(&model.graph, &model.parameters, id);
         let mut block = Block::new(Printer::new(model, names, &program, frame), names);
         block.lanes = in_lanes.then(|| lane_context(model, &program, &is_kept));

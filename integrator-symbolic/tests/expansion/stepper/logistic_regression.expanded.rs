@@ -84,7 +84,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 13326472498009959500;
+        const FINGERPRINT: u64 = 17047453406997080154;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["line", "lanes"];
         const ENERGIES_IN_LANES: bool = true;
@@ -312,8 +312,8 @@ const _: () = {
                 .and(condition_0);
             if condition_1.any() {
                 let mut sum_2 = Scalar::of(0.0);
-                for row in 0..motion.parameters.prepared_0 {
-                    if condition_0.any() {
+                if condition_0.any() {
+                    for row in 0..motion.parameters.prepared_0 {
                         let mut sum_0 = Scalar::of(0.0);
                         for k in 0..motion.q.len().saturating_sub(1) {
                             let shared_0 = motion.q[k + 1].value();

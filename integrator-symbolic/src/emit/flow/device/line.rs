@@ -3,14 +3,12 @@
 
 use super::{Shape, function};
 use crate::{
-    emit::{
-        flow::lattice::stores,
-        printer::{
-            block::Emitter,
-            cuda::{Lines, Reads, Within, evaluate},
-        },
+    emit::printer::{
+        block::Emitter,
+        cuda::{Lines, Reads, Within, evaluate},
     },
     graph::Part,
+    pattern::sites::stores,
     stencil::Stencil,
 };
 
