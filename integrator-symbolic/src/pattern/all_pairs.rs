@@ -12,7 +12,7 @@ use crate::{
     },
     model::{Length, Model, Texts},
     pairs::{
-        Cutoff, Density, Embedded, Pairs, Visited, acting, moving, over_all, pairs, per_body, points, pull,
+        Cutoff, Density, Embedded, Pairs, Triplets, Visited, acting, moving, over_all, pairs, per_body, points, pull,
         with_one_form, written_out,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
@@ -54,6 +54,10 @@ pub(crate) struct AllPairs {
     pub(crate) alone: Option<OfBodies>,
     /// The energies of bodies that depend on sums over their partners.
     pub(crate) embedded: Option<EmbeddedOfBodies>,
+    /// The terms of a body and two others within a cutoff.
+    pub(crate) triplets: Option<TripletsOfBodies>,
+    /// Why a sum over a body and two others is among other terms.
+    pub(crate) triplet_obstacle: Option<Reason>,
     /// The terms of the potential that are neither of pairs nor of bodies alone.
     pub(crate) others: Option<Others>,
     /// The energies of pairs and bodies; `None` if bodies are one row or in Jacobi coordinates, or energies read more of a body
@@ -213,6 +217,8 @@ impl AllPairs {
             energy_alone,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle,
             others,
         } = pairs(graph, potential, acting, are_many, listed_dimension, &mut texts)?;
         let (mut energy_of_others, mut others) = others;
@@ -226,7 +232,7 @@ impl AllPairs {
         if velocity.is_empty() || !is_direct(&graph.loops, &velocity) {
             return Err(Reason::Kinetic);
         }
-        if force.is_empty() {
+        if force.is_empty() && triplets.is_none() {
             return Err(Reason::Unrecognised);
         }
         let [every, moved] = [all, moving].map(|end| over_all(graph, end));
@@ -245,7 +251,10 @@ impl AllPairs {
             None => None,
             Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
         };
-        let pull = pull(&mut model.graph, pair, &force, dimension);
+        let pull = match &force[..] {
+            [] => None,
+            force => pull(&mut model.graph, pair, force, dimension),
+        };
         let central = pull.is_some();
         let force = match pull {
             Some(pull) => OfBodies::value(model, &mut constants, &pair, pull)?,
@@ -255,6 +264,11 @@ impl AllPairs {
             [] => None,
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
+        let triplets = match &triplets {
+            None => None,
+            Some(triplets) => Some(TripletsOfBodies::of(model, &mut constants, bodies, dimension, triplets)?),
+        };
+        let of_triplet = triplets.as_ref().map(|triplets| triplets.written);
         let others = match model.graph.as_constant(energy_of_others) {
             Some(0.0) => None,
             _ => Some(Others { energy: energy_of_others, gradient: stores(model, &others, Sink::Collect) }),
@@ -265,7 +279,10 @@ impl AllPairs {
         };
         // Steps read conditions on the time in their middle, energies at their own time.
         let energies = match in_jacobi || fewer_than(ROW + 1) {
-            false if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others]) => {
+            false
+                if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others])
+                    && !of_triplet.is_some_and(|energy| reads_middle(&model.graph, &[energy])) =>
+            {
                 let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
                 let of_densities =
                     embedded.as_ref().map_or(energy_alone, |embedded| model.graph.add(energy_alone, embedded.energy));
@@ -298,10 +315,11 @@ impl AllPairs {
         ];
         let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
         let of_one = energies.iter().flat_map(|energies| &energies.alone);
+        let of_three = triplets.iter().flat_map(|triplets| [&triplets.force, &triplets.energy]);
         let weights = embedded.iter().map(|embedded| &embedded.weights);
         let of_lists = included.iter().map(|included| &included.condition);
         let of_bodies: Vec<_> =
-            [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).chain(of_lists).collect();
+            [&drift].into_iter().chain(&alone).chain(of_one).chain(of_three).chain(weights).chain(of_lists).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Ok(Self {
             pair,
@@ -315,6 +333,8 @@ impl AllPairs {
             reciprocal,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle,
             others,
             energies,
             listed,
@@ -415,6 +435,52 @@ impl EmbeddedOfBodies {
             densities: OfBodies::new(model, constants, &pair, &addends, Sink::Assign)?,
             weights: OfBodies::new(model, constants, &[bodies], &weights, Sink::Assign)?,
             energy: energy.ok_or(Reason::Densities)?,
+        })
+    }
+}
+
+/// Terms of a body and two others within a cutoff.
+pub(crate) struct TripletsOfBodies {
+    /// The gradient of the energy by the coordinates of one of the others, and then by those of the other one.
+    pub(crate) force: OfBodies,
+    pub(crate) energy: OfBodies,
+    /// The cutoff around the body in the middle.
+    pub(crate) cutoff: Listed,
+    /// The energy as a node.
+    written: NodeId,
+}
+
+impl TripletsOfBodies {
+    fn of(
+        model: &mut Model,
+        constants: &mut Constants,
+        bodies: LoopId,
+        dimension: u64,
+        Triplets { bodies: three, energy, cutoff }: &Triplets,
+    ) -> Result<Self, Reason> {
+        let mut force = Vec::new();
+        for mut contribution in gradient(&mut model.graph, *energy, Part::Position) {
+            let loops = &mut model.graph.loops;
+            let of = three.iter().position(|by| loops.index(contribution.element.index) == Index::Running(*by));
+            let place = match contribution.element.component {
+                None => 0,
+                Some(component) => loops.literal(component).ok_or(Reason::TripletReads)?,
+            };
+            // The gradient by the body in the middle follows from both others.
+            let first = match of.ok_or(Reason::TripletReads)? {
+                0 => continue,
+                1 => 0,
+                _ => dimension,
+            };
+            contribution.element.index = loops.intern(Index::Running(bodies));
+            contribution.element.component = Some(loops.intern(Index::Literal(first + place)));
+            force.push(contribution);
+        }
+        Ok(Self {
+            force: OfBodies::gradient(model, constants, three, &force)?,
+            energy: OfBodies::value(model, constants, three, *energy)?,
+            cutoff: Listed::of(model, constants, bodies, cutoff)?,
+            written: *energy,
         })
     }
 }

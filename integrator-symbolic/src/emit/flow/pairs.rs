@@ -13,6 +13,7 @@ use crate::{
     pattern::{
         all_pairs::{
             AllPairs, Bodies, EmbeddedOfBodies, EnergiesOfBodies, First, Included, LISTED_FROM, Listed, Others, ROW,
+            TripletsOfBodies,
         },
         bodies::{Constants, OfBodies},
     },
@@ -33,6 +34,8 @@ pub(crate) struct ManyBody {
     per_body: TokenStream,
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     listed: Option<bool>,
+    /// Whether there are terms of three bodies.
+    has_triplets: bool,
     /// The energy of the terms beside pairs, if there are any.
     others: Option<NodeId>,
     /// Whether the runtime sums the energies of pairs.
@@ -57,6 +60,8 @@ impl ManyBody {
             reciprocal,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle: _,
             others,
             energies,
             listed,
@@ -73,6 +78,8 @@ impl ManyBody {
         let included = included.as_ref().map(|included| writer.included(included, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let embedded = embedded.as_ref().map(|embedded| writer.embedded(embedded));
+        let has_triplets = triplets.is_some();
+        let triplets = triplets.as_ref().map(|triplets| writer.triplets(triplets, energies.is_some()));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
         let beside = beside.map(|others| writer.others(others));
         let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
@@ -103,6 +110,7 @@ impl ManyBody {
             #included
             #alone
             #embedded
+            #triplets
             #beside
             #of_energies
             #neighbours
@@ -111,7 +119,7 @@ impl ManyBody {
         let others = others.as_ref().map(|others| others.energy);
         let sums_pairs = energies.is_some();
         let kinetic_beside = energies.as_ref().and_then(|energies| energies.kinetic_beside);
-        Self { row, sizes, functions, per_body, listed, others, sums_pairs, kinetic_beside }
+        Self { row, sizes, functions, per_body, listed, has_triplets, others, sums_pairs, kinetic_beside }
     }
 
     /// Whether the runtime sums an energy, and what this has beside the terms of bodies and pairs.
@@ -125,6 +133,11 @@ impl ManyBody {
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     pub(crate) fn listed(&self) -> Option<bool> {
         self.listed
+    }
+
+    /// Whether there are terms of three bodies.
+    pub(crate) fn has_triplets(&self) -> bool {
+        self.has_triplets
     }
 
     /// Whether the bodies are one row.
@@ -274,6 +287,53 @@ impl Writer<'_, '_> {
             #densities
             #weights
         }
+    }
+
+    /// The gradient and the energy of a body and two others, and the cutoff of these.
+    fn triplets(&mut self, triplets: &TripletsOfBodies, sums_energies: bool) -> TokenStream {
+        let TripletsOfBodies { force, energy, cutoff, .. } = triplets;
+        let (wide, d, none) = (self.emitter.names.wide.clone(), self.sizes[0].clone(), TokenStream::new);
+        let dimension: usize = d.to_string().parse().unwrap_or(1);
+        let [first, second] = [0, dimension].map(|first| {
+            let places = (first..first + dimension).map(Literal::usize_unsuffixed);
+            quote!([#(gradient[#places]),*])
+        });
+        let numbers = Literal::usize_unsuffixed(2 * dimension);
+        let lines = self.lines(force).map(|lines| {
+            quote! {
+                let mut gradient = [#wide::of(0.0); #numbers];
+                #lines
+                [#first, #second]
+            }
+        });
+        let result = quote!([[#wide; #d]; 2]);
+        let force = self.function("triplet", none(), self.three_bodies(&force.of), Some(result), lines);
+        let energy = sums_energies.then(|| {
+            let lines = self.lines(energy);
+            self.function("triplet_energy", none(), self.three_bodies(&energy.of), Some(quote!(#wide)), lines)
+        });
+        let square = self.lines(&cutoff.square);
+        let square = self.function("triplet_cutoff", none(), none(), Some(quote!(#wide)), square);
+        let sides = cutoff.sides.as_ref().map(|sides| {
+            let sides = self.gradient(sides, quote!(gradient));
+            self.function("triplet_sides", none(), none(), Some(quote!([#wide; #d])), sides)
+        });
+        quote! {
+            const TRIPLETS: bool = true;
+
+            #force
+            #energy
+            #square
+            #sides
+        }
+    }
+
+    /// The coordinates and prepared constants of three bodies, as arguments.
+    fn three_bodies(&self, of: &[LoopId]) -> TokenStream {
+        let (wide, [d, s]) = (&self.emitter.names.wide, self.sizes);
+        let named = |what| of.iter().map(move |by| OfBodies::name_of(what, self.emitter.model, *by));
+        let (q, constants) = (named("q"), named("constants"));
+        quote!(#(#q: [#wide; #d]),*, #(#constants: [#wide; #s]),*)
     }
 
     /// The gradient of the terms beside pairs, in the user's own coordinates.
