@@ -20,6 +20,9 @@ use crate::{
 };
 use alloc::vec::Vec;
 
+#[cfg(test)]
+mod tests;
+
 /// The triplets that are found before any is computed.
 const AT_ONCE: usize = 256;
 
