@@ -39,6 +39,9 @@ fn every_spelling_is_one_of_triplets() {
             "for i in 0..q.len() {{ for j in 0..q.len() {{ if j == i {{ continue; }} for k in 0..q.len() {{ \
              if k == i || k <= j {{ continue; }} {WITHIN} }} }} }}"
         ),
+        "for i in 0..q.len() { for j in 0..q.len() { let a = square(i, j); if j == i || a >= self.a { continue; } \
+         for k in j + 1..q.len() { if k != i && square(i, k) < self.a { v += bend(i, j, k); } } } }"
+            .to_owned(),
         "for i in 0..q.len() { for j in 0..q.len() { if j != i && square(i, j) < self.a { for k in 0..q.len() { \
          if k != i && k != j && square(i, k) < self.a { v += 0.5 * bend(i, j, k); } } } } }"
             .to_owned(),

@@ -3,6 +3,7 @@
 use super::{
     bodies::{Constants, OfBodies},
     stores::stores,
+    triplets::TripletsOfBodies,
 };
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},
@@ -12,7 +13,7 @@ use crate::{
     },
     model::{Length, Model, Texts},
     pairs::{
-        Cutoff, Density, Embedded, Pairs, Triplets, Visited, acting, moving, over_all, pairs, per_body, points, pull,
+        Cutoff, Density, Embedded, Pairs, Visited, acting, moving, over_all, pairs, per_body, points, pull,
         with_one_form, written_out,
     },
     program::{Sink, Store, is_direct, lanes::FEWEST_COORDINATES},
@@ -439,54 +440,8 @@ impl EmbeddedOfBodies {
     }
 }
 
-/// Terms of a body and two others within a cutoff.
-pub(crate) struct TripletsOfBodies {
-    /// The gradient of the energy by the coordinates of one of the others, and then by those of the other one.
-    pub(crate) force: OfBodies,
-    pub(crate) energy: OfBodies,
-    /// The cutoff around the body in the middle.
-    pub(crate) cutoff: Listed,
-    /// The energy as a node.
-    written: NodeId,
-}
-
-impl TripletsOfBodies {
-    fn of(
-        model: &mut Model,
-        constants: &mut Constants,
-        bodies: LoopId,
-        dimension: u64,
-        Triplets { bodies: three, energy, cutoff }: &Triplets,
-    ) -> Result<Self, Reason> {
-        let mut force = Vec::new();
-        for mut contribution in gradient(&mut model.graph, *energy, Part::Position) {
-            let loops = &mut model.graph.loops;
-            let of = three.iter().position(|by| loops.index(contribution.element.index) == Index::Running(*by));
-            let place = match contribution.element.component {
-                None => 0,
-                Some(component) => loops.literal(component).ok_or(Reason::TripletReads)?,
-            };
-            // The gradient by the body in the middle follows from both others.
-            let first = match of.ok_or(Reason::TripletReads)? {
-                0 => continue,
-                1 => 0,
-                _ => dimension,
-            };
-            contribution.element.index = loops.intern(Index::Running(bodies));
-            contribution.element.component = Some(loops.intern(Index::Literal(first + place)));
-            force.push(contribution);
-        }
-        Ok(Self {
-            force: OfBodies::gradient(model, constants, three, &force)?,
-            energy: OfBodies::value(model, constants, three, *energy)?,
-            cutoff: Listed::of(model, constants, bodies, cutoff)?,
-            written: *energy,
-        })
-    }
-}
-
 impl Listed {
-    fn of(
+    pub(super) fn of(
         model: &mut Model,
         constants: &mut Constants,
         bodies: LoopId,
