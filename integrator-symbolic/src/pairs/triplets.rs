@@ -1,8 +1,8 @@
 //! Sums over triplets: terms of a body and two others within a cutoff of it, such as the angles of Stillinger and Weber (1985).
 //!
-//! In: a term of a body that is a sum over its partners, which contains sums over other partners. Out: the energy of a body and two others,
-//! of which the second has the larger index, and what is left of the term. Always true: each three bodies with an energy come once, the
-//! energy reads displacements only, and is zero unless both others are within the cutoff of the first.
+//! In: a term of a body that is a sum over its partners, which contains sums over other partners. Out: the energy of a body and two
+//! others, the first with the smaller index, and what is left of the term. Always true: each three bodies with an energy come once, the
+//! energy reads displacements only, and is zero unless both others are within the cutoff of the body.
 
 use super::{
     cutoff::{Cutoff, cutoff},
@@ -248,7 +248,7 @@ impl Finder<'_> {
         Ok(Triplets { bodies, energy, cutoff: first?.or_larger(graph, second?).ok_or(Reason::CutoffBoxes)? })
     }
 
-    /// A term of which all that is prepared are numbers of each body, or entries of tables.
+    /// The term with numbers of each body and entries of tables in place of other prepared numbers.
     fn of_each(&mut self, graph: &mut Graph, term: NodeId, bodies: [LoopId; 3]) -> Result<NodeId, Reason> {
         let [i, j, k] = bodies;
         let term = rewritten(graph, term, |graph, id| match graph.node(id) {

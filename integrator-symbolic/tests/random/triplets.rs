@@ -8,7 +8,7 @@ use crate::{
 };
 
 impl Machine<'_> {
-    /// What a function of three bodies returns for each body and two others, of which the second has the larger number.
+    /// Returns the results of a function of three bodies for each body and two others, the first with the smaller number.
     fn of_triplets(
         &mut self,
         bodies: &Bodies<'_>,
