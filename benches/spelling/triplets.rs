@@ -11,7 +11,7 @@ const LAMBDA: f64 = 21.0;
 const GAMMA: f64 = 1.2;
 
 #[derive(Clone)]
-struct Box {
+struct Parameters {
     side: f64,
     cutoff: f64,
     lambda: f64,
@@ -22,8 +22,8 @@ fn cell() -> f64 {
     (8.0_f64 / 0.46).cbrt()
 }
 
-fn parameters() -> Box {
-    Box { side: cell() * CELLS as f64, cutoff: CUTOFF, lambda: LAMBDA, gamma: GAMMA }
+fn parameters() -> Parameters {
+    Parameters { side: cell() * CELLS as f64, cutoff: CUTOFF, lambda: LAMBDA, gamma: GAMMA }
 }
 
 fn start() -> Phase<Vec<[f64; 3]>> {
@@ -42,7 +42,7 @@ fn start() -> Phase<Vec<[f64; 3]>> {
 /// Silicon with this sum over triplets.
 macro_rules! silicon {
     ($name:ident, |$self:ident, $q:ident, $v:ident| $triplets:block) => {
-        struct $name(Box);
+        struct $name(Parameters);
 
         #[hamiltonian]
         impl $name {
