@@ -10,6 +10,7 @@ mod liquids;
 mod pairs;
 mod polymers;
 mod sums;
+mod triplets;
 
 use integrator_bench::{
     race::{Racer, race},
@@ -81,6 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .chain(bodies::groups())
         .chain(sums::groups())
         .chain(fields::groups())
+        .chain(triplets::groups())
     {
         let Group { name, steps, racers, energies } = group;
         // Sums of up to a million terms in different orders.

@@ -52,6 +52,10 @@ pub enum Form {
     Lists,
     /// As [`Form::Lists`], with the nearest images in a periodic box.
     ListsInBox,
+    /// As [`Form::Lists`], with sums over a body and two others within the cutoff; eight triplets in SIMD lanes.
+    Triplets,
+    /// As [`Form::Triplets`], where pairs have no cutoff or another box: the bodies of a triplet are found among all pairs.
+    TripletsOfPairs,
 }
 
 /// What is known of a form.
@@ -65,7 +69,7 @@ struct Row {
 
 impl Form {
     /// All of them that have a word of their own, in the order of the guide.
-    const NAMED: [Self; 9] = [
+    const NAMED: [Self; 10] = [
         Self::Plain,
         Self::Lanes,
         Self::Terms,
@@ -75,6 +79,7 @@ impl Form {
         Self::Row,
         Self::Pairs,
         Self::Lists,
+        Self::Triplets,
     ];
 
     fn row(self) -> Row {
@@ -102,6 +107,16 @@ impl Form {
                 "sums over neighbour lists within the cutoff, in a periodic box",
                 "the pairs within the cutoff",
             ),
+            Self::Triplets => row(
+                "triplets",
+                "sums over neighbour lists within the cutoff; triplets of neighbours, eight in SIMD lanes",
+                "the pairs and triplets within the cutoff",
+            ),
+            Self::TripletsOfPairs => row(
+                "triplets",
+                "pair sums in tiles of eight bodies by eight; triplets within the cutoff, eight in SIMD lanes",
+                "all pairs and the triplets within the cutoff",
+            ),
         }
     }
 
@@ -127,12 +142,17 @@ impl Form {
 
     /// Whether a flow is a sum over pairs of bodies.
     pub(crate) fn is_of_pairs(self) -> bool {
-        matches!(self, Self::Row | Self::Pairs | Self::Lists | Self::ListsInBox)
+        matches!(
+            self,
+            Self::Row | Self::Pairs | Self::Lists | Self::ListsInBox | Self::Triplets | Self::TripletsOfPairs
+        )
     }
 
     /// The forms of the drift and of the kick of bodies; `listed` if neighbours are, and whether that is in a box.
-    pub(crate) fn of_bodies(listed: Option<bool>, is_row: bool) -> [Self; 2] {
+    pub(crate) fn of_bodies(listed: Option<bool>, is_row: bool, has_triplets: bool) -> [Self; 2] {
         match listed {
+            Some(_) if has_triplets => [Self::Pairs, Self::Triplets],
+            None if has_triplets => [Self::Pairs, Self::TripletsOfPairs],
             Some(true) => [Self::Pairs, Self::ListsInBox],
             Some(false) => [Self::Pairs, Self::Lists],
             None if is_row => [Self::Row; 2],
@@ -153,7 +173,7 @@ impl From<Lattice> for Form {
 
 impl fmt::Display for Form {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if matches!(self, Self::Lists | Self::ListsInBox) {
+        if matches!(self, Self::Lists | Self::ListsInBox | Self::Triplets) {
             write!(formatter, "{}; from {LISTED_FROM} bodies on, ", Self::Pairs)?;
         }
         formatter.write_str(self.row().text)
@@ -241,7 +261,7 @@ pub(crate) fn forms(
 
 fn forms_of_bodies(model: &Model, pairs: &AllPairs) -> [Form; 2] {
     let is_row = model.shape.length.literal().is_some_and(|length| length <= ROW);
-    Form::of_bodies(pairs.listed.as_ref().ok().map(|listed| listed.sides.is_some()), is_row)
+    Form::of_bodies(pairs.listed.as_ref().ok().map(|listed| listed.sides.is_some()), is_row, pairs.triplets.is_some())
 }
 
 /// The form of the flow along a gradient that is computed as written.

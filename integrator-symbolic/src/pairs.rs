@@ -21,6 +21,7 @@ pub(crate) mod points;
 mod renamed;
 mod shifted;
 mod terms;
+mod triplets;
 
 use crate::{
     differentiate::{Contribution, gradient},
@@ -47,6 +48,7 @@ pub(crate) use partners::{Visited, addend_of_distinct_pair};
 pub(crate) use renamed::renamed;
 use terms::{Terms, addends};
 pub(crate) use terms::{acting, moving};
+pub(crate) use triplets::Triplets;
 
 /// A potential of pairs.
 pub(crate) struct Pairs {
@@ -72,6 +74,10 @@ pub(crate) struct Pairs {
     pub(crate) alone: Vec<Contribution>,
     /// The energies of a body that depend on sums over its partners.
     pub(crate) embedded: Embedded,
+    /// The terms of a body and two others within a cutoff.
+    pub(crate) triplets: Option<Triplets>,
+    /// Why a sum over a body and two others is among other terms.
+    pub(crate) triplet_obstacle: Option<Reason>,
     /// The energy of all other terms, and its gradient.
     pub(crate) others: (NodeId, Vec<Contribution>),
 }
@@ -87,10 +93,24 @@ pub(crate) fn pairs(
     dimension: Result<u64, Reason>,
     parameters: &mut dyn Parameters,
 ) -> Result<Pairs, Reason> {
-    let Terms { pair, ascending, bodies, mut visited, pairs, alone, embedded, others, obstacle, .. } =
-        Terms::of(graph, potential, length, are_many, parameters);
+    let Terms {
+        pair,
+        ascending,
+        bodies,
+        mut visited,
+        pairs,
+        alone,
+        embedded,
+        triplets,
+        triplet_obstacle,
+        others,
+        obstacle,
+        ..
+    } = Terms::of(graph, potential, length, (are_many, dimension.ok()), parameters);
+    let of_triplet = triplets.as_ref();
     let pair = pair.or_else(|| embedded.densities.first().map(|density| density.pair));
-    let pair = pair.ok_or(obstacle.unwrap_or(Reason::NoPairs))?;
+    let pair = pair.or_else(|| of_triplet.map(|Triplets { bodies: [i, j, _], .. }| [*i, *j]));
+    let pair = pair.ok_or(triplet_obstacle.or(obstacle).unwrap_or(Reason::NoPairs))?;
     visited.extend(embedded.densities.iter().map(|density| Visited { pair: density.pair, ascending: None }));
     let [alone, others] = [alone, others].map(|terms| total(graph, terms));
     let mut written = graph.constant(0.0);
@@ -119,12 +139,20 @@ pub(crate) fn pairs(
     let cutoff = dimension.and_then(|dimension| {
         // Bodies come in the order of the loops, without choices by their numbers.
         let written = graph.add(written, embedded_pairs);
-        cutoff(graph, written, (pair, ends), bodies, dimension, parameters)
+        let of_pairs = match of_triplet {
+            Some(triplets) if graph.as_constant(written) == Some(0.0) => return Ok(triplets.cutoff.clone()),
+            _ => cutoff(graph, written, (pair, ends), bodies, dimension, parameters)?,
+        };
+        match of_triplet {
+            None => Ok(of_pairs),
+            Some(triplets) => of_pairs.or_larger(graph, triplets.cutoff.clone()).ok_or(Reason::CutoffBoxes),
+        }
     });
     let mut forms = Forms::new(pair, order, parameters);
     let (mut energy, mut included) = (energy, None);
     if cutoff.is_ok()
         && embedded.densities.is_empty()
+        && of_triplet.is_none()
         && let Some((condition, inner)) = included::included(graph, energy, pair, &mut forms)
     {
         (energy, included) = (inner, Some(condition));
@@ -159,6 +187,8 @@ pub(crate) fn pairs(
         energy_alone,
         alone,
         embedded,
+        triplets,
+        triplet_obstacle,
         others,
     })
 }
@@ -177,7 +207,7 @@ pub(crate) fn per_body(
     part: Part,
     parameters: &mut dyn Parameters,
 ) -> Option<(NodeId, NodeId, Vec<Contribution>)> {
-    let Terms { pair, alone, others, .. } = Terms::of(graph, energy, length, false, parameters);
+    let Terms { pair, alone, others, .. } = Terms::of(graph, energy, length, (false, None), parameters);
     let [alone, others] = [alone, others].map(|terms| total(graph, terms));
     let apart = pair.is_none() && graph.is_prepared(others);
     apart.then(|| (alone, others, gradient(graph, alone, part)))

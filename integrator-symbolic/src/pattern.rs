@@ -13,6 +13,7 @@ mod once;
 mod ragged;
 pub(crate) mod sites;
 pub(crate) mod stores;
+pub(crate) mod triplets;
 
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},

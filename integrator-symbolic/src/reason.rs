@@ -17,6 +17,13 @@ pub(crate) enum Reason {
     PairOrder,
     PairsAndOthers,
     Densities,
+    // Sums over a body and two others.
+    NoTriplets,
+    TripletSum,
+    TripletWithItself,
+    TripletReads,
+    TripletPlaces,
+    TripletCutoff,
     Kinetic,
     OneBody,
     BodyShape,
@@ -97,6 +104,32 @@ impl Reason {
             Self::Densities => [
                 "a body has more sums over its partners than coordinates, or these sums have loops with different ranges",
                 "sums in loops of the same form, such as `for j in 0..q.len() { if j != i { .. } }`",
+            ],
+            Self::NoTriplets => [
+                "V has no sum over a body and two others",
+                "`for i in 0..q.len() { for j in 0..q.len() { for k in j + 1..q.len() { .. } } }`",
+            ],
+            Self::TripletSum => [
+                "a sum over two others of a body is inside of a function, or has more than eight conditions around it",
+                "the term of three bodies in the innermost of three loops",
+            ],
+            Self::TripletWithItself => [
+                "the loops over a body and two others include terms in which two of the three are the same body",
+                "`if j != i` and `for k in j + 1..q.len() { if k != i { .. } }`",
+            ],
+            Self::TripletReads => [
+                "the energy of three bodies reads others, or a parameter or condition of all three at once",
+                "a list for each body such as `self.mass[i]`, or a table by two types such as \
+                 `self.table[self.kind[i]][self.kind[j]]`",
+            ],
+            Self::TripletPlaces => [
+                "the energy of three bodies depends on more than the displacements between them",
+                "a term of each body in a sum of its own",
+            ],
+            Self::TripletCutoff => [
+                "no condition makes the energy of three bodies zero unless both others are within a cutoff of the first",
+                "the energy inside of `if square_ij < self.cutoff.powi(2) { .. }` and \
+                 `if square_ik < self.cutoff.powi(2) { .. }`",
             ],
             Self::PairsAndOthers => ["V has terms beside the pairs, and there are fewer than 33 bodies", SLICE],
             Self::Kinetic => [

@@ -49,4 +49,5 @@ mod slope;
 mod squares;
 mod systems;
 mod time_dependent;
+mod triplets;
 mod units;

@@ -40,7 +40,8 @@ impl Layouts {
         self.parts.iter().copied().zip(names)
     }
 
-    /// Returns whether the run has enough bodies for neighbour lists: at least 384, and a kick with the layout `"lists"`.
+    /// Returns whether the run has enough bodies for neighbour lists: at least 384, and a kick with the layout `"lists"`, or
+    /// `"triplets"` and a cutoff of all pairs.
     ///
     /// With fewer bodies, or in a box narrower than two cutoffs, the kick sums over all pairs. For a run from an ensemble,
     /// all members must have enough bodies.
@@ -57,8 +58,10 @@ impl fmt::Display for Layouts {
         for (number, (part, name)) in self.parts().enumerate() {
             let comma = if number == 0 { "" } else { ", " };
             write!(f, "{comma}{part}: {name}")?;
-            if name == "lists" && !self.is_listed {
-                f.write_str(" (too few bodies: pairs)")?;
+            match name {
+                "lists" if !self.is_listed => f.write_str(" (too few bodies: pairs)")?,
+                "triplets" if !self.is_listed => f.write_str(" (no lists: neighbours among all pairs)")?,
+                _ => {}
             }
         }
         Ok(())

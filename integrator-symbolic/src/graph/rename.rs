@@ -50,6 +50,10 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
+    /// A parameter of a body and two others without conditions around it that two of them differ, which loops leave out.
+    fn of_distinct(&mut self, _graph: &mut Graph, id: ParameterId, _bodies: [LoopId; 3]) -> ParameterId {
+        id
+    }
     /// A choice between numbers by conditions on both bodies of a pair as the entry of a table; `None` as for others.
     fn choice(
         &mut self,

@@ -41,7 +41,9 @@ pub(crate) fn lost(model: &mut Model, gradient: &[Contribution], part: Part, pat
             // Without any condition on the distance, lists are not meant.
             let lists = pairs.listed.as_ref().err().filter(|reason| **reason >= Reason::CutoffOfTerm);
             let lists = lists.map(|reason| of_flow(Form::Lists, *reason));
-            lists.into_iter().chain(pairs.others.iter().flat_map(|others| lost_of_others(model, others))).collect()
+            let triplets = pairs.triplet_obstacle.map(|reason| of_flow(Form::Triplets, reason));
+            let lists = lists.into_iter().chain(triplets);
+            lists.chain(pairs.others.iter().flat_map(|others| lost_of_others(model, others))).collect()
         }
         (Pattern::Sites([Some(_), _]), Part::Momentum) | (Pattern::Sites([_, Some(_)]), Part::Position) => Vec::new(),
         _ if gradient.is_empty() => Vec::new(),
@@ -88,6 +90,10 @@ pub(crate) fn why_not(model: &mut Model, wanted: Form) -> (Form, Option<Reason>)
     let reason = match wanted {
         _ if kick.name() == wanted.name() => None,
         Form::Plain => None,
+        Form::Triplets | Form::TripletsOfPairs => match AllPairs::of(model) {
+            Err(reason) => Some(reason),
+            Ok(pairs) => Some(pairs.triplet_obstacle.unwrap_or(Reason::NoTriplets)),
+        },
         Form::Row | Form::Pairs | Form::Lists | Form::ListsInBox => match AllPairs::of(model) {
             Err(reason) => Some(reason),
             Ok(_) if wanted == Form::Row => Some(Reason::ManyBodies),

@@ -28,6 +28,17 @@ pub(crate) struct Cutoff {
     pub(crate) sides: Vec<Contribution>,
 }
 
+impl Cutoff {
+    /// The larger one of two cutoffs; `None` if they are in different boxes.
+    pub(super) fn or_larger(self, graph: &mut Graph, other: Self) -> Option<Self> {
+        match self.sides == other.sides {
+            _ if self == other => Some(self),
+            true => Some(Self { square: graph.call_two("max", self.square, other.square), sides: self.sides }),
+            false => None,
+        }
+    }
+}
+
 /// The cutoff of the energy of a pair with this number of coordinates each; `bodies` is the loop over all bodies, and `ends`
 /// are the ends at which the bodies of a pair have no partner.
 pub(crate) fn cutoff(
@@ -117,11 +128,10 @@ impl Distances<'_> {
     /// The larger one of two cutoffs in the same box.
     fn larger(&mut self, graph: &mut Graph, both: [Option<Cutoff>; 2]) -> Option<Option<Cutoff>> {
         Some(match both {
-            [Some(a), Some(b)] if a == b => Some(a),
-            [Some(a), Some(b)] if a.sides == b.sides => {
-                Some(Cutoff { square: graph.call_two("max", a.square, b.square), sides: a.sides })
-            }
-            [Some(_), Some(_)] => return self.refuse(Reason::CutoffBoxes),
+            [Some(a), Some(b)] => match a.or_larger(graph, b) {
+                None => return self.refuse(Reason::CutoffBoxes),
+                larger => larger,
+            },
             [a, b] => a.or(b),
         })
     }

@@ -21,14 +21,25 @@ use crate::graph::{
 };
 use std::collections::HashMap;
 
-/// An energy in which squares of images have one form.
+/// An energy in which squares of images have one form. Sums over two others of a body read the images themselves too, so they keep them.
 pub(crate) fn with_one_form(graph: &mut Graph, energy: NodeId, parameters: &mut dyn Parameters) -> NodeId {
     rewritten(graph, energy, |graph, id| match graph.node(id) {
         Node::Power(image, 4) => {
             let image = in_one_form(graph, image, parameters).or_else(|| with_ties_to_even(graph, image))?;
             Some(graph.power(image, 4))
         }
+        Node::Sum(by, body) => has_inner_sum(graph, by, body).then_some(id),
         _ => None,
+    })
+}
+
+/// Whether a sum over the partners of a body has a sum over further bodies inside of it.
+fn has_inner_sum(graph: &Graph, by: LoopId, body: NodeId) -> bool {
+    let Some(outer) = graph.loops.get(by).parent else { return false };
+    let ends = [outer, by].map(|by| graph.loops.get(by).to);
+    graph.summed_in(body).iter().any(|inner| {
+        let to = graph.loops.get(inner).to;
+        ends.contains(&to) || matches!(graph.loops.index(to), Index::Running(_))
     })
 }
 

@@ -9,6 +9,7 @@ use super::{
     partners::{Visited, addend_of_distinct_pair, is_before, is_partner},
     reads_only,
     renamed::renamed,
+    triplets::{Finder, Triplets},
 };
 use crate::graph::{
     Graph, Node, NodeId,
@@ -42,6 +43,12 @@ pub(super) struct Terms<'p> {
     pub(super) alone: Vec<NodeId>,
     /// The terms of a single body that depend on sums over its partners, where there are many bodies.
     pub(super) embedded: Embedded,
+    /// The number of coordinates of a body, if sums over triplets are apart from other terms.
+    dimension: Option<u64>,
+    /// The terms of a body and two others within a cutoff.
+    pub(super) triplets: Option<Triplets>,
+    /// Why a sum over a body and two others is among other terms.
+    pub(super) triplet_obstacle: Option<Reason>,
     /// Other terms.
     pub(super) others: Vec<NodeId>,
     /// Why a sum over partners is among these.
@@ -93,7 +100,7 @@ impl<'p> Terms<'p> {
         graph: &mut Graph,
         energy: NodeId,
         length: IndexId,
-        are_many: bool,
+        (are_many, dimension): (bool, Option<u64>),
         parameters: &'p mut dyn Parameters,
     ) -> Self {
         let (bodies, one) = (over_all(graph, length), graph.constant(1.0));
@@ -110,6 +117,9 @@ impl<'p> Terms<'p> {
             pairs: Vec::new(),
             alone: Vec::new(),
             embedded: Embedded::default(),
+            dimension: dimension.filter(|_| are_many),
+            triplets: None,
+            triplet_obstacle: None,
             others: Vec::new(),
             obstacle: None,
         };
@@ -156,6 +166,11 @@ impl<'p> Terms<'p> {
                 }
                 return;
             }
+        }
+        if by == self.bodies
+            && let Some(rest) = self.of_triplets(graph, by, id, factor)
+        {
+            return rest.into_iter().for_each(|rest| self.collect_of_body(graph, by, range, rest, factor));
         }
         if let Some(energy) = self.of_pair(graph, by, range, id, factor) {
             return self.pairs.push(energy);
@@ -248,6 +263,39 @@ impl<'p> Terms<'p> {
             energy = sum(graph, both[0], both[1]);
         }
         self.in_known_loops(graph, energy, pair, ascending)
+    }
+
+    /// Adds the triplets in a sum over the partners of a body, and returns that sum without them; `None` if it has none, or if
+    /// they are no triplets within a cutoff.
+    fn of_triplets(&mut self, graph: &mut Graph, by: LoopId, id: NodeId, factor: NodeId) -> Option<Option<NodeId>> {
+        let (Node::Sum(other, body), Some(dimension)) = (graph.node(id), self.dimension) else { return None };
+        if graph.loops.get(other).parent != Some(by) {
+            return None;
+        }
+        let (length, parameters) = (self.length, &mut *self.parameters);
+        let mut finder = Finder { by, other, length, dimension, parameters };
+        if !finder.has_inner_sum(graph, body) {
+            return None;
+        }
+        let parts = finder.parts(graph, body);
+        let found = parts.ok_or(Reason::TripletSum).and_then(|parts| {
+            let triplets = finder.triplets(graph, &parts, &self.conditions, factor)?;
+            let all = match self.triplets.clone() {
+                Some(known) => known.with(graph, triplets, finder.parameters)?,
+                None => triplets,
+            };
+            Ok((all, finder.rest(graph, &parts)))
+        });
+        match found {
+            Ok((all, rest)) => {
+                self.triplets = Some(all);
+                Some(rest)
+            }
+            Err(reason) => {
+                self.triplet_obstacle.get_or_insert(reason);
+                None
+            }
+        }
     }
 
     /// The energy of a pair where the conditions around it hold, by numbers of each body.

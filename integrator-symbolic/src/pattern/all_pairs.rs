@@ -3,6 +3,7 @@
 use super::{
     bodies::{Constants, OfBodies},
     stores::stores,
+    triplets::TripletsOfBodies,
 };
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},
@@ -54,6 +55,10 @@ pub(crate) struct AllPairs {
     pub(crate) alone: Option<OfBodies>,
     /// The energies of bodies that depend on sums over their partners.
     pub(crate) embedded: Option<EmbeddedOfBodies>,
+    /// The terms of a body and two others within a cutoff.
+    pub(crate) triplets: Option<TripletsOfBodies>,
+    /// Why a sum over a body and two others is among other terms.
+    pub(crate) triplet_obstacle: Option<Reason>,
     /// The terms of the potential that are neither of pairs nor of bodies alone.
     pub(crate) others: Option<Others>,
     /// The energies of pairs and bodies; `None` if bodies are one row or in Jacobi coordinates, or energies read more of a body
@@ -213,6 +218,8 @@ impl AllPairs {
             energy_alone,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle,
             others,
         } = pairs(graph, potential, acting, are_many, listed_dimension, &mut texts)?;
         let (mut energy_of_others, mut others) = others;
@@ -226,7 +233,7 @@ impl AllPairs {
         if velocity.is_empty() || !is_direct(&graph.loops, &velocity) {
             return Err(Reason::Kinetic);
         }
-        if force.is_empty() {
+        if force.is_empty() && triplets.is_none() {
             return Err(Reason::Unrecognised);
         }
         let [every, moved] = [all, moving].map(|end| over_all(graph, end));
@@ -245,7 +252,10 @@ impl AllPairs {
             None => None,
             Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
         };
-        let pull = pull(&mut model.graph, pair, &force, dimension);
+        let pull = match &force[..] {
+            [] => None,
+            force => pull(&mut model.graph, pair, force, dimension),
+        };
         let central = pull.is_some();
         let force = match pull {
             Some(pull) => OfBodies::value(model, &mut constants, &pair, pull)?,
@@ -255,6 +265,11 @@ impl AllPairs {
             [] => None,
             alone => Some(OfBodies::gradient(model, &mut constants, &[bodies], alone)?),
         };
+        let triplets = match &triplets {
+            None => None,
+            Some(triplets) => Some(TripletsOfBodies::of(model, &mut constants, bodies, dimension, triplets)?),
+        };
+        let of_triplet = triplets.as_ref().map(|triplets| triplets.written);
         let others = match model.graph.as_constant(energy_of_others) {
             Some(0.0) => None,
             _ => Some(Others { energy: energy_of_others, gradient: stores(model, &others, Sink::Collect) }),
@@ -265,7 +280,10 @@ impl AllPairs {
         };
         // Steps read conditions on the time in their middle, energies at their own time.
         let energies = match in_jacobi || fewer_than(ROW + 1) {
-            false if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others]) => {
+            false
+                if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others])
+                    && !of_triplet.is_some_and(|energy| reads_middle(&model.graph, &[energy])) =>
+            {
                 let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
                 let of_densities =
                     embedded.as_ref().map_or(energy_alone, |embedded| model.graph.add(energy_alone, embedded.energy));
@@ -298,10 +316,11 @@ impl AllPairs {
         ];
         let of_pairs: Vec<_> = of_pairs.into_iter().flatten().collect();
         let of_one = energies.iter().flat_map(|energies| &energies.alone);
+        let of_three = triplets.iter().flat_map(|triplets| [&triplets.force, &triplets.energy]);
         let weights = embedded.iter().map(|embedded| &embedded.weights);
         let of_lists = included.iter().map(|included| &included.condition);
         let of_bodies: Vec<_> =
-            [&drift].into_iter().chain(&alone).chain(of_one).chain(weights).chain(of_lists).collect();
+            [&drift].into_iter().chain(&alone).chain(of_one).chain(of_three).chain(weights).chain(of_lists).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Ok(Self {
             pair,
@@ -315,6 +334,8 @@ impl AllPairs {
             reciprocal,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle,
             others,
             energies,
             listed,
@@ -420,7 +441,7 @@ impl EmbeddedOfBodies {
 }
 
 impl Listed {
-    fn of(
+    pub(super) fn of(
         model: &mut Model,
         constants: &mut Constants,
         bodies: LoopId,

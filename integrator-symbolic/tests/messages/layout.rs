@@ -223,13 +223,13 @@ const REASONS: &[Row] = &[
     (
         "list: numbers: v += q[0];",
         &[
-            "1:9 unknown layout `list`\nhelp: write `layout = lists` or `layout = line`\nnote: the layouts are `plain`, `lanes`, `terms`, `line`, `plane`, `volume`, `row`, `pairs`, `lists`",
+            "1:9 unknown layout `list`\nhelp: write `layout = lists` or `layout = line`\nnote: the layouts are `plain`, `lanes`, `terms`, `line`, `plane`, `volume`, `row`, `pairs`, `lists`, `triplets`",
         ],
     ),
     (
         "neighbours: numbers: v += q[0];",
         &[
-            "1:9 unknown layout `neighbours`\nnote: the layouts are `plain`, `lanes`, `terms`, `line`, `plane`, `volume`, `row`, `pairs`, `lists`",
+            "1:9 unknown layout `neighbours`\nnote: the layouts are `plain`, `lanes`, `terms`, `line`, `plane`, `volume`, `row`, `pairs`, `lists`, `triplets`",
         ],
     ),
 ];

@@ -258,7 +258,7 @@ impl Machine<'_> {
                 }
             }
         }
-        Ok(sum)
+        Ok(sum.add(&self.energy_of_triplets(bodies, read, &prepared, [&parameters, time])?))
     }
 
     /// The sum of the terms of all sites of a plane.
@@ -405,7 +405,10 @@ impl Machine<'_> {
             }
         }
         let zero = Number::plain(0.0).of_kind(Kind::Wide);
-        Ok(sums.into_iter().zip(read).map(|(sum, own)| sum.unwrap_or_else(|| vec![zero.clone(); own.len()])).collect())
+        let sums = sums.into_iter().zip(read).map(|(sum, own)| sum.unwrap_or_else(|| vec![zero.clone(); own.len()]));
+        let mut sums = sums.collect::<Vec<_>>();
+        self.add_triplets(bodies, read, &prepared, [&parameters, &time], &mut sums)?;
+        Ok(sums)
     }
 
     /// Whether lists do not leave two bodies out.

@@ -92,10 +92,19 @@ impl Expansion {
 
     fn bodies(&self) -> Option<Bodies<'_>> {
         let (system, constants) = (self.implementation("ManyBody", "")?, self.implementation("BodyConstants", "")?);
-        let functions =
-            ["drift_body", "pair", "interacts", "included", "one_body", "other_terms", "energy", "energy_alone"]
-                .into_iter();
-        let functions = functions.filter_map(|name| Some((name.to_owned(), function(system, name)?)));
+        let functions = [
+            "drift_body",
+            "pair",
+            "interacts",
+            "included",
+            "one_body",
+            "other_terms",
+            "energy",
+            "energy_alone",
+            "triplet",
+            "triplet_energy",
+        ];
+        let functions = functions.into_iter().filter_map(|name| Some((name.to_owned(), function(system, name)?)));
         let body_constants =
             function(constants, "body_constants").map(|function| ("body_constants".to_owned(), function));
         let [reciprocal, central] = ["RECIPROCAL", "CENTRAL"].map(|name| text(system, name) == "true");

@@ -31,6 +31,7 @@ mod shrink;
 mod splits;
 #[path = "../systems/mod.rs"]
 mod systems;
+mod triplets;
 mod value;
 
 use choice::{Choices, seeds};
@@ -143,6 +144,22 @@ fn bodies_in_pairs_match_the_functions() {
     }
     tally.assert_without_faults();
     assert_eq!([tally.refused, tally.foreign], [0; 2], "all of them are understood: {:#?}", tally.messages);
+}
+
+/// Most of them are sums over triplets for the macro too; the others are evaluated as written.
+#[test]
+fn bodies_in_triplets_match_the_functions() {
+    let mut tally = Tally { judges_panics: true, ..Tally::default() };
+    let mut recognised = 0;
+    for seed in seeds(SEEDS, 16) {
+        let system = grammar::triplets(seed);
+        let expanded = integrator_symbolic::hamiltonian(Default::default(), system.item.clone()).to_string();
+        recognised += u32::from(expanded.contains("TRIPLETS"));
+        tally.judge(&format!("triplets {seed}"), &system);
+    }
+    tally.assert_without_faults();
+    assert_eq!([tally.refused, tally.foreign], [0; 2], "all of them are understood: {:#?}", tally.messages);
+    assert!(recognised > 8 || seeds(SEEDS, 16).count() < 16, "{recognised}");
 }
 
 /// Energies and forces are finite where those of the functions are, whatever the units of coordinates.

@@ -9,6 +9,7 @@ use crate::{
         pair_sums::{
             Bodies, BodyConstants, ManyBody, add, add_active, inter_energies, inter_row, intra_energies, intra_row,
         },
+        triplets::{EnergyOfTriplets, KickByTriplets},
     },
     scalar::{
         real::{Kernel, Real},
@@ -228,6 +229,15 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
                 }
             }
         }
+        if const { H::TRIPLETS } {
+            let cutoffs = self.cutoffs::<H>(time);
+            let Self { q, p, constants, neighbours, threads, acting, parameters, .. } = self;
+            let rows = acting.div_ceil(WIDTH);
+            let (q, constants, bodies, threads) = (&q[..rows], &constants[..rows], *acting, *threads);
+            let sum = Sum::<H, R, _, D, S> { q, constants, bodies, parameters, time, threads };
+            let (cutoffs, p) = (cutoffs.as_ref(), &mut p[..rows]);
+            R::enter(KickByTriplets { sum, neighbours, cutoffs, factor: step, p });
+        }
         if const { H::SOME_STAY } {
             put_back::<R, _, D>(&mut self.p, self.acting, before);
         }
@@ -308,11 +318,17 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         };
         let constants = if const { H::DENSITIES.is_empty() } { constants } else { &with_densities };
         let sum = sum(constants);
+        let mut total = R::of(0.0);
+        if const { H::TRIPLETS } {
+            let (neighbours, cutoffs) = (&mut neighbours, self.cutoffs::<H>(time));
+            total = R::enter(EnergyOfTriplets { sum: &sum, neighbours, cutoffs: cutoffs.as_ref() });
+        }
         // A constant, so that nothing is compiled for lists where there is no cutoff.
         if const { H::LISTED_FROM < usize::MAX }
             && let Some(cutoffs) = self.cutoffs::<H>(time).filter(Cutoffs::all)
         {
-            return neighbours.energy(sum, &cutoffs);
+            let of_pairs = neighbours.energy(sum, &cutoffs);
+            return if const { H::TRIPLETS } { of_pairs + total } else { of_pairs };
         }
         let count = chunks(bodies);
         // Of the type of the gradients, so that `in_chunks` is compiled once.
@@ -320,7 +336,6 @@ impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> Many
         in_chunks(&mut sums, count, threads, &|number, sums| {
             sums[0][0] = R::enter(EnergyChunk { sum: &sum, number, count });
         });
-        let mut total = R::of(0.0);
         for sum in sums {
             total += over_lanes(sum[0]);
         }

@@ -15,3 +15,4 @@ mod other_terms;
 pub(crate) mod pair_sums;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod rows;
+mod triplets;

@@ -110,6 +110,55 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         [W::of(0.0); D]
     }
 
+    /// Whether the potential has terms of a body and two others within a cutoff of it.
+    const TRIPLETS: bool = false;
+
+    /// The gradient of the energy of the body `i` and two others, by the coordinates of each of these: it depends on the
+    /// displacements from `i` to both.
+    #[allow(clippy::too_many_arguments, reason = "two for each of three bodies")]
+    #[inline(always)]
+    fn triplet<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        q_k: [W; D],
+        constants_i: [W; S],
+        constants_j: [W; S],
+        constants_k: [W; S],
+        time: f64,
+    ) -> [[W; D]; 2] {
+        let _ = (parameters, q_i, q_j, q_k, constants_i, constants_j, constants_k, time);
+        [[W::of(0.0); D]; 2]
+    }
+    /// The energy of such a triplet.
+    #[allow(clippy::too_many_arguments, reason = "two for each of three bodies")]
+    #[inline(always)]
+    fn triplet_energy<R: Real, W: Row<R>>(
+        parameters: &Self::Parameters<R>,
+        q_i: [W; D],
+        q_j: [W; D],
+        q_k: [W; D],
+        constants_i: [W; S],
+        constants_j: [W; S],
+        constants_k: [W; S],
+        time: f64,
+    ) -> W {
+        let _ = (parameters, q_i, q_j, q_k, constants_i, constants_j, constants_k, time);
+        W::of(0.0)
+    }
+    /// The square of the distance from `i` beyond which another body is in no triplet, the same for all.
+    #[inline(always)]
+    fn triplet_cutoff<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> W {
+        let _ = (parameters, time);
+        W::of(f64::INFINITY)
+    }
+    /// The sides of the periodic box of these distances, as [`Self::sides`].
+    #[inline(always)]
+    fn triplet_sides<R: Real, W: Row<R>>(parameters: &Self::Parameters<R>, time: f64) -> [W; D] {
+        let _ = (parameters, time);
+        [W::of(0.0); D]
+    }
+
     /// Whether the potential has terms that are neither of pairs nor of bodies alone.
     const OTHER_TERMS: bool = false;
 
@@ -385,6 +434,56 @@ where
         }
     }
     densities
+}
+
+/// The gradient of the energies of the triplets in the lanes of three rows, by the coordinates of the second and of the third.
+#[inline(always)]
+pub(crate) fn triplet_forces<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    [i, j, k]: [Bodies<W, D, S>; 3],
+    time: f64,
+) -> [[W; D]; 2]
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    if const { W::PARTS == 0 } {
+        return H::triplet::<R, W>(parameters, i.q, j.q, k.q, i.constants, j.constants, k.constants, time);
+    }
+    let mut forces = [[W::of(0.0); D]; 2];
+    for part in 0..W::PARTS {
+        let [i, j, k] = [i.part::<R>(part), j.part::<R>(part), k.part::<R>(part)];
+        let of_part = H::triplet::<R, R>(parameters, i.q, j.q, k.q, i.constants, j.constants, k.constants, time);
+        for (forces, of_part) in forces.as_flattened_mut().iter_mut().zip(of_part.as_flattened()) {
+            forces.set_part(part, *of_part);
+        }
+    }
+    forces
+}
+
+/// The energies of these triplets.
+#[inline(always)]
+pub(crate) fn triplet_energies<H, R, W, const D: usize, const S: usize>(
+    parameters: &H::Parameters<R>,
+    [i, j, k]: [Bodies<W, D, S>; 3],
+    time: f64,
+) -> W
+where
+    H: ManyBody<D, S>,
+    R: Real,
+    W: Row<R>,
+{
+    if const { W::PARTS == 0 } {
+        return H::triplet_energy::<R, W>(parameters, i.q, j.q, k.q, i.constants, j.constants, k.constants, time);
+    }
+    let mut energies = W::of(0.0);
+    for part in 0..W::PARTS {
+        let [i, j, k] = [i.part::<R>(part), j.part::<R>(part), k.part::<R>(part)];
+        let of_part = H::triplet_energy::<R, R>(parameters, i.q, j.q, k.q, i.constants, j.constants, k.constants, time);
+        energies.set_part(part, of_part);
+    }
+    energies
 }
 
 /// The displacement from the second of two rows to the first.

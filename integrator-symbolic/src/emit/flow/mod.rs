@@ -73,7 +73,7 @@ impl Flows {
         let (many_body, [mut drift, mut kick]) = match pattern {
             Pattern::AllPairs(pairs) => {
                 let many_body = ManyBody::of(emitter, pairs);
-                let [drift, kick] = Form::of_bodies(many_body.listed(), many_body.is_row());
+                let [drift, kick] = Form::of_bodies(many_body.listed(), many_body.is_row(), many_body.has_triplets());
                 let flow = |part, form| Flow { body: ManyBody::flow(part), form, ..Flow::default() };
                 (Some(many_body), [flow(Part::Momentum, drift), flow(Part::Position, kick)])
             }

@@ -1,6 +1,8 @@
 //! Rust code for bodies with pair interactions: the motion of a body, and the force of one body on another. The loops
 //! over bodies and pairs belong to the runtime.
 
+mod triplets;
+
 use super::through_buffer;
 use crate::{
     emit::printer::{
@@ -33,6 +35,8 @@ pub(crate) struct ManyBody {
     per_body: TokenStream,
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     listed: Option<bool>,
+    /// Whether there are terms of three bodies.
+    has_triplets: bool,
     /// The energy of the terms beside pairs, if there are any.
     others: Option<NodeId>,
     /// Whether the runtime sums the energies of pairs.
@@ -57,6 +61,8 @@ impl ManyBody {
             reciprocal,
             alone,
             embedded,
+            triplets,
+            triplet_obstacle: _,
             others,
             energies,
             listed,
@@ -73,6 +79,8 @@ impl ManyBody {
         let included = included.as_ref().map(|included| writer.included(included, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
         let embedded = embedded.as_ref().map(|embedded| writer.embedded(embedded));
+        let has_triplets = triplets.is_some();
+        let triplets = triplets.as_ref().map(|triplets| writer.triplets(triplets, energies.is_some()));
         let beside = others.as_ref().filter(|others| !others.gradient.is_empty());
         let beside = beside.map(|others| writer.others(others));
         let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
@@ -103,6 +111,7 @@ impl ManyBody {
             #included
             #alone
             #embedded
+            #triplets
             #beside
             #of_energies
             #neighbours
@@ -111,7 +120,7 @@ impl ManyBody {
         let others = others.as_ref().map(|others| others.energy);
         let sums_pairs = energies.is_some();
         let kinetic_beside = energies.as_ref().and_then(|energies| energies.kinetic_beside);
-        Self { row, sizes, functions, per_body, listed, others, sums_pairs, kinetic_beside }
+        Self { row, sizes, functions, per_body, listed, has_triplets, others, sums_pairs, kinetic_beside }
     }
 
     /// Whether the runtime sums an energy, and what this has beside the terms of bodies and pairs.
@@ -125,6 +134,11 @@ impl ManyBody {
     /// Whether neighbours within a cutoff are listed, and whether they are those in a box.
     pub(crate) fn listed(&self) -> Option<bool> {
         self.listed
+    }
+
+    /// Whether there are terms of three bodies.
+    pub(crate) fn has_triplets(&self) -> bool {
+        self.has_triplets
     }
 
     /// Whether the bodies are one row.

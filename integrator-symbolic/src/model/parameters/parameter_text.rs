@@ -11,6 +11,7 @@ use crate::model::{
         classes::THIS_BODY,
         factors::factors,
         flags::OTHER_BODY,
+        presence::unlooked,
         running_index::{loop_of, mentioned, mentions, running_index, with_index, with_indices},
     },
 };
@@ -125,6 +126,25 @@ impl Parameters for Texts<'_> {
         ends: [Option<End>; 2],
     ) -> Option<NodeId> {
         self.number_of_pair(graph, id, pair, ends)
+    }
+
+    fn of_distinct(&mut self, graph: &mut Graph, id: ParameterId, bodies: [LoopId; 3]) -> ParameterId {
+        let mut text = self.text(id);
+        let known = text.to_string();
+        while let Some((condition, inner)) = guarded(&text)
+            && (are_distinct(&condition, &bodies) || asks_for_indices(&condition) && unlooked(&inner).is_some())
+        {
+            text = inner;
+        }
+        if text.to_string() == known {
+            return id;
+        }
+        let of = bodies.into_iter().filter(|by| mentions(&text, *by));
+        let of = of.fold(LoopSet::EMPTY, |all, by| all.union(LoopSet::of(by)));
+        let own = self.own_text(id);
+        let inner = self.id(graph, text, of);
+        self.show(inner, &own);
+        inner
     }
 
     fn choice(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
@@ -371,7 +391,7 @@ impl<'m> Texts<'m> {
     pub(super) fn text_of_pair(&self, id: ParameterId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> TokenStream {
         let text = self.text(id);
         match guarded(&text) {
-            Some((condition, inner)) if ends[0].is_none() && are_distinct(&condition, pair) => inner,
+            Some((condition, inner)) if ends[0].is_none() && are_distinct(&condition, &pair) => inner,
             _ => text,
         }
     }
@@ -541,11 +561,14 @@ fn guarded(text: &TokenStream) -> Option<(TokenStream, TokenStream)> {
     }
 }
 
-/// Whether a condition is that two indices differ, and nothing else.
-fn are_distinct(condition: &TokenStream, pair: [LoopId; 2]) -> bool {
+/// Whether a condition is that indices of these loops differ, and nothing else.
+fn are_distinct(condition: &TokenStream, bodies: &[LoopId]) -> bool {
     let text: String = condition.to_string().chars().filter(|letter| !matches!(letter, ' ' | '(' | ')')).collect();
-    let [first, second] = pair.map(|by| running_index(by).to_string());
-    [format!("!{first}=={second}"), format!("!{second}=={first}")].contains(&text)
+    text.split("&&").all(|one| {
+        let pair = one.strip_prefix('!').and_then(|equal| equal.split_once("=="));
+        let is_own = |name| bodies.iter().any(|by| running_index(*by) == name);
+        pair.is_some_and(|(first, second)| first != second && is_own(first) && is_own(second))
+    })
 }
 
 /// Whether a condition is one of indices of loops and of the number of bodies alone.

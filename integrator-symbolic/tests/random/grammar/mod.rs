@@ -5,6 +5,7 @@ mod expression;
 mod lattice;
 mod pairs;
 mod statement;
+mod triplets;
 mod units;
 
 use crate::{
@@ -15,6 +16,7 @@ use crate::{
 pub(crate) use lattice::lattice;
 pub(crate) use pairs::pairs;
 use std::rc::Rc;
+pub(crate) use triplets::triplets;
 pub(crate) use units::{lattice_in_units, pairs_in_units, system_in_units};
 
 /// Parts of the language that are written or left out.

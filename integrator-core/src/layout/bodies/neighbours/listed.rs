@@ -86,6 +86,6 @@ pub(super) fn epsilon<R: Real>() -> f64 {
 /// The distance by which two bodies may be farther from each other than the system computes. A displacement is off by
 /// the rounding of a difference, of its division by the side, and of the multiple of the side, each half a spacing at
 /// `2 farthest`; three axes and the sum of their squares make this eight spacings at most.
-fn rounding<R: Real>(distance: f64, farthest: f64) -> f64 {
+pub(crate) fn rounding<R: Real>(distance: f64, farthest: f64) -> f64 {
     16.0 * epsilon::<R>() * (farthest + distance)
 }

@@ -98,7 +98,24 @@ impl Lists {
             return Self { slot_of, portions: Some(portions) };
         }
         // All others are taken in the order of their slots, which has to be that of their numbers.
+        Self::none(bodies)
+    }
+}
+
+impl Lists {
+    /// All bodies in the order of their numbers, without lists.
+    pub(crate) fn none(bodies: usize) -> Self {
         Self { slot_of: (0..bodies as u32).collect(), portions: None }
+    }
+
+    /// The steps that have the neighbours of the body in a slot, in its lane; `None` without lists.
+    #[inline(always)]
+    pub(crate) fn of_slot(&self, slot: usize) -> Option<&[[u32; WIDTH]]> {
+        let portions = self.portions.as_ref()?;
+        let (row, lane) = (slot / WIDTH, slot % WIDTH);
+        let portion = &portions[row / portions[0].rows.len()];
+        let head = &portion.heads[row - portion.rows.start];
+        Some(&portion.steps[head.first..][..head.counts[lane] as usize])
     }
 }
 

@@ -41,8 +41,10 @@ use cells::Sides;
 use core::{marker::PhantomData, ops::Range};
 use left_out::leave_out;
 use listed::Listed;
+pub(crate) use listed::rounding;
 use lists::{Lists, PORTIONS};
 use skin::{FIRST_SKIN, next_skin};
+pub(crate) use sums::bodies_at;
 use sums::{Energies, Forces};
 
 /// The cutoffs of the members in the lanes of an `R`, one for each.
@@ -214,6 +216,27 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
         }
     }
 
+    /// Puts all bodies into slots, of lists where these are used in all lanes.
+    #[inline(always)]
+    pub(crate) fn placed<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
+        &mut self,
+        sum: &Sum<'_, H, R, L, D, S>,
+        cutoffs: Option<&Cutoffs<D>>,
+    ) -> Placed<'_, R, D> {
+        // A constant, so that nothing is compiled for lists where there is no cutoff.
+        let lists = match cutoffs {
+            Some(cutoffs) if const { H::LISTED_FROM < usize::MAX } && cutoffs.all() => {
+                self.renew(sum, cutoffs).lists.clone()
+            }
+            _ => Arc::new(Lists::none(sum.bodies)),
+        };
+        self.fill::<H, L, S>(sum.q, sum.constants, &lists.slot_of);
+        let Self { points, results, .. } = self;
+        results.clear();
+        results.resize(sum.q.len(), [[R::of(0.0); WIDTH]; D]);
+        Placed { lists, points: points.as_chunks().0, results }
+    }
+
     /// The densities of all bodies; in lanes where lists are not used, those that are given.
     pub(crate) fn densities<H: ManyBody<D, S>, L: Slot<R::Row<WIDTH>>, const S: usize>(
         &mut self,
@@ -263,6 +286,15 @@ impl<R: Real, const D: usize> Neighbours<R, D> {
     ) -> R {
         R::enter(Energy { neighbours: self, sum, cutoffs })
     }
+}
+
+/// Bodies in slots.
+pub(crate) struct Placed<'n, R, const D: usize> {
+    pub(crate) lists: Arc<Lists>,
+    /// Their coordinates and constants, four numbers at a time.
+    pub(crate) points: &'n [[R; 4]],
+    /// Zeros for their sums.
+    pub(crate) results: &'n mut [[[R; WIDTH]; D]],
 }
 
 /// The data of a motion that a sum over neighbours reads.
@@ -387,6 +419,22 @@ fn in_portions<T: Send>(lists: &Lists, results: &mut [T], threads: usize, of: Of
         }));
     }
     at_once(jobs);
+}
+
+/// Adds a multiple of the results of bodies in slots to their momenta.
+#[inline(always)]
+pub(crate) fn add_multiple<R: Real, L: Slot<R::Row<WIDTH>>, const D: usize>(
+    results: &[[[R; WIDTH]; D]],
+    slot_of: &[u32],
+    factor: R::Row<WIDTH>,
+    p: &mut [[L; D]],
+) {
+    for (p, slots) in p.iter_mut().zip(slot_of.chunks(WIDTH)) {
+        let sum = gathered::<R, R::Row<WIDTH>, D>(results, slots);
+        for d in 0..D {
+            p[d].fma(factor, sum[d]);
+        }
+    }
 }
 
 /// A row of results of the bodies in these slots; lanes after the last of them repeat it.

@@ -168,7 +168,7 @@ pub(super) fn own_slots(row: usize, bodies: usize) -> [u32; WIDTH] {
 
 /// The bodies in some slots; zero in place of what only the condition of included pairs reads, if all `are_included`.
 #[inline(always)]
-pub(super) fn bodies_at<H: ManyBody<D, S>, R: Real, W: Row<R>, const D: usize, const S: usize>(
+pub(crate) fn bodies_at<H: ManyBody<D, S>, R: Real, W: Row<R>, const D: usize, const S: usize>(
     points: &[[R; 4]],
     slots: &[u32; WIDTH],
     are_included: bool,
