@@ -149,11 +149,10 @@ impl ByHand {
 
     fn leg(&self, i: usize, j: usize) -> ([f64; 3], f64) {
         let inverse = 1.0 / self.side;
-        let mut leg = [0.0; 3];
-        for d in 0..3 {
+        let leg: [f64; 3] = [0, 1, 2].map(|d: usize| {
             let x = self.q[j][d] - self.q[i][d];
-            leg[d] = x - self.side * (x * inverse).round_ties_even();
-        }
+            x - self.side * (x * inverse).round_ties_even()
+        });
         (leg, leg[0] * leg[0] + leg[1] * leg[1] + leg[2] * leg[2])
     }
 

@@ -9,6 +9,7 @@ mod atoms;
 mod chain;
 mod copper;
 mod mixture;
+mod silicon;
 mod water;
 
 use atoms::Start;
@@ -99,7 +100,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut table = Table::new("lammps", &["system", "atoms", "ours ns", "LAMMPS ns", "ratio"]);
     let folder = env::temp_dir().join(format!("lammps_{}", std::process::id()));
     fs::create_dir_all(&folder)?;
-    for scene in [mixture::melt(), chain::scene(), copper::scene(), water::scene(), mixture::kob_andersen()] {
+    for scene in
+        [mixture::melt(), chain::scene(), copper::scene(), water::scene(), mixture::kob_andersen(), silicon::scene()]
+    {
         let count = scene.start.positions.len();
         let (mut ours, mut theirs, mut ratios) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..ROUNDS {

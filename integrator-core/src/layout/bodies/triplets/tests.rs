@@ -62,7 +62,7 @@ impl Network {
     /// Bodies in the box, and some outside of it whose images are inside.
     fn start(seed: usize) -> Phase<Vec<[f64; 3]>> {
         let at = |i: usize, d: usize| 8.0 * ((i * (7 + 4 * d) + seed) as f64 * 0.618_033_988_75).fract();
-        let far = |i: usize| if i % 50 == 0 { 16.0 } else { 0.0 };
+        let far = |i: usize| if i.is_multiple_of(50) { 16.0 } else { 0.0 };
         let q = (0..BODIES).map(|i| [at(i, 0) + far(i), at(i, 1), at(i * i, 2)]).collect();
         Phase::new(q, vec![[0.0; 3]; BODIES])
     }
