@@ -76,7 +76,7 @@ const SYMBOLIC: MayKnow = (
                 "taylor",
             ],
         ),
-        ("report", &["differentiate", "graph", "layout", "lower", "model", "pattern", "prose", "syntax"]),
+        ("report", &["differentiate", "graph", "layout", "lower", "model", "pattern", "program", "prose", "syntax"]),
     ],
 );
 

@@ -14,8 +14,8 @@ use core::ops::Range;
 /// The number of rows whose products are added up together: their partial sums are in registers.
 const SUMMED: usize = 4;
 
-/// The number of blocks of a gradient that are in registers while rows are added. Each waits for its last sum, and so many make up
-/// for that.
+/// The number of blocks of a gradient that are in registers while rows are added. Each sum waits for the one before, and blocks do
+/// not wait for each other.
 const BLOCKS: usize = 8;
 
 /// The number of rows that are added to some blocks before others.
@@ -175,12 +175,14 @@ fn add_rows<R: Real, T: AsRef<[R]>>(rows: &[T], from: usize, factors: &[R], grad
         add_blocks::<R, R::Block, T>(rows, from + next, factors, &mut gradient[next..next + count]);
         next += count;
     }
-    if next < gradient.len() {
-        add_blocks::<R, R, T>(rows, from + next, factors, &mut gradient[next..]);
+    while next < gradient.len() {
+        let count = (gradient.len() - next).min(BLOCKS);
+        add_blocks::<R, R, T>(rows, from + next, factors, &mut gradient[next..next + count]);
+        next += count;
     }
 }
 
-/// The same for one block at least, and `BLOCKS` at most. Without so many, the last ones overlap, and compute the same numbers.
+/// The same for one block at least, and `BLOCKS` at most. If there are fewer, the last ones overlap, and compute the same numbers.
 #[inline(always)]
 fn add_blocks<R: Real, W: Block<R>, T: AsRef<[R]>>(rows: &[T], from: usize, factors: &[R], gradient: &mut [R]) {
     let last = gradient.len() - W::WIDTH;
