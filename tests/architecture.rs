@@ -76,7 +76,10 @@ const SYMBOLIC: MayKnow = (
                 "taylor",
             ],
         ),
-        ("report", &["differentiate", "graph", "layout", "lower", "model", "pattern", "program", "prose", "syntax"]),
+        (
+            "report",
+            &["differentiate", "graph", "layout", "lower", "model", "pattern", "program", "prose", "stencil", "syntax"],
+        ),
     ],
 );
 

@@ -67,7 +67,7 @@ pub fn inner_products<R: Real, S: Slot<R>, T: AsRef<[R]>>(
     }
 }
 
-/// The inner products of rows with as many coordinates, of which there are some.
+/// The inner products of rows with one coordinate at least, and as many numbers in each row.
 #[inline(always)]
 fn products_of<R: Real, S: Slot<R>, const ROWS: usize>(rows: [&[R]; ROWS], coordinates: &[S]) -> [R; ROWS] {
     let (count, mut next) = (coordinates.len(), 0);

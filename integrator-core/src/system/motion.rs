@@ -188,7 +188,7 @@ pub struct InPlace<'m, T, P> {
     pub parameters: &'m P,
 }
 
-/// The coordinates of a motion as slices, of which the compiler knows that they have the same length.
+/// The coordinates of a motion as slices. The compiler knows that their lengths are the same.
 #[inline(always)]
 pub fn in_place<'m, T, P>(q: &'m mut [T], p: &'m mut [T], parameters: &'m P) -> InPlace<'m, T, P> {
     let count = q.len().min(p.len());
