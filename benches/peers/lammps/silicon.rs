@@ -27,9 +27,12 @@ impl Silicon {
         let mut energy = 0.0;
         for i in 0..q.len() {
             for j in 0..q.len() {
+                if j == i {
+                    continue;
+                }
                 let u = self.displacement(q[i], q[j]);
                 let r = self.length(u);
-                if j == i || r >= CUTOFF {
+                if r >= CUTOFF {
                     continue;
                 }
                 energy += 0.5 * A * (B / r.powi(4) - 1.0) * (1.0 / (r - CUTOFF)).exp();
@@ -58,7 +61,7 @@ pub(crate) fn scene() -> Scene {
     let mut in_cell = FACE_CENTRED.to_vec();
     in_cell.extend(FACE_CENTRED.map(|site| site.map(|x| x + 0.25)));
     // The density of the crystal is 0.46 atoms for each cubed unit of length.
-    let (positions, side) = lattice(16, (8.0_f64 / 0.46).cbrt(), &in_cell);
+    let (positions, side) = lattice(8, (8.0_f64 / 0.46).cbrt(), &in_cell);
     let (count, sides) = (positions.len(), [side; 3]);
     let (velocities, kinds) = (velocities(count, 0.4), vec![0; count]);
     let ours = |start: &Start, duration, steps| -> Result<Outcome, Error> {
