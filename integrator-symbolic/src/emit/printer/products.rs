@@ -21,7 +21,7 @@ enum Products {
 }
 
 /// A loop over the entries of each row of a table.
-pub(super) struct Rows {
+struct Rows {
     /// The table, the range of its columns, and how far the index of a coordinate is from that of its entry.
     arguments: TokenStream,
     products: Products,
@@ -69,7 +69,7 @@ impl Block<'_> {
     }
 
     /// The loop that lines in a loop over rows are, if they are one over the entries of each row that only multiplies.
-    pub(super) fn rows(&self, fields: &mut Fields, by: LoopId, lines: &[Item]) -> Option<Rows> {
+    fn rows(&self, fields: &mut Fields, by: LoopId, lines: &[Item]) -> Option<Rows> {
         let mut loops = lines.iter().filter(|line| matches!(line, Item::Loop { .. }));
         let (line, None) = (loops.next()?, loops.next()) else { return None };
         let (lanes, Item::Loop { by: columns, .. }) = (self.loop_in_lanes(lines, line)?, line) else { return None };

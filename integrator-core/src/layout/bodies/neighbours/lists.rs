@@ -100,9 +100,7 @@ impl Lists {
         // All others are taken in the order of their slots, which has to be that of their numbers.
         Self::none(bodies)
     }
-}
 
-impl Lists {
     /// All bodies in the order of their numbers, without lists.
     pub(crate) fn none(bodies: usize) -> Self {
         Self { slot_of: (0..bodies as u32).collect(), portions: None }
