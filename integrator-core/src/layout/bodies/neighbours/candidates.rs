@@ -1,6 +1,6 @@
-//! Candidates for the lists of the bodies in a cell, and those of them that are near enough.
+//! Candidates for the lists of the bodies in consecutive cells, and those of them that are near enough.
 //!
-//! Distances are computed in single precision, several at a time, from places seen from a body of the cell: who is a little farther away than
+//! Distances are computed in single precision, several at a time, from places seen from a body of these cells: who is a little farther away than
 //! the radius may be listed too, and adds zero to every sum.
 
 use super::cells::Cells;
@@ -9,15 +9,17 @@ use crate::scalar::{
     simd::block::{Block, PICKED},
 };
 use alloc::vec::Vec;
+use core::ops::Range;
 
-/// The candidates of a cell: those of the bodies in it and in those beside it that may be near one of its own. `T` is single
-/// precision.
+/// The candidates of a group of cells: those of the bodies in them and in those beside them that may be near one of their own.
+/// `T` is single precision.
 pub(crate) struct Candidates<T: Real, const D: usize> {
-    /// Cell by cell, the slots of all bodies and their places, seen from the first of the cell's own bodies; infinity
+    /// Cell by cell, the slots of all bodies and their places, seen from the first of the group's own bodies; infinity
     /// after the last one.
     found: Vec<u32>,
     found_at: [Vec<T>; D],
-    /// The index at which the cell's own bodies begin among these.
+    /// The slots of the group's own bodies, and the index at which they begin among these.
+    own: Range<usize>,
     home: usize,
     /// Numbers from zero on, and those of them that are candidates.
     numbers: Vec<u32>,
@@ -44,6 +46,7 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         Self {
             found: Vec::new(),
             found_at: none(),
+            own: 0..0,
             home: 0,
             numbers: Vec::new(),
             kept: Vec::new(),
@@ -58,11 +61,14 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         }
     }
 
-    /// Gathers those of a cell that has a body.
+    /// Gathers those of the group of the body in a slot, unless they are those that are here.
     #[inline(always)]
-    pub(crate) fn gather(&mut self, cells: &Cells<D>, cell: usize) {
-        self.find(cells, cell);
-        self.keep(cells.slots(cell).len());
+    pub(crate) fn gather(&mut self, cells: &Cells<D>, slot: usize) {
+        if self.own.contains(&slot) {
+            return;
+        }
+        self.find(cells, &cells.group(slot));
+        self.keep();
         self.keys.clear();
         let bodies = self.kept.iter().map(|which| (cells.body_of[self.found[*which as usize] as usize], *which));
         self.keys.extend(bodies.map(|(body, which)| u64::from(body) << 32 | u64::from(which)));
@@ -89,14 +95,16 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         }
     }
 
-    /// Looks up who is in a cell and in those beside it, and how far the radius is at such places.
+    /// Looks up who is in some cells and in those beside them, and how far the radius is at such places.
     #[inline(always)]
-    fn find(&mut self, cells: &Cells<D>, cell: usize) {
-        let own = cells.slots(cell).start;
+    fn find(&mut self, cells: &Cells<D>, group: &Range<usize>) {
+        self.own = cells.slots(group);
+        let own = self.own.start;
         self.found.clear();
         self.found_at.iter_mut().for_each(Vec::clear);
-        for (slots, shift) in cells.around(cell) {
-            if slots.contains(&own) {
+        for (slots, shift) in cells.around(group) {
+            // Not an image of them.
+            if slots.contains(&own) && shift == [0.0; D] {
                 self.home = self.found.len() + own - slots.start;
             }
             self.found.extend(slots.start as u32..slots.end as u32);
@@ -128,12 +136,12 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         self.square = T::of(radius * radius);
     }
 
-    /// Keeps the cell's `own` bodies, and those that are near the box around these. Differences
+    /// Keeps the group's own bodies, and those that are near the box around these. Differences
     /// and squares are rounded in the same way as those of two bodies, and are not greater: no body near another one is
     /// left out.
     #[inline(always)]
-    fn keep(&mut self, own: usize) {
-        let (home, count) = (self.home..self.home + own, self.found.len());
+    fn keep(&mut self) {
+        let (home, count) = (self.home..self.home + self.own.len(), self.found.len());
         let mut sides = [[T::Block::of(f64::NEG_INFINITY), T::Block::of(f64::INFINITY)]; D];
         for ((sides, image), places) in sides.iter_mut().zip(&self.images).zip(&self.found_at) {
             // Who is beyond the box may be near by way of its image.
@@ -205,21 +213,21 @@ impl<T: Real, const D: usize> Candidates<T, D> {
         }
     }
 
-    /// Writes the slots of those that are near one of the cell's own bodies, in the order of their numbers and without itself,
-    /// and returns how many they are, and how many of them have lower numbers.
+    /// Writes the slots of those that are near the body in a slot, one of the group, in the order of their numbers and without
+    /// itself, and returns how many they are, and how many of them have lower numbers.
     #[inline(always)]
-    pub(crate) fn near(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
+    pub(crate) fn near(&self, slot: usize, near: &mut Vec<u32>) -> [u32; 2] {
         if self.images.iter().any(Option::is_some) {
-            self.near_where::<true>(own, near)
+            self.near_where::<true>(slot, near)
         } else {
-            self.near_where::<false>(own, near)
+            self.near_where::<false>(slot, near)
         }
     }
 
     /// [`Self::near`], where `IMAGES` says whether some periodic axis requires the nearest image.
     #[inline(always)]
-    fn near_where<const IMAGES: bool>(&self, own: usize, near: &mut Vec<u32>) -> [u32; 2] {
-        let own = self.ranks[self.home + own] as usize;
+    fn near_where<const IMAGES: bool>(&self, slot: usize, near: &mut Vec<u32>) -> [u32; 2] {
+        let own = self.ranks[self.home + slot - self.own.start] as usize;
         let limit = T::Block::splat(self.square);
         let mut center = [limit; D];
         for (center, places) in center.iter_mut().zip(&self.places) {

@@ -18,8 +18,11 @@ pub(crate) type Sides<const D: usize> = [f64; D];
 /// The most axes that are divided: more would have more cells beside each one than bodies near it.
 const DIVIDED: usize = 3;
 
-/// The most cells that are beside one, and itself.
+/// Rows of cells along the first axis that are beside one, and itself, in up to three pieces each.
 const AROUND: usize = 3_usize.pow(DIVIDED as u32);
+
+/// The fewest bodies, on average, in cells whose neighbours are looked for together. Measured on liquids and polymers.
+const TOGETHER: usize = 32;
 
 /// The fewest cells along a periodic axis that is divided: with fewer, the cells on both sides are the same one.
 const FEWEST: usize = 3;
@@ -30,6 +33,8 @@ pub(crate) struct Cells<const D: usize> {
     pub(super) radius: f64,
     /// The number of cells along each axis.
     counts: [usize; D],
+    /// The number of cells along the first axis whose neighbours are looked for together.
+    together: usize,
     /// The slots of each cell.
     begins: Vec<u32>,
     /// The body in each slot; ascending within a cell.
@@ -74,23 +79,30 @@ impl<const D: usize> Cells<D> {
             }
             *slot += 1;
         }
-        Self { sides, radius, counts, begins, body_of, cell_of, places }
+        let together = (TOGETHER * begins.len()).div_ceil(points.len().max(1)).clamp(1, counts[0]);
+        Self { sides, radius, counts, together, begins, body_of, cell_of, places }
     }
 
-    /// The cell of the body in a slot.
-    pub(crate) fn of_slot(&self, slot: usize) -> usize {
-        self.cell_of[self.body_of[slot] as usize] as usize
+    /// The cells whose neighbours are looked for together, among which is that of the body in a slot.
+    pub(super) fn group(&self, slot: usize) -> Range<usize> {
+        let cell = self.cell_of[self.body_of[slot] as usize] as usize;
+        let along = cell % self.counts[0];
+        let first = along - along % self.together;
+        let row = cell - along;
+        row + first..row + self.counts[0].min(first + self.together)
     }
 
-    pub(super) fn slots(&self, cell: usize) -> Range<usize> {
-        self.begins[cell] as usize..self.begins[cell + 1] as usize
+    /// The slots of consecutive cells.
+    pub(super) fn slots(&self, cells: &Range<usize>) -> Range<usize> {
+        self.begins[cells.start] as usize..self.begins[cells.end] as usize
     }
 
     /// Adds the bodies that are near one, in no particular order, without itself.
     pub(crate) fn near(&self, body: u32, near: &mut Vec<u32>) {
         let cell = self.cell_of[body as usize] as usize;
-        let Some(own) = self.slots(cell).find(|slot| self.body_of[*slot] == body) else { return };
-        for (slots, shift) in self.around(cell) {
+        let cell = cell..cell + 1;
+        let Some(own) = self.slots(&cell).find(|slot| self.body_of[*slot] == body) else { return };
+        for (slots, shift) in self.around(&cell) {
             for slot in slots {
                 let mut square = 0.0;
                 for (axis, shift) in shift.iter().enumerate() {
@@ -112,30 +124,39 @@ impl<const D: usize> Cells<D> {
         if self.counts[axis] == 1 { self.sides[axis] } else { 0.0 }
     }
 
-    /// The slots in a cell and in those beside it, each with what is added to the places in it; cells that follow each other
-    /// are taken together.
-    pub(super) fn around(&self, cell: usize) -> Vec<(Range<usize>, [f64; D])> {
-        let (mut at, mut rest) = ([0; D], cell);
+    /// The slots in consecutive cells along the first axis and in those beside them, each with what is added to the places in
+    /// it; cells that follow each other are taken together. Where the row of cells is periodic and short, a cell may be there
+    /// more than once, each time with another image.
+    pub(super) fn around(&self, cells: &Range<usize>) -> Vec<(Range<usize>, [f64; D])> {
+        let (mut at, mut rest) = ([0; D], cells.start);
         for (at, count) in at.iter_mut().zip(self.counts) {
             (*at, rest) = (rest % count, rest / count);
         }
+        let (count, side, end) = (self.counts[0], self.sides[0], at[0] + cells.len());
+        let is_periodic = count > 1 && side > 0.0;
+        let before = (is_periodic && at[0] == 0).then_some((count - 1..count, -side));
+        let inside = (at[0].saturating_sub(1)..count.min(end + 1), 0.0);
+        let behind = (is_periodic && end == count).then_some((0..1, side));
         let mut around = Vec::<(Range<usize>, [f64; D])>::with_capacity(AROUND);
-        for number in 0..3_usize.pow(D.min(DIVIDED) as u32) {
-            let Some((beside, shift)) = self.beside(at, number) else { continue };
-            let slots = self.slots(beside);
-            match around.last_mut() {
-                Some((last, same)) if last.end == slots.start && *same == shift => last.end = slots.end,
-                _ => around.push((slots, shift)),
+        for number in 0..3_usize.pow(D.min(DIVIDED) as u32 - 1) {
+            let Some((row, mut shift)) = self.row_beside(at, number) else { continue };
+            for (along, by) in before.iter().chain([&inside]).chain(&behind) {
+                let slots = self.slots(&(row + along.start..row + along.end));
+                shift[0] = *by;
+                match around.last_mut() {
+                    Some((last, same)) if last.end == slots.start && *same == shift => last.end = slots.end,
+                    _ => around.push((slots, shift)),
+                }
             }
         }
         around
     }
 
-    /// One of the cells around that which is so far along the axes, and what is added to the places in it. Each digit of the
-    /// number to the base of three says on which side it is.
-    fn beside(&self, at: [usize; D], mut number: usize) -> Option<(usize, [f64; D])> {
-        let (mut beside, mut stride, mut shift) = (0, 1, [0.0; D]);
-        for axis in 0..D {
+    /// The first cell of one of the rows of cells around that which is so far along the other axes, and what is added to the
+    /// places in it. Each digit of the number to the base of three says on which side it is.
+    fn row_beside(&self, at: [usize; D], mut number: usize) -> Option<(usize, [f64; D])> {
+        let (mut beside, mut stride, mut shift) = (0, self.counts[0], [0.0; D]);
+        for axis in 1..D {
             let (count, side) = (self.counts[axis], self.sides[axis]);
             let by = if axis < DIVIDED { number % 3 } else { 1 };
             number /= 3;

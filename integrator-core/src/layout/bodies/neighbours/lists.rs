@@ -139,7 +139,7 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
     fn call(self) {
         let Self { portion: Portion { rows, heads, steps }, cells, slots, most, .. } = self;
         let bodies = slots.len();
-        let (mut candidates, mut gathered) = (Candidates::<T, D>::new(), None);
+        let mut candidates = Candidates::<T, D>::new();
         let mut near: [Vec<u32>; WIDTH] = core::array::from_fn(|_| Vec::new());
         for row in rows.clone() {
             let (mut counts, mut before) = ([0; WIDTH], [0; WIDTH]);
@@ -150,12 +150,8 @@ impl<T: Real, const D: usize> Kernel for Fill<'_, T, D> {
                 }
                 [counts[lane], before[lane]] = match cells {
                     [cells] => {
-                        let cell = cells.of_slot(slot);
-                        if gathered != Some(cell) {
-                            candidates.gather(cells, cell);
-                            gathered = Some(cell);
-                        }
-                        candidates.near(slot - cells.slots(cell).start, near)
+                        candidates.gather(cells, slot);
+                        candidates.near(slot, near)
                     }
                     cells => near_in_any(cells, slots, cells[0].body_of[slot], near),
                 };

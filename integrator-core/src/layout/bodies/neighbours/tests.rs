@@ -191,6 +191,9 @@ fn lists_have_every_pair_within_the_radius() {
         compare(600, [6.1, 5.9, 40.0], 2.0, threads, 1.0);
         compare(600, [3.0, 0.0, 3.1], 1.5, threads, 1.0);
         compare(500, [5.0, 0.0, 6.0, 4.0], 1.6, threads, 1.0);
+        // So few bodies in a cell that a whole row of cells is looked at together, and its ends are beside it, too.
+        compare(80, [6.1, 8.0, 8.2], 2.0, threads, 1.0);
+        compare(80, [0.0, 8.0, 8.2], 2.0, threads, 1.0);
     }
 }
 
