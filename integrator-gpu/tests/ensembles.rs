@@ -82,7 +82,7 @@ impl Regression {
             for column in 0..20 {
                 x += self.rows[row][column] * q[column];
             }
-            sum += (1.0 + x.exp()).ln();
+            sum += x.exp().ln_1p() + (1.0 + x.exp()).ln();
         }
         sum
     }

@@ -47,6 +47,11 @@ template <class R> DEVICE R huge() { return R(sizeof(R) == sizeof(double) ? 0x1p
 template <class R> DEVICE R infinity() { return R(1.0) / R(0.0); }
 
 // Error-free transformations, and the beginnings of polynomials.
+template <class R> DEVICE R two_sum(R a, R b, R& lost) {
+    const R sum = a + b, of_b = sum - a;
+    lost = (a - (sum - of_b)) + (b - of_b);
+    return sum;
+}
 template <class R> DEVICE R fast_two_sum(R large, R small, R& lost) {
     const R sum = large + small;
     lost = small - (sum - large);
@@ -358,21 +363,52 @@ template <class R> DEVICE R split(R x, R& f) {
     return exponent - R(double(1ull << F::EXPONENT) + bias);
 }
 template <class R> DEVICE bool is_normal(R x) { return R(Format<R>::LEAST) <= x && x <= R(Format<R>::GREATEST); }
-template <class R> DEVICE R ln(R x) {
+template <class R> DEVICE R ln_joined(R k, R f, R lost) {
     typedef Format<R> F;
-    if (!is_normal(x)) return library_ln(x);
-    R f;
-    const R k = split(x, f), s = f / (f + R(2.0)), z = s * s, half_square = R(0.5) * f * f;
-    const R small = fma(s, fma(z, ln_series(z), half_square), k * R(F::SECOND_LN_2));
+    const R s = f / (f + R(2.0)), z = s * s, half_square = R(0.5) * f * f;
+    const R small = fma(s, fma(z, ln_series(z), half_square), fma(k, R(F::SECOND_LN_2), lost));
     return fma(k, R(F::LN_2), f - (half_square - small));
 }
-template <class R> DEVICE R fast_ln(R x) {
+template <class R> DEVICE R fast_ln_joined(R k, R f, R lost) {
     typedef Format<R> F;
+    const R s = f / (f + R(2.0)), z = s * s;
+    const R slope = fma(z, short_ln_series(z), R(2.0));
+    return fma(k, R(F::LN_2), fma(s, slope, fma(k, R(F::SECOND_LN_2), lost)));
+}
+template <class R> DEVICE R ln(R x) {
     if (!is_normal(x)) return library_ln(x);
     R f;
-    const R k = split(x, f), s = f / (f + R(2.0)), z = s * s;
-    const R slope = fma(z, short_ln_series(z), R(2.0));
-    return fma(k, R(F::LN_2), fma(s, slope, k * R(F::SECOND_LN_2)));
+    const R k = split(x, f);
+    return ln_joined(k, f, R(0.0));
+}
+template <class R> DEVICE R fast_ln(R x) {
+    if (!is_normal(x)) return library_ln(x);
+    R f;
+    const R k = split(x, f);
+    return fast_ln_joined(k, f, R(0.0));
+}
+template <class R> DEVICE R split_1p(R x, R& f, R& lost) {
+    typedef Format<R> F;
+    R rest, large;
+    const R sum = two_sum(R(1.0), x, rest), k = split(sum, large);
+    f = fast_two_sum(large, rest * bits_add(R(1.0), bits_left(R(F::MAGIC) - k, F::EXPONENT)), lost);
+    return k;
+}
+template <class R> DEVICE bool is_fast_1p(R x) {
+    typedef Format<R> F;
+    return R(-1.0) < x && x <= R(0.25 * double(F::GREATEST)) && !(x == R(0.0));
+}
+template <class R> DEVICE R ln_1p(R x) {
+    if (!is_fast_1p(x)) return x == R(0.0) ? x : library_ln_1p(x);
+    R f, lost;
+    const R k = split_1p(x, f, lost);
+    return ln_joined(k, f, lost);
+}
+template <class R> DEVICE R fast_ln_1p(R x) {
+    if (!is_fast_1p(x)) return x == R(0.0) ? x : library_ln_1p(x);
+    R f, lost;
+    const R k = split_1p(x, f, lost);
+    return fast_ln_joined(k, f, lost);
 }
 
 // Powers.

@@ -330,7 +330,8 @@ pub(crate) const TABLE: &[Row] = &[
         let shifted = g.add(x, one);
         over(g, shifted)
     })
-    .on(Library),
+    .with_fast("fast_ln_1p")
+    .on(Kernel),
     unary("log2", f64::log2, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG2_E)).on(Library),
     unary("log10", f64::log10, [0.1, 9.0], |g, x, _| scaled_reciprocal(g, x, std::f64::consts::LOG10_E)).on(Library),
     unary("cbrt", f64::cbrt, [0.1, 9.0], |g, _, y| {

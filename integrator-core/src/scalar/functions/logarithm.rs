@@ -4,11 +4,17 @@
 //! `ln m = f - (f²/2 - s·(f²/2 + s²·L(s²)))`: the leading term is exact, so that little of what follows is rounded at
 //! its size. The first part of ln 2 is so short that its product with `k` is exact.
 //!
+//! Of `1 + x` the argument is the rounded sum, and its rounding error is added to `f`: where `k` is zero, `f` is `x`.
+//!
 //! `L` is minimax (Remez in 300 bits, weighted for the relative error of `ln m`, coefficients rounded one after the
 //! other and the later ones fitted again).
 
 use super::{Bits, cubic, exponential::Exponential, linear, with_fallback};
-use crate::scalar::{elementary::Elementary, real::Mask};
+use crate::scalar::{
+    elementary::Elementary,
+    exact::{fast_two_sum, two_sum},
+    real::Mask,
+};
 
 /// Constants and polynomials of the natural logarithm in one format.
 pub(crate) trait Logarithm: Exponential {
@@ -23,6 +29,8 @@ pub(crate) trait Logarithm: Exponential {
     fn short_series<R: Bits<Scalar = Self>>(z: R) -> R;
     /// The function of the maths library, for arguments that are not normal or not positive.
     fn fallback(lanes: &mut [Self]);
+    /// The same of `ln(1 + x)`.
+    fn fallback_1p(lanes: &mut [Self]);
 }
 
 /// Splits a normal number into `k` and `f`.
@@ -45,30 +53,73 @@ pub(super) fn normal<R: Bits<Scalar: Logarithm>>(x: R) -> R::Mask {
     least.less_or_equal(x).and(x.less_or_equal(greatest))
 }
 
-/// The natural logarithm, with an error of at most 1 ulp.
+/// The logarithm of `2ᵏ·(1 + f)`, where `f` lost a rounding error.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
-    let (k, f) = split(x);
+fn joined<R: Bits<Scalar: Logarithm>>(k: R, f: R, lost: R) -> R {
     let s = f / (f + R::of(2.0));
     let z = s * s;
     let half_square = R::of(0.5) * f * f;
     let [first, second] = R::Scalar::LN_2;
-    let small = s.fma(z.fma(<R::Scalar as Logarithm>::series(z), half_square), k * R::of(second));
-    let value = k.fma(R::of(first), f - (half_square - small));
-
-    with_fallback(value, normal(x), x, <R::Scalar as Logarithm>::fallback)
+    let small = s.fma(z.fma(<R::Scalar as Logarithm>::series(z), half_square), k.fma(R::of(second), lost));
+    k.fma(R::of(first), f - (half_square - small))
 }
 
-/// The natural logarithm, with an error of at most 4 ulp: `ln m = s·(2 + s²·L(s²))`.
+/// The same with the digits that 4 ulp require: `ln m = s·(2 + s²·L(s²))`.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
-    let (k, f) = split(x);
+fn fast_joined<R: Bits<Scalar: Logarithm>>(k: R, f: R, lost: R) -> R {
     let s = f / (f + R::of(2.0));
     let z = s * s;
     let [first, second] = R::Scalar::LN_2;
     let slope = z.fma(<R::Scalar as Logarithm>::short_series(z), R::of(2.0));
-    let value = k.fma(R::of(first), s.fma(slope, k * R::of(second)));
-    with_fallback(value, normal(x), x, <R::Scalar as Logarithm>::fallback)
+    k.fma(R::of(first), s.fma(slope, k.fma(R::of(second), lost)))
+}
+
+/// The natural logarithm, with an error of at most 1 ulp.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, f) = split(x);
+    with_fallback(joined(k, f, R::of(0.0)), normal(x), x, <R::Scalar as Logarithm>::fallback)
+}
+
+/// The natural logarithm, with an error of at most 4 ulp.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn fast_ln<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, f) = split(x);
+    with_fallback(fast_joined(k, f, R::of(0.0)), normal(x), x, <R::Scalar as Logarithm>::fallback)
+}
+
+/// Splits `1 + x` into `k` and `f`, and what `f` lost.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn split_1p<R: Bits<Scalar: Logarithm>>(x: R) -> (R, [R; 2]) {
+    let [sum, lost] = two_sum(R::of(1.0), x);
+    let (k, f) = split(sum);
+    let scale = R::of(1.0).bits_add((R::of(R::Scalar::MAGIC) - k).bits_left(R::Scalar::EXPONENT));
+    (k, fast_two_sum(f, lost * scale))
+}
+
+/// The value of `ln(1 + x)` where it is `x` or of the kernel, and the fallback elsewhere.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn checked_1p<R: Bits<Scalar: Logarithm>>(value: R, x: R) -> R {
+    let [_, greatest] = R::Scalar::NORMAL;
+    // Up to a quarter of the greatest number, `2⁻ᵏ` is a normal number.
+    let fast = R::of(-1.0).less(x).and(x.less_or_equal(R::of(0.25 * greatest)));
+    let value = with_fallback(value, fast, x, <R::Scalar as Logarithm>::fallback_1p);
+    // The sign of zero is lost in the sum.
+    R::select(x.equal(R::of(0.0)), x, value)
+}
+
+/// The natural logarithm of `1 + x`, with an error of at most 1 ulp.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn ln_1p<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, [f, lost]) = split_1p(x);
+    checked_1p(joined(k, f, lost), x)
+}
+
+/// The natural logarithm of `1 + x`, with an error of at most 4 ulp.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn fast_ln_1p<R: Bits<Scalar: Logarithm>>(x: R) -> R {
+    let (k, [f, lost]) = split_1p(x);
+    checked_1p(fast_joined(k, f, lost), x)
 }
 
 /// The errors of the polynomials: 2^-59.5 and 2^-52.2.
@@ -102,6 +153,12 @@ impl Logarithm for f64 {
     fn fallback(lanes: &mut [f64]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
     }
+
+    #[cold]
+    #[inline(never)]
+    fn fallback_1p(lanes: &mut [f64]) {
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::ln_1p(*lane));
+    }
 }
 
 /// The error of the polynomial: 2^-30.2.
@@ -124,5 +181,11 @@ impl Logarithm for f32 {
     #[inline(never)]
     fn fallback(lanes: &mut [f32]) {
         lanes.iter_mut().for_each(|lane| *lane = Elementary::ln(*lane));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fallback_1p(lanes: &mut [f32]) {
+        lanes.iter_mut().for_each(|lane| *lane = Elementary::ln_1p(*lane));
     }
 }

@@ -73,7 +73,7 @@ pub(crate) use cube_root::{cbrt, fast_cbrt};
 pub(crate) use exponential::{exp, fast_exp, fast_tanh, tanh};
 pub(crate) use fast_sine::{fast_cos, fast_sin};
 pub(crate) use fast_tangent::fast_tan;
-pub(crate) use logarithm::{fast_ln, ln};
+pub(crate) use logarithm::{fast_ln, fast_ln_1p, ln, ln_1p};
 pub(crate) use power::powf;
 pub(crate) use remainder::remainder;
 pub(crate) use sine::{cos, sin, sin_cos, tan};

@@ -81,6 +81,9 @@ macro_rules! elementary_functions {
                     value: (libm log1p log1pf);
                     slope: (x.ln_1p(), F::of(1.0) / (F::of(1.0) + x));
                     bounds: x.increasing(Real::ln_1p, [-1.0, f64::INFINITY], ALL);
+                    kernel: ln_1p within 1.0, fast fast_ln_1p, of pxfm::f_log1p, Big::ln_1p, at [
+                        Points::Even(-0.999, 9.0), Points::Even(-0.001, 0.001), Points::Sizes(-1080.0, 1024.0)
+                    ];
                 }
                 log2(x) {
                     value: (libm log2 log2f);
