@@ -141,6 +141,14 @@ pub(crate) fn root_cubed(graph: &Graph, divisor: NodeId, is_named: impl Fn(NodeI
     (is_inline && graph.node(root) == Node::Power(base, 1)).then_some(base)
 }
 
+/// The argument of a divisor that is a root without a name.
+pub(crate) fn root(graph: &Graph, divisor: NodeId, is_named: impl Fn(NodeId) -> bool) -> Option<NodeId> {
+    match graph.node(divisor) {
+        Node::Power(base, 1) if !is_named(divisor) => Some(base),
+        _ => None,
+    }
+}
+
 /// Constraints on the schedule beside the dependences between nodes.
 #[derive(Debug, Default)]
 pub(crate) struct Constraints {

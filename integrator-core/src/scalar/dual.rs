@@ -325,6 +325,15 @@ macro_rules! dual_real {
                 image.with(to)
             }
             #[inline(always)]
+            fn div_sqrt(self, x: Self) -> Self {
+                let value = self.value.div_sqrt(x.value);
+                let by_x = F::of(-0.5) * value / x.value;
+                if self.is_constant() {
+                    return x.chain(value, by_x);
+                }
+                Self::chain_of_two(self, x, value, F::of(1.0).div_sqrt(x.value), by_x)
+            }
+            #[inline(always)]
             fn div_pow_3_2(self, x: Self) -> Self {
                 let value = self.value.div_pow_3_2(x.value);
                 let by_x = F::of(-1.5) * value / x.value;
@@ -466,6 +475,7 @@ mod tests {
             ("a power", at(2.0, 0.0).powf(Dual::of(3.0)), 12.0),
             ("a square", at(3.0, 0.5).square(), 5.0),
             ("a square and a line", at(3.0, 0.5).square_add(at(3.0, 0.25)), 5.25),
+            ("a reciprocal root", at(2.0, 0.0).div_sqrt(at(2.0, 0.0)), -0.25 * 2.0_f64.powf(-1.5)),
             ("radial", at(2.0, 0.0).div_pow_3_2(at(2.0, 0.0)), 0.75 * 2.0_f64.powf(-2.5)),
         ] {
             assert!(within(second(dual) - exact, 8.0 * f64::EPSILON), "{name}: {dual:?} for {exact}");

@@ -30,6 +30,11 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// Two doubles.
     type PairOfDoubles: Pair<Fused<f64, Self>>;
 
+    /// `n / x^(1/2)`.
+    #[inline(always)]
+    fn div_sqrt(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        n / x.sqrt()
+    }
     /// `n / x^(3/2)`.
     #[inline(always)]
     fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
@@ -99,6 +104,10 @@ impl Instructions for Avx512 {
     type PairOfDoubles = crate::scalar::simd::x86::X2;
 
     #[inline(always)]
+    fn div_sqrt(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+        crate::scalar::simd::x86::div_sqrt(n, x)
+    }
+    #[inline(always)]
     fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
         crate::scalar::simd::x86::div_pow_3_2(n, x)
     }
@@ -136,7 +145,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_sqrt:expr, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -191,6 +200,10 @@ macro_rules! fused_real {
                 Self::new(Elementary::mul_add(self.0, b.0, c.0))
             }
             #[inline(always)]
+            fn div_sqrt(self, x: Self) -> Self {
+                $div_sqrt(self, x)
+            }
+            #[inline(always)]
             fn div_pow_3_2(self, x: Self) -> Self {
                 $div_pow_3_2(self, x)
             }
@@ -224,8 +237,9 @@ macro_rules! fused_real {
     };
 }
 elementary_functions!(
-    fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_pow_3_2; }
+    fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_sqrt, S::div_pow_3_2; }
 );
-elementary_functions!(
-    fused_real! { f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>, |n, x: Self| n / (x * x.sqrt()); }
-);
+elementary_functions!(fused_real! {
+    f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>,
+    |n, x: Self| n / x.sqrt(), |n, x: Self| n / (x * x.sqrt());
+});

@@ -202,8 +202,12 @@ macro_rules! declare_real {
             ) -> Image<Self, D> {
                 M::solve(point, constants).0
             }
-            /// `self / x^(3/2)`, the radial factor of inverse-square forces. The formula, or on AVX-512 a kernel of at
-            /// most two ulp that scalar and vectors share.
+            /// `self / sqrt(x)`. The formula, or on AVX-512 a kernel of at most two ulp that scalar and vectors share.
+            #[inline(always)]
+            fn div_sqrt(self, x: Self) -> Self {
+                self / x.sqrt()
+            }
+            /// `self / x^(3/2)`, the radial factor of inverse-square forces. Computed as `div_sqrt`.
             #[inline(always)]
             fn div_pow_3_2(self, x: Self) -> Self {
                 self / (x * x.sqrt())

@@ -349,6 +349,10 @@ impl Machine<'_> {
                 Value::tuple(both.into_iter().flatten().map(Value::from))
             }
             ("fast_sin_cos", []) => return self.of_number(number, "sin_cos", &[]),
+            ("div_sqrt", [x]) => match alike(x)?.function("sqrt") {
+                Some(root) => number.div(&root).into(),
+                None => Value::Unit,
+            },
             ("div_pow_3_2", [x]) => {
                 let x = alike(x)?;
                 match x.function("sqrt") {

@@ -40,6 +40,10 @@ impl Machine<'_> {
                 self.done.roots += 1;
                 self.done.divisions += 1;
             }
+            "div_sqrt" => {
+                self.done.roots += 1;
+                self.done.divisions += 1;
+            }
             "sqrt" => self.done.roots += 1,
             "sin_cos" => {
                 self.count_function("sin");

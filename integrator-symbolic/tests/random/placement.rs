@@ -67,12 +67,13 @@ const CALLED_IN_LOOPS: [(&str, &[usize]); 8] = [
 ];
 
 /// Methods of numbers that are operations.
-const METHODS: [&str; 24] = [
+const METHODS: [&str; 25] = [
     "square",
     "scale",
     "square_add",
     "scale_add",
     "fma",
+    "div_sqrt",
     "div_pow_3_2",
     "sqrt",
     "sin_cos",

@@ -233,6 +233,7 @@ macro_rules! lanes_real {
                 }
                 Self(parts)
             }
+            in_turn!(div_sqrt(x));
             in_turn!(div_pow_3_2(x));
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

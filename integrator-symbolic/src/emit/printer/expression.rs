@@ -9,7 +9,7 @@ use crate::{
         index::{IndexId, LoopId, LoopSet},
     },
     model::{Method, Parameter, is_field, values::integer::number_literal},
-    program::root_cubed,
+    program::{root, root_cubed},
     syntax::Functions,
 };
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -151,13 +151,15 @@ impl Printer<'_> {
                 Printed::new(Binding::Product, quote!(#a * #b))
             }
             Node::Div(a, b) => {
-                if self.dialect == Dialect::Generic
-                    && !self.compared.contains(&id)
-                    && let Some(base) = root_cubed(self.graph, b, |id| self.names.contains_key(&id))
-                {
-                    let a = self.expression(fields, a).at_least(Binding::Atom);
-                    let base = self.expression(fields, base).tokens;
-                    return Printed::new(Binding::Atom, quote!(#a.div_pow_3_2(#base)));
+                if self.dialect == Dialect::Generic && !self.compared.contains(&id) {
+                    let is_named = |id| self.names.contains_key(&id);
+                    let by_root = root(self.graph, b, is_named).map(|base| (base, quote!(div_sqrt)));
+                    let by_cube = || Some((root_cubed(self.graph, b, is_named)?, quote!(div_pow_3_2)));
+                    if let Some((base, quotient)) = by_root.or_else(by_cube) {
+                        let a = self.expression(fields, a).at_least(Binding::Atom);
+                        let base = self.expression(fields, base).tokens;
+                        return Printed::new(Binding::Atom, quote!(#a.#quotient(#base)));
+                    }
                 }
                 let (a, b) = (self.expression(fields, a), self.expression(fields, b));
                 let (a, b) = (a.at_least(Binding::Product), b.at_least(Binding::Sign));

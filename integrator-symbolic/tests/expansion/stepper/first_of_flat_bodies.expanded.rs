@@ -110,7 +110,7 @@ const _: () = {
             1,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8874551545801474552;
+        const FINGERPRINT: u64 = 8370303506050283463;
         const WIDE: bool = true;
         const LAYOUT: &'static [&'static str] = &["pairs", "pairs"];
         const ENERGIES_IN_LANES: bool = true;
@@ -246,10 +246,11 @@ const _: () = {
             let shared_0 = q_i[0] - q_j[0];
             let shared_1 = q_i[1] - q_j[1];
             let shared_2 = q_i[2] - q_j[2];
-            -(masses_of_i * masses_of_j
-                / (shared_2.square_add(shared_1.square_add(shared_0.square()))
-                    + Wide::splat(parameters.softening))
-                    .sqrt())
+            -(masses_of_i * masses_of_j)
+                .div_sqrt(
+                    shared_2.square_add(shared_1.square_add(shared_0.square()))
+                        + Wide::splat(parameters.softening),
+                )
         }
     }
     impl runtime::BodyConstants<1> for Parameters<f64> {
@@ -291,7 +292,7 @@ const _: () = {
                             sum_0 = shared_2.fma(shared_6, sum_0);
                         }
                         let shared_7 = sum_1 + motion.parameters.softening;
-                        let shared_8 = Scalar::of(1.0) / shared_7.sqrt();
+                        let shared_8 = Scalar::of(1.0).div_sqrt(shared_7);
                         let shared_9 = shared_8.square();
                         let shared_10 = Scalar::of(1.0) / shared_7;
                         let shared_11 = shared_10.sqrt();
@@ -382,9 +383,9 @@ const _: () = {
                             sum_0 = shared_0.square_add(sum_0);
                         }
                         sum_1
-                            += motion.parameters.masses_2[i]
-                                * motion.parameters.masses_3[j]
-                                / (sum_0 + motion.parameters.softening).sqrt();
+                            += (motion.parameters.masses_2[i]
+                                * motion.parameters.masses_3[j])
+                                .div_sqrt(sum_0 + motion.parameters.softening);
                     }
                     sum_2 = Scalar::select(condition_0, sum_2 + sum_1, sum_2);
                 }

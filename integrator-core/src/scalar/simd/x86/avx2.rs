@@ -83,7 +83,7 @@ elementary_functions!(vector! {
         [_mm256_permute2f128_pd::<0x20>(low, high), _mm256_permute2f128_pd::<0x31>(low, high)]
     },
     pick crate::scalar::simd::block::pick,
-    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 elementary_functions!(vector! {
     /// Eight singles.
@@ -109,7 +109,7 @@ elementary_functions!(vector! {
         [_mm256_permute2f128_ps::<0x20>(low, high), _mm256_permute2f128_ps::<0x31>(low, high)]
     },
     pick crate::scalar::simd::block::pick,
-    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 
 bits! {

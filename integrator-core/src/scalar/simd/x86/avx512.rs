@@ -104,7 +104,7 @@ elementary_functions!(vector! {
         [first, _mm512_permutex2var_pd(evens, _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15), odds)]
     },
     pick pick,
-    div_pow_3_2 super::div_pow_3_2;
+    div_sqrt super::div_sqrt, div_pow_3_2 super::div_pow_3_2;
 });
 elementary_functions!(vector! {
     /// Sixteen singles.
@@ -132,7 +132,7 @@ elementary_functions!(vector! {
         [_mm512_permutex2var_ps(evens, first, odds), _mm512_permutex2var_ps(evens, second, odds)]
     },
     pick pick,
-    div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
 });
 
 bits! {

@@ -16,15 +16,15 @@ macro_rules! instruction {
 mod avx2;
 mod avx512;
 mod bits;
-mod div_pow_3_2;
 mod pair;
 mod real;
+mod roots;
 mod row;
 
 pub use avx2::{S8, X4};
 pub use avx512::{S16, X8};
-pub(crate) use div_pow_3_2::div_pow_3_2;
 pub use pair::X2;
+pub(crate) use roots::{div_pow_3_2, div_sqrt};
 
 #[cfg(test)]
 mod tests {

@@ -47,7 +47,7 @@ macro_rules! vector {
         deinterleave |$one:ident, $two:ident| $deinterleave:expr,
         interleave |$evens:ident, $odds:ident| $interleave:expr,
         pick $pick:path,
-        div_pow_3_2 $div_pow_3_2:expr;
+        div_sqrt $div_sqrt:expr, div_pow_3_2 $div_pow_3_2:expr;
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         $(#[$documentation])*
@@ -159,6 +159,10 @@ macro_rules! vector {
                 #[inline(always)]
                 fn fma(self, b: Self, c: Self) -> Self {
                     Self(instruction!($fma(self.0, b.0, c.0)))
+                }
+                #[inline(always)]
+                fn div_sqrt(self, x: Self) -> Self {
+                    $div_sqrt(self, x)
                 }
                 #[inline(always)]
                 fn div_pow_3_2(self, x: Self) -> Self {
