@@ -16,6 +16,7 @@ INTEGRATOR_FUNCTION(cos, ::cos)
 INTEGRATOR_FUNCTION(exp, ::exp)
 INTEGRATOR_FUNCTION(floor, ::floor)
 INTEGRATOR_FUNCTION(ln, ::log)
+INTEGRATOR_FUNCTION(ln_1p, ::log1p)
 INTEGRATOR_FUNCTION(round, ::round)
 INTEGRATOR_FUNCTION(round_ties_even, ::rint)
 INTEGRATOR_FUNCTION(sin, ::sin)
@@ -24,7 +25,6 @@ INTEGRATOR_FUNCTION(tanh, ::tanh)
 INTEGRATOR_FUNCTION(trunc, ::trunc)
 DEVICE double fma(double a, double b, double c) { return __fma_rn(a, b, c); }
 DEVICE double atan2(double y, double x) { return ::atan2(y, x); }
-DEVICE double ln_1p(double x) { return ::log1p(x); }
 DEVICE double powf(double x, double y) { return ::pow(x, y); }
 DEVICE double remainder(double a, double b) { return ::fmod(a, b); }
 DEVICE double signum(double x) { return x != x ? x : ::copysign(1.0, x); }
