@@ -8,8 +8,9 @@
 //!
 //! where `t` grows with `s` on every conic: there is one root. The first guess is the series for a short arc, cut after
 //! its fourth order. One correction, of fourth order as well and with one division, takes it to the root wherever that
-//! is near; elsewhere the root is searched for in a bracket first, by Laguerre's method (Conway 1986). The correction is
-//! always last and in the scalar itself, so that the tangent of a dual is exact, wherever the search came from. That is for
+//! is near. Where this correction is too long, a second one follows it, and after that a search in a bracket, by Laguerre's
+//! method (Conway 1986). The correction is always last and in the scalar itself, so that the tangent of a dual is exact,
+//! wherever the search came from. That is for
 //! duals over duals: a dual solves for its value alone ([`super::slope`]).
 
 use super::{
@@ -258,9 +259,8 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
     let s = orbit.short_arc(inverse);
     let place = orbit.at(s);
     let (d, near) = place.correction(orbit.beta, s);
-    // Within half a period no arc is longer. If the series has diverged, the later numbers are meaningless.
-    let failed = near.and((orbit.beta * s * s).abs().less(W::of(LONGEST))).not();
-    if failed.any() { W::enter(Search { orbit: *orbit, s, open: failed }) } else { Root { place, s, d, failed } }
+    let failed = near.and(orbit.is_within_half_a_period(s)).not();
+    if failed.any() { W::enter(Search { orbit: *orbit, s, d, open: failed }) } else { Root { place, s, d, failed } }
 }
 
 /// The search for the root in the lanes of `open`, where the arc is not short; nothing changes in the others. A function of its
@@ -268,6 +268,7 @@ pub(super) fn root<W: Real>(orbit: &Orbit<W>, inverse: W) -> Root<W> {
 pub(super) struct Search<W: Real> {
     pub(super) orbit: Orbit<W>,
     pub(super) s: W,
+    pub(super) d: W,
     pub(super) open: W::Mask,
 }
 
@@ -277,9 +278,10 @@ impl<W: Real> Kernel for Search<W> {
 
     #[inline(always)]
     fn call(self) -> Root<W> {
-        let Self { orbit, s, mut open } = self;
-        let mut bracket = orbit.bracket();
-        let mut s = W::select(open, orbit.guess(bracket), s);
+        let Self { orbit, s, d, mut open } = self;
+        // Mostly the correction is too long to be the last one and short enough to lead near the root.
+        let mut s = W::select(open.and(d.abs().less(s.abs())), s + d, s);
+        let mut bracket = [s; 2];
         let mut reached = W::Mask::of(false);
         let mut steps = 0;
         loop {
@@ -288,14 +290,22 @@ impl<W: Real> Kernel for Search<W> {
             let mut place = orbit.at(s);
             // Where no number is nearer, what is left is what the tangent of a dual needs.
             place.late = W::select(reached, place.late - number(place.late), place.late);
-            let (d, near) = place.correction(orbit.beta, s);
+            let (d, mut near) = place.correction(orbit.beta, s);
+            if steps == 0 {
+                near = near.and(orbit.is_within_half_a_period(s));
+            }
             open = open.and(near.or(reached).not());
-            steps += 1;
             if !open.any() || steps == SEARCH {
                 return Root { place, s, d, failed: open };
             }
-            reached = reached.or(open.and(orbit.is_rounding(&place, s)));
-            s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
+            if steps == 0 {
+                bracket = orbit.bracket();
+                s = W::select(open, orbit.guess(bracket), s);
+            } else {
+                reached = reached.or(open.and(orbit.is_rounding(&place, s)));
+                s = W::select(open.and(reached.not()), orbit.laguerre(&place, s, &mut bracket, steps), s);
+            }
+            steps += 1;
         }
     }
 }
@@ -324,6 +334,13 @@ impl<W: Real> Orbit<W> {
         let a = eta * (W::of(0.5) * inverse);
         let b = zeta * (W::of(1.0 / 6.0) * inverse);
         reverted(time * inverse, [a, b, W::of(-1.0 / 12.0) * beta * a])
+    }
+
+    /// Whether a guess that is no search's is no longer than any arc within half a period. If the series has diverged, the later numbers
+    /// are meaningless.
+    #[inline(always)]
+    fn is_within_half_a_period(&self, s: W) -> W::Mask {
+        (self.beta * s * s).abs().less(W::of(LONGEST))
     }
 
     #[inline(always)]
