@@ -129,7 +129,7 @@ fn nearest_images_have_one_code() {
         "x - self.side * (x / self.side).round().max(-1.0).min(1.0)",
     ];
     for (images, own, other) in
-        [(&among_all[..], "round_ties_even", "max ("), (&beside, "round_ties_even () . max (", "less (-")]
+        [(&among_all[..], "round_ties_even", "less (-"), (&beside, "less (-", "round_ties_even")]
     {
         let texts = images.iter().map(|image| of_pairs([POINTS, OF_POINTS, &in_box(image)]).expect("pairs"));
         let texts: Vec<_> = texts.collect();
