@@ -261,3 +261,29 @@ fn tables_under_conditions_on_indices_are_by_kind() {
         assert!(!text.contains("`if") && !text.contains("\"if"), "{guard}: {text}");
     }
 }
+
+/// Loops that add parts of the same pairs look up one entry for each pair, if it depends on one value of each body.
+#[test]
+fn several_loops_look_up_one_entry() {
+    let kinds = "self.depth[self.kind[i]][self.kind[j]]";
+    let rows = [
+        (&[("0..i", "0.5"), ("i + 1..q.len()", "0.25")][..], kinds, 1),
+        (&[("(0..q.len()).filter(|&j| j != i)", "0.5")], kinds, 1),
+        (&[("0..i", "0.2"), ("(0..q.len()).filter(|&j| j != i)", "-0.5"), ("i + 1..q.len()", "self.k")], kinds, 1),
+        // Two values of each body.
+        (&[("(0..q.len()).filter(|&j| j != i)", "0.5")], "self.depth[self.kind[i]][self.type_of[j]]", 2),
+    ];
+    for (loops, depth, entries) in rows {
+        let terms = loops.iter().map(|(range, factor)| {
+            format!(
+                "for j in {range} {{ let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); \
+                 if r2 < self.cutoff {{ v += {factor} * {depth} * (self.cutoff - r2).powi(2); }} }}"
+            )
+        });
+        let potential = format!("let mut v = 0.0; for i in 0..q.len() {{ {} }} v", terms.collect::<String>());
+        let text = of_pairs([POINTS, OF_POINTS, &potential]).expect("pairs");
+        let (_, pair) = text.split_once("fn pair").expect("a function of a pair");
+        let (pair, _) = pair.split_once("fn interacts").expect("a cutoff");
+        assert_eq!(pair.matches(". entry").count(), entries, "{potential}: {pair}");
+    }
+}

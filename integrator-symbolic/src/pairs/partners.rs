@@ -67,7 +67,7 @@ pub(super) fn in_half(
     }
     let exchanged = renamed(graph, behind, Renaming::exchange(pair), parameters)?;
     let both = [before, exchanged].map(|addend| in_one_direction(graph, addend, pair, parameters));
-    let both = sum(graph, both[0], both[1]);
+    let both = sum(graph, both, (pair, [None; 2]), parameters);
     let [from, to] = [Index::Literal(0), Index::Running(by)].map(|bound| graph.loops.intern(bound));
     let half = graph.loops.range(Loop { parent: Some(by), from, to });
     parameters.name_if_new(half, other);

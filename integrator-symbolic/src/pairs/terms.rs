@@ -263,7 +263,7 @@ impl<'p> Terms<'p> {
         } else if twice {
             let exchanged = renamed(graph, energy, Renaming::exchange(pair), self.parameters)?;
             let both = [energy, exchanged].map(|energy| in_one_direction(graph, energy, pair, self.parameters));
-            energy = sum(graph, both[0], both[1]);
+            energy = sum(graph, both, (pair, [None; 2]), self.parameters);
         }
         self.in_known_loops(graph, energy, pair, ascending)
     }

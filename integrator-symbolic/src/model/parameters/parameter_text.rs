@@ -32,6 +32,8 @@ pub(crate) struct Texts<'m> {
     pub(super) count: Ident,
     /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
     known: HashMap<(LoopSet, String), ParameterId>,
+    /// What the entries of tables by classes are: the loops over the two bodies of a pair, and the text of an entry, also as shown.
+    pub(super) entries: HashMap<ParameterId, ([LoopId; 2], [TokenStream; 2])>,
 }
 
 impl Parameters for Texts<'_> {
@@ -151,6 +153,10 @@ impl Parameters for Texts<'_> {
         self.choice_of_pair(graph, id, pair, ends)
     }
 
+    fn sum(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
+        self.sum_of_pair(graph, id, pair, ends)
+    }
+
     fn without(
         &mut self,
         graph: &mut Graph,
@@ -245,7 +251,14 @@ impl<'m> Texts<'m> {
         running: &'m mut HashMap<LoopId, Ident>,
         root: &'m syn::Path,
     ) -> Self {
-        Self { parameters, running, root, count: format_ident!("length"), known: HashMap::new() }
+        Self {
+            parameters,
+            running,
+            root,
+            count: format_ident!("length"),
+            known: HashMap::new(),
+            entries: HashMap::new(),
+        }
     }
 
     /// The same of bodies whose number is that of the coordinates or another one.
