@@ -37,6 +37,20 @@ potential!(indices_in_order, self, q, v;
     }
 );
 
+// The table has no entries for bodies in the other order.
+potential!(half_a_table, self, q, v;
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            if i > j {
+                let r2 = (0..3).map(|d| (q[i][d] - q[j][d]).powi(2)).sum::<f64>();
+                if r2 < self.0.cutoff {
+                    v += self.0.reaches_of_types[self.0.layers[i]][self.0.layers[j]] * (self.0.cutoff - r2).powi(2);
+                }
+            }
+        }
+    }
+);
+
 potential!(tables_in_both_orders, self, q, v;
     for i in 0..q.len() {
         for j in 0..q.len() {

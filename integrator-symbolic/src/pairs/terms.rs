@@ -6,7 +6,7 @@ use super::{
     merged::{in_one_direction, sum},
     order::{ends, with_numbers},
     over_all,
-    partners::{Visited, addend_of_distinct_pair, in_half, is_before, is_partner},
+    partners::{Half, Visited, addend_of_distinct_pair, is_before, is_partner},
     reads_only,
     renamed::renamed,
     triplets::{Finder, Triplets},
@@ -244,9 +244,9 @@ impl<'p> Terms<'p> {
                 None => return self.refuse(Reason::Unrecognised),
                 Some(body) => body,
             };
-            if let Some((before, both)) = in_half(graph, pair, body, self.parameters) {
-                self.visited.push(Visited { pair, ascending });
-                (pair, body, ascending) = ([by, before], both, Some(false));
+            if let Some(half) = Half::of(graph, pair, body, self.parameters) {
+                self.visited.push(Visited { pair, ascending: half.ascending });
+                (pair, body, ascending) = ([by, half.before], half.addend, Some(false));
             }
         }
         let (twice, is_known) = (ascending.is_none(), self.pair.is_none_or(|known| known == pair));
