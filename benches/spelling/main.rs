@@ -1,4 +1,5 @@
-//! Compares spellings of the same Hamiltonian: `cargo bench -p integrator-bench --bench spelling`.
+//! Compares spellings of the same Hamiltonian: `cargo bench -p integrator-bench --bench spelling`, or with `-- images triplets` the groups
+//! of these names alone.
 //!
 //! A group has one Hamiltonian, and each row is one way of writing it. Times are per step of `Verlet` on one thread, in
 //! interleaved rounds. The last column is the time over the fastest of the group. A row that says much more than one has no fast
@@ -74,6 +75,8 @@ macro_rules! of_data {
 pub(crate) use of_data;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    // Cargo adds `--bench`.
+    let named: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
     let (mut table, mut lines) = (Table::new("spelling", &["group", "spelling", "us/step", "to fastest"]), Vec::new());
     for group in liquids::groups()
         .into_iter()
@@ -83,6 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .chain(sums::groups())
         .chain(fields::groups())
         .chain(triplets::groups())
+        .filter(|group| named.is_empty() || named.iter().any(|name| name == group.name))
     {
         let Group { name, steps, racers, energies } = group;
         // Sums of up to a million terms in different orders.

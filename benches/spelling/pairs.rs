@@ -79,6 +79,33 @@ atoms!(Twice, |self, q| {
     }
     v
 });
+atoms!(Joined, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            let square = self.square(q[i], q[j]);
+            if i == j || square >= 6.25 {
+                continue;
+            }
+            let s = (1.0 / square).powi(3);
+            v += 0.5 * self.depths[self.kinds[i]][self.kinds[j]] * (s * s - s);
+        }
+    }
+    v
+});
+atoms!(Ordered, |self, q| {
+    let mut v = 0.0;
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            let square = self.square(q[i], q[j]);
+            if j < i && square < 6.25 {
+                let s = (1.0 / square).powi(3);
+                v += self.depths[self.kinds[i]][self.kinds[j]] * (s * s - s);
+            }
+        }
+    }
+    v
+});
 atoms!(Three, |self, q| {
     let mut v = 0.0;
     for i in 0..q.len() {
@@ -149,7 +176,7 @@ macro_rules! add {
 
 pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut loops = Group::new("loops_of_pairs", 8);
-    add!(loops, "before" Before, "after" After, "all others" Twice, "three loops" Three);
+    add!(loops, "before" Before, "after" After, "all others" Twice, "one condition" Joined, "j < i" Ordered, "three loops" Three);
     let mut embedded = Group::new("embedded", 8);
     add!(embedded, "loops" Embedded, "an array" EmbeddedInArray, "iterators" EmbeddedInIterators);
     vec![loops, embedded]

@@ -39,9 +39,22 @@ fn start() -> Phase<Vec<[f64; 3]>> {
     Phase::new((0..atoms).map(site).collect(), (0..atoms).map(going).collect())
 }
 
-/// Silicon with this sum over triplets.
+/// Silicon with this sum over triplets, beside one over pairs or, as `whole`, with the pairs in it.
 macro_rules! silicon {
     ($name:ident, |$self:ident, $q:ident, $v:ident| $triplets:block) => {
+        silicon!(whole $name, |$self, $q, $v| {
+            for i in 0..$q.len() {
+                for j in 0..i {
+                    let r = $self.length($self.leg($q[i], $q[j]));
+                    if r < $self.0.cutoff {
+                        $v += $self.bond(r);
+                    }
+                }
+            }
+            $triplets
+        });
+    };
+    (whole $name:ident, |$self:ident, $q:ident, $v:ident| $energy:block) => {
         struct $name(Parameters);
 
         #[hamiltonian]
@@ -51,16 +64,11 @@ macro_rules! silicon {
             }
             fn potential(&$self, $q: &[[f64; 3]]) -> f64 {
                 let mut $v = 0.0;
-                for i in 0..$q.len() {
-                    for j in 0..i {
-                        let r = $self.length($self.leg($q[i], $q[j]));
-                        if r < $self.0.cutoff {
-                            $v += 7.049556277 * (0.6022245584 / r.powi(4) - 1.0) * (1.0 / (r - $self.0.cutoff)).exp();
-                        }
-                    }
-                }
-                $triplets
+                $energy
                 $v
+            }
+            fn bond(&self, r: f64) -> f64 {
+                7.049556277 * (0.6022245584 / r.powi(4) - 1.0) * (1.0 / (r - self.0.cutoff)).exp()
             }
             fn leg(&self, a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
                 [0, 1, 2].map(|d| (b[d] - a[d]) - self.0.side * ((b[d] - a[d]) / self.0.side).round())
@@ -93,6 +101,25 @@ silicon!(Skips, |self, q, v| {
                 if k != i && self.length(w) < self.0.cutoff {
                     v += self.bend(u, w);
                 }
+            }
+        }
+    }
+});
+silicon!(whole Joined, |self, q, v| {
+    for i in 0..q.len() {
+        for j in 0..q.len() {
+            let u = self.leg(q[i], q[j]);
+            let r = self.length(u);
+            if j == i || r >= self.0.cutoff {
+                continue;
+            }
+            v += 0.5 * self.bond(r);
+            for k in j + 1..q.len() {
+                let w = self.leg(q[i], q[k]);
+                if k == i || self.length(w) >= self.0.cutoff {
+                    continue;
+                }
+                v += self.bend(u, w);
             }
         }
     }
@@ -246,7 +273,7 @@ impl ByHand {
 pub(crate) fn groups() -> Vec<Group<'static>> {
     let mut triplets = Group::new("triplets", 40);
     spellings!(triplets, parameters(), start(), STEP;
-        "continue, k after j" Skips, "half of all orders" Halves, "iterators, k before j" Sums,
+        "continue, k after j" Skips, "one condition" Joined, "half of all orders" Halves, "iterators, k before j" Sums,
     );
     let mut by_hand = ByHand::new();
     let energy = by_hand.energy();

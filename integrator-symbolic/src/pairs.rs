@@ -116,7 +116,7 @@ pub(crate) fn pairs(
     let mut written = graph.constant(0.0);
     for term in pairs {
         let term = merged::in_one_direction(graph, term, pair, parameters);
-        written = merged::sum(graph, written, term);
+        written = merged::sum(graph, [written, term], (pair, order::ends(ascending)), parameters);
     }
     let of_others = gradient(graph, others, Part::Position);
     if !of_others.is_empty() && !are_many {

@@ -30,7 +30,9 @@ fn of_pairs([coordinates, kinetic, potential]: [&str; 3]) -> Option<String> {
 
 /// Asserts that all potentials have the same code of pairs, and returns it.
 fn one_code(coordinates: &str, kinetic: &str, potentials: &[String]) -> String {
-    let mut texts = potentials.iter().map(|potential| of_pairs([coordinates, kinetic, potential]).expect("pairs"));
+    let mut texts = potentials.iter().map(|potential| {
+        of_pairs([coordinates, kinetic, potential]).unwrap_or_else(|| panic!("no pairs: {potential}"))
+    });
     let first = texts.next().expect("a potential");
     for (text, potential) in texts.zip(&potentials[1..]) {
         assert_eq!(text, first, "{potential}");
@@ -127,7 +129,7 @@ fn nearest_images_have_one_code() {
         "x - self.side * (x / self.side).round().max(-1.0).min(1.0)",
     ];
     for (images, own, other) in
-        [(&among_all[..], "round_ties_even", "max ("), (&beside, "round_ties_even () . max (", "less (-")]
+        [(&among_all[..], "round_ties_even", "less (-"), (&beside, "less (-", "round_ties_even")]
     {
         let texts = images.iter().map(|image| of_pairs([POINTS, OF_POINTS, &in_box(image)]).expect("pairs"));
         let texts: Vec<_> = texts.collect();
@@ -168,5 +170,120 @@ fn other_images_are_left_as_they_are() {
     for image in others {
         let text = of_pairs([POINTS, OF_POINTS, &in_box(image)]).expect("pairs");
         assert!(!text.contains("round_ties_even"), "{image}: {text}");
+    }
+}
+
+/// Conditions on the indices `i` and `j` of all bodies, around the energy of a pair.
+#[test]
+fn conditions_on_indices_have_one_code() {
+    const HALVED: &str = "0.5 * self.m[i] * self.m[j] *";
+    let loops = |guard: &str, factor: &str, end: &str| {
+        format!(
+            "let mut v = 0.0; for i in 0..q.len() {{ for j in 0..q.len() {{ \
+             let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); \
+             {guard} v += {factor} (self.cutoff - r2).powi(2); {end} }} }} v"
+        )
+    };
+    let within = [
+        ("if i != j { if r2 < self.cutoff {", "} }"),
+        ("if r2 < self.cutoff { if j != i {", "} }"),
+        ("if i != j && r2 < self.cutoff {", "}"),
+        ("if r2 < self.cutoff && j != i {", "}"),
+        ("if !(i == j || !(r2 < self.cutoff)) {", "}"),
+        ("if !(i != j && r2 < self.cutoff) { continue; }", ""),
+        ("if j == i || !(r2 < self.cutoff) { continue; }", ""),
+        ("let is_left_out = i == j; if is_left_out {} else if r2 < self.cutoff {", "}"),
+    ];
+    let beyond = [
+        ("if i == j { continue; } if r2 >= self.cutoff { continue; }", ""),
+        ("if i == j || r2 >= self.cutoff { continue; }", ""),
+        ("if self.cutoff <= r2 || j == i { continue; }", ""),
+        ("if !(i != j && !(r2 >= self.cutoff)) { continue; }", ""),
+    ];
+    for guards in [&within[..], &beyond] {
+        let potentials: Vec<String> = guards.iter().map(|(guard, end)| loops(guard, HALVED, end)).collect();
+        one_code(POINTS, OF_POINTS, &potentials);
+    }
+    let filtered = |filter: &str| {
+        format!(
+            "let square = |i: usize, j: usize| (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum::<f64>(); let mut v = 0.0; \
+             for i in 0..q.len() {{ for j in (0..q.len()).filter(|&j| {filter}) {{ \
+             v += 0.5 * self.m[i] * self.m[j] * (self.cutoff - square(i, j)).powi(2); }} }} v"
+        )
+    };
+    let filters = ["j != i && square(i, j) < self.cutoff", "!(j == i || !(square(i, j) < self.cutoff))"];
+    let mut potentials = filters.map(filtered).to_vec();
+    potentials.push(loops(within[0].0, HALVED, within[0].1));
+    one_code(POINTS, OF_POINTS, &potentials);
+    // Each pair once, in loops over all bodies.
+    let once = format!(
+        "{BEFORE} let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); \
+         if r2 < self.cutoff {{ v += (self.cutoff - r2).powi(2); }} }} }} v"
+    );
+    let once = of_pairs([POINTS, OF_POINTS, &once]).expect("pairs");
+    let halves = [
+        ("if j < i { if r2 < self.cutoff {", "} }"),
+        ("if j < i && r2 < self.cutoff {", "}"),
+        ("if r2 < self.cutoff && i > j {", "}"),
+        ("if j >= i || !(r2 < self.cutoff) { continue; }", ""),
+        ("if j > i && r2 < self.cutoff {", "}"),
+        ("if j <= i || !(r2 < self.cutoff) { continue; }", ""),
+    ];
+    for (guard, end) in halves {
+        let text = of_pairs([POINTS, OF_POINTS, &loops(guard, "", end)]).expect(guard);
+        assert_eq!(statements(&text), statements(&once), "{guard}");
+    }
+    // The order of the bodies may decide what a pair adds.
+    let text = of_pairs([
+        POINTS,
+        OF_POINTS,
+        &loops("if j == i || r2 >= self.cutoff { continue; } if j > i { v -= q[i][0]; }", "", ""),
+    ]);
+    assert_eq!(text, None);
+}
+
+/// Loops over all bodies that add half of the pairs prepare tables by the kinds of bodies, as loops over half of the pairs do.
+#[test]
+fn tables_under_conditions_on_indices_are_by_kind() {
+    for guard in ["j < i", "i > j && r2 < 2.0", "!(j >= i)", "i < j", "j > i && i != j", "i != j"] {
+        let energy = "self.depth[self.kind[i]][self.kind[j]] * (self.cutoff - r2).powi(2)";
+        let text = format!(
+            "impl Bodies {{ fn kinetic(&self, p: {POINTS}) -> f64 {{ {OF_POINTS} }} fn potential(&self, q: {POINTS}) -> f64 {{ \
+             let mut v = 0.0; for i in 0..q.len() {{ for j in 0..q.len() {{ \
+             let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); \
+             if {guard} {{ if r2 < self.cutoff {{ v += {energy}; }} }} }} }} v }} }}"
+        );
+        let text = hamiltonian(proc_macro2::TokenStream::new(), text.parse().expect("tokens")).to_string();
+        assert!(text.contains("LISTED_FROM") && text.contains("ByClass"), "{guard}: {text}");
+        // No number of each pair.
+        assert!(!text.contains("SharedTable < runtime :: SharedTable"), "{guard}: {text}");
+        // Nothing is shown to people but the user's own text.
+        assert!(!text.contains("`if") && !text.contains("\"if"), "{guard}: {text}");
+    }
+}
+
+/// Loops that add parts of the same pairs look up one entry for each pair, if it depends on one value of each body.
+#[test]
+fn several_loops_look_up_one_entry() {
+    let kinds = "self.depth[self.kind[i]][self.kind[j]]";
+    let rows = [
+        (&[("0..i", "0.5"), ("i + 1..q.len()", "0.25")][..], kinds, 1),
+        (&[("(0..q.len()).filter(|&j| j != i)", "0.5")], kinds, 1),
+        (&[("0..i", "0.2"), ("(0..q.len()).filter(|&j| j != i)", "-0.5"), ("i + 1..q.len()", "self.k")], kinds, 1),
+        // Two values of each body.
+        (&[("(0..q.len()).filter(|&j| j != i)", "0.5")], "self.depth[self.kind[i]][self.type_of[j]]", 2),
+    ];
+    for (loops, depth, entries) in rows {
+        let terms = loops.iter().map(|(range, factor)| {
+            format!(
+                "for j in {range} {{ let r2: f64 = (0..3).map(|k| (q[i][k] - q[j][k]).powi(2)).sum(); \
+                 if r2 < self.cutoff {{ v += {factor} * {depth} * (self.cutoff - r2).powi(2); }} }}"
+            )
+        });
+        let potential = format!("let mut v = 0.0; for i in 0..q.len() {{ {} }} v", terms.collect::<String>());
+        let text = of_pairs([POINTS, OF_POINTS, &potential]).expect("pairs");
+        let (_, pair) = text.split_once("fn pair").expect("a function of a pair");
+        let (pair, _) = pair.split_once("fn interacts").expect("a cutoff");
+        assert_eq!(pair.matches(". entry").count(), entries, "{potential}: {pair}");
     }
 }

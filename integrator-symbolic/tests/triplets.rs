@@ -61,6 +61,30 @@ fn every_spelling_is_one_of_triplets() {
     }
 }
 
+/// Terms of pairs in the loops over triplets are pairs, whatever the conditions around both are.
+#[test]
+fn pairs_beside_triplets_are_no_other_terms() {
+    let guards = [
+        ("if j == i { continue; } if a >= self.a { continue; }", ""),
+        ("if j == i || a >= self.a { continue; }", ""),
+        ("if a >= self.a || i == j { continue; }", ""),
+        ("if !(j != i && a < self.a) { continue; }", ""),
+        ("if j != i && a < self.a {", "}"),
+        ("if a < self.a { if i != j {", "} }"),
+    ];
+    for (guard, end) in guards {
+        let spelling = format!(
+            "for i in 0..q.len() {{ for j in 0..q.len() {{ let a = square(i, j); {guard} v += (self.a - a).powi(2); \
+             for k in j + 1..q.len() {{ if k == i || square(i, k) >= self.a {{ continue; }} v += bend(i, j, k); }} {end} }} }}"
+        );
+        let (name, cost, slower) = kick(&spelling);
+        assert_eq!((name, cost), ("triplets", Some("the pairs and triplets within the cutoff")), "{spelling}");
+        assert!(slower.is_empty(), "{spelling}: {slower:?}");
+        let expanded = hamiltonian(TokenStream::new(), system(&spelling)).to_string();
+        assert!(!expanded.contains("OTHER_TERMS"), "{spelling}");
+    }
+}
+
 /// Terms beside triplets keep their form.
 #[test]
 fn other_terms_are_apart_from_triplets() {

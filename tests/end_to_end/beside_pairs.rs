@@ -37,6 +37,8 @@ pub(super) struct Parameters {
     pub(super) strengths_of_types: Vec<[f64; 3]>,
     pub(super) reaches_of_types: Vec<Vec<f64>>,
     pub(super) types: Vec<usize>,
+    /// Types in ascending order.
+    pub(super) layers: Vec<usize>,
     pub(super) bonds: Vec<[usize; 2]>,
     /// Bodies that come before a body and have no force on it, but for the first body, and pairs of bodies.
     pub(super) excluded: Vec<Vec<u32>>,
@@ -69,6 +71,7 @@ impl Parameters {
             // The lower triangle.
             reaches_of_types: vec![vec![2.0], vec![1.1, 1.7], vec![0.9, 1.5, 2.2]],
             types: (0..BODIES).map(|i| i * 5 % 7 % 3).collect(),
+            layers: (0..BODIES).map(|i| i / 150).collect(),
             bonds: (1..BODIES).filter(|i| i % 5 > 0).map(|i| [i - 1, i]).collect(),
             excluded: (1..BODIES as u32).map(|i| vec![i - 1, i * 3 % 7, i / 2]).collect(),
             bonded: (2..BODIES).flat_map(|i| [(i - 2, i), (i, i - 1), (i * 11 % i, i)]).collect(),

@@ -10,6 +10,7 @@ mod by_hand;
 #[path = "../../integrator-core/src/composition/catalogue_list.rs"]
 mod catalogue;
 mod changed_states;
+mod conditions_on_indices;
 mod densities;
 mod divergence;
 mod ends_of_loops;

@@ -64,6 +64,10 @@ pub(crate) trait Parameters {
     ) -> Option<NodeId> {
         None
     }
+    /// A sum of entries of tables as the entry of one table; `None` as for others.
+    fn sum(&mut self, _graph: &mut Graph, _id: NodeId, _pair: [LoopId; 2], _ends: [Option<End>; 2]) -> Option<NodeId> {
+        None
+    }
     /// The parameter as a number that is zero at one end of a loop and does not read its list there; `None` as for others.
     fn without(
         &mut self,

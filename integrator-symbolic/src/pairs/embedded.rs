@@ -76,7 +76,7 @@ impl Embedded {
         }
         let (pair, addend) = match graph.node(sum) {
             Node::Sum(other, body) if is_partner(graph, length, by, other) == Some(true) => {
-                ([by, other], addend_of_distinct_pair(graph, by, other, body)?)
+                ([by, other], addend_of_distinct_pair(graph, [by, other], body)?)
             }
             Node::Add(a, b) => before_and_after(graph, [a, b], by, length, parameters)?,
             _ => return None,

@@ -1,8 +1,8 @@
 //! Nearest images in a periodic box, whose squares get one form however they are written.
 //!
 //! In: an energy. Out: the same energy up to rounding, with `x - L round(x / L)` in place of other images. Those among the nearest
-//! boxes only, as by branches or by the shorter one of both ways, shift by one side at most. Both forms are odd in `x`, so the bodies
-//! of a pair may be exchanged.
+//! boxes only, as by branches or by the shorter one of both ways, shift by one side at most, by two comparisons with half a side: these take
+//! as long as rounding, and a bound on the rounded number takes longer. Both forms are odd in `x`, so the bodies of a pair may be exchanged.
 //!
 //! Proved property: the square is the same for every displacement and every side above zero, but at `x = (n + 1/2) L`, where both
 //! images are as far. If each operation of an image results in `n x / L + m / 2` with integers, `|n| <= 1`, then its edges are at
@@ -65,16 +65,26 @@ fn in_one_form(graph: &mut Graph, image: NodeId, parameters: &mut dyn Parameters
         Some((side, kind))
     })?;
     let [x, _] = both;
-    let quotient = graph.div(x, side);
-    let mut whole = graph.call("round_ties_even", quotient);
-    if kind == Kind::AmongNearest {
-        for (name, bound) in [("max", -1.0), ("min", 1.0)] {
-            let bound = graph.constant(bound);
-            whole = graph.call_two(name, whole, bound);
+    Some(match kind {
+        Kind::Periodic => {
+            let quotient = graph.div(x, side);
+            let whole = graph.call("round_ties_even", quotient);
+            let shift = graph.mul(side, whole);
+            graph.sub(x, shift)
         }
-    }
-    let shift = graph.mul(side, whole);
-    Some(graph.sub(x, shift))
+        Kind::AmongNearest => {
+            let [two, zero] = [2.0, 0.0].map(|number| graph.constant(number));
+            let half = graph.div(side, two);
+            let minus_half = graph.neg(half);
+            let shift = |graph: &mut Graph, less, greater| {
+                let is_beyond = graph.compare(Comparison::Less, less, greater);
+                graph.select(is_beyond, side, zero)
+            };
+            let [down, up] = [shift(graph, half, x), shift(graph, x, minus_half)];
+            let lowered = graph.sub(x, down);
+            graph.add(lowered, up)
+        }
+    })
 }
 
 /// An image by a quotient, if the text does not show that it is one by the side, such as a product with another parameter:

@@ -4,11 +4,14 @@
 //! In: energies in the loops over one pair. Out: one that is equal up to rounding. Always true: displacements point from the second body
 //! to the first in every term that stays the same if they do.
 
-use super::{exchange::Forms, order::rewritten};
+use super::{
+    exchange::{Forms, is_symmetric},
+    order::rewritten,
+};
 use crate::graph::{
     Element, Graph, Node, NodeId, Part,
     index::{Index, LoopId},
-    rename::Parameters,
+    rename::{End, Parameters},
 };
 
 /// An energy whose displacements point from the second body to the first, if it is equal to that.
@@ -45,11 +48,16 @@ fn in_place_of(graph: &mut Graph, id: NodeId, pair: [LoopId; 2]) -> Option<(usiz
 }
 
 /// The sum of two energies, inside of a condition of both, and with a factor of both outside of the sum of their constants.
-pub(super) fn sum(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId {
+pub(super) fn sum(
+    graph: &mut Graph,
+    [a, b]: [NodeId; 2],
+    of: ([LoopId; 2], [Option<End>; 2]),
+    parameters: &mut dyn Parameters,
+) -> NodeId {
     if let (Some((condition, of_a)), Some((other, of_b))) = (choice(graph, a), choice(graph, b))
         && condition == other
     {
-        let [first, second] = [0, 1].map(|side| sum(graph, of_a[side], of_b[side]));
+        let [first, second] = [0, 1].map(|side| sum(graph, [of_a[side], of_b[side]], of, parameters));
         return graph.select(condition, first, second);
     }
     let (of_a, of_b) = (Product::of(graph, a), Product::of(graph, b));
@@ -57,9 +65,33 @@ pub(super) fn sum(graph: &mut Graph, a: NodeId, b: NodeId) -> NodeId {
         true => graph.add(a, b),
         false => {
             let constant = graph.add(of_a.constant, of_b.constant);
+            let constant = looked_up_once(graph, constant, of, parameters).unwrap_or(constant);
             of_a.moving.into_iter().fold(constant, |product, factor| graph.mul(product, factor))
         }
     }
+}
+
+/// A sum of entries of tables as one entry. Where pairs come in both orders, the sum of two entries has to be the same in both.
+fn looked_up_once(
+    graph: &mut Graph,
+    sum: NodeId,
+    (pair, ends): ([LoopId; 2], [Option<End>; 2]),
+    parameters: &mut dyn Parameters,
+) -> Option<NodeId> {
+    let are_both_orders = ends[0].is_none();
+    let is_entry = |id: &NodeId| matches!(graph.node(*id), Node::Entry(..));
+    let count = graph.reachable([sum]).iter().filter(|id| is_entry(id)).count();
+    if are_both_orders && (count != 2 || !is_symmetric(graph, sum, pair, parameters)?) {
+        return None;
+    }
+    let entry = parameters.sum(graph, sum, pair, ends)?;
+    if are_both_orders
+        && let Node::Entry(table, ..) = graph.node(entry)
+        && let Node::Parameter(table) = graph.node(table)
+    {
+        graph.declare_symmetric(table);
+    }
+    Some(entry)
 }
 
 /// The condition of a choice, and both sides with the constants in front of it.

@@ -250,11 +250,12 @@ pub(crate) fn with_numbers_of_each(
     Visited { pair, ascending }: Visited,
     parameters: &mut dyn Parameters,
 ) -> NodeId {
+    let reachable = graph.reachable([energy]);
     let meets_itself = |id: NodeId| match graph.node(id) {
-        Node::Sum(other, body) => other == pair[1] && addend_of_distinct_pair(graph, pair[0], other, body).is_none(),
+        Node::Sum(other, body) => other == pair[1] && addend_of_distinct_pair(graph, pair, body).is_none(),
         _ => false,
     };
-    if ascending.is_none() && graph.reachable([energy]).into_iter().any(meets_itself) {
+    if ascending.is_none() && reachable.into_iter().any(meets_itself) {
         return energy;
     }
     let ends = ends(ascending);
@@ -309,6 +310,7 @@ pub(crate) fn rewritten(
             None => {
                 let node = graph.node(id);
                 let of = |id: NodeId| new.get(&id).copied().unwrap_or(id);
+                let is_zero = |graph: &Graph, id| graph.as_constant(of(id)) == Some(0.0);
                 if node.children().all(|child| of(child) == child) {
                     id
                 } else {
@@ -317,6 +319,10 @@ pub(crate) fn rewritten(
                         Node::And(a, b) => graph.and(of(a), of(b)),
                         Node::Or(a, b) => graph.or(of(a), of(b)),
                         Node::Not(a) => graph.not(of(a)),
+                        // A term or a factor may have become zero.
+                        Node::Add(a, b) if is_zero(graph, a) || is_zero(graph, b) => graph.add(of(a), of(b)),
+                        Node::Mul(a, b) if is_zero(graph, a) || is_zero(graph, b) => graph.mul(of(a), of(b)),
+                        Node::Neg(a) if is_zero(graph, a) => graph.neg(of(a)),
                         _ => graph.rebuilt(node.map(of)),
                     }
                 }

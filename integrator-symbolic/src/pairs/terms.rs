@@ -6,7 +6,7 @@ use super::{
     merged::{in_one_direction, sum},
     order::{ends, with_numbers},
     over_all,
-    partners::{Visited, addend_of_distinct_pair, is_before, is_partner},
+    partners::{Half, Visited, addend_of_distinct_pair, is_before, is_partner},
     reads_only,
     renamed::renamed,
     triplets::{Finder, Triplets},
@@ -233,23 +233,26 @@ impl<'p> Terms<'p> {
     ) -> Option<NodeId> {
         let Node::Sum(other, body) = graph.node(id) else { return None };
         let twice = is_partner(graph, self.length, by, other)?;
-        let (pair, before) = ([by, other], is_before(graph, by, other));
-        let is_known = self.pair.is_none_or(|known| known == pair);
+        let before = is_before(graph, by, other);
         if first != 0 && (twice || !before) || is_short && (twice || before) {
             return self.refuse(Reason::Unrecognised);
         }
-        if !is_known && !self.are_many {
-            return self.refuse(Reason::PairCounts);
-        }
-        let body = match twice {
-            true => match addend_of_distinct_pair(graph, by, other, body) {
+        let (mut pair, mut body, mut ascending) = ([by, other], body, (!twice).then_some(!before));
+        if twice {
+            body = match addend_of_distinct_pair(graph, pair, body) {
                 None if reads_only(graph, body, &pair, self.parameters) => return self.refuse(Reason::PairWithItself),
                 None => return self.refuse(Reason::Unrecognised),
                 Some(body) => body,
-            },
-            false => body,
-        };
-        let ascending = (!twice).then_some(!before);
+            };
+            if let Some(half) = Half::of(graph, pair, body, self.parameters) {
+                self.visited.push(Visited { pair, ascending: half.ascending });
+                (pair, body, ascending) = ([by, half.before], half.addend, Some(false));
+            }
+        }
+        let (twice, is_known) = (ascending.is_none(), self.pair.is_none_or(|known| known == pair));
+        if !is_known && !self.are_many {
+            return self.refuse(Reason::PairCounts);
+        }
         let once = graph.mul(factor, body);
         let mut energy = self.with_conditions(graph, once, pair, ascending)?;
         // Of few bodies, energies that are not symmetric are no pairs.
@@ -260,7 +263,7 @@ impl<'p> Terms<'p> {
         } else if twice {
             let exchanged = renamed(graph, energy, Renaming::exchange(pair), self.parameters)?;
             let both = [energy, exchanged].map(|energy| in_one_direction(graph, energy, pair, self.parameters));
-            energy = sum(graph, both[0], both[1]);
+            energy = sum(graph, both, (pair, [None; 2]), self.parameters);
         }
         self.in_known_loops(graph, energy, pair, ascending)
     }

@@ -8,6 +8,7 @@ use super::{
     cutoff::{Cutoff, cutoff},
     exchange::Forms,
     order::{rewritten, with_numbers},
+    partners::in_order,
     reads_only,
     renamed::renamed,
     terms::addends,
@@ -282,27 +283,6 @@ fn under(graph: &mut Graph, conditions: &[(NodeId, bool)], term: NodeId) -> Node
     conditions.iter().rev().fold(term, |term, (condition, holds)| match holds {
         true => graph.select(*condition, term, zero),
         false => graph.select(*condition, zero, term),
-    })
-}
-
-/// A node where two indices have an order; `None` if they are merely not equal.
-fn in_order(graph: &mut Graph, node: NodeId, [a, b]: [LoopId; 2], order: Option<Ordering>) -> NodeId {
-    let pair = [a, b].map(Index::Running);
-    rewritten(graph, node, |graph, id| {
-        let Node::CompareIndex(comparison, x, y) = graph.node(id) else { return None };
-        let named = [x, y].map(|index| graph.loops.index(index));
-        let order = match named {
-            _ if named == pair => order,
-            _ if named == [pair[1], pair[0]] => order.map(Ordering::reverse),
-            _ => return None,
-        };
-        let holds = match (comparison, order) {
-            (Comparison::Equal, _) => order == Some(Ordering::Equal),
-            (_, None) => return None,
-            (Comparison::Less, Some(order)) => order.is_lt(),
-            (Comparison::LessOrEqual, Some(order)) => order.is_le(),
-        };
-        Some(graph.truth(holds))
     })
 }
 

@@ -103,7 +103,7 @@ impl Sums<'_, '_> {
         }
         let [by, inner] = pair;
         let square = Square::of(graph, by, inner)?;
-        let (term, has_equal) = match addend_of_distinct_pair(graph, by, inner, term) {
+        let (term, has_equal) = match addend_of_distinct_pair(graph, pair, term) {
             Some(term) => (term, false),
             None => (term, true),
         };

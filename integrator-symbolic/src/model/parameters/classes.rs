@@ -138,6 +138,7 @@ impl Texts<'_> {
         let table = self.table(graph, "ByClass", whole);
         let shown = self.own_text(id);
         self.show(table, &shown);
+        self.entries.insert(table, (pair, [own.clone(), shown]));
         graph.declare_like(table, id);
         Some(graph.entry(table, row, column))
     }

@@ -32,6 +32,8 @@ pub(crate) struct Texts<'m> {
     pub(super) count: Ident,
     /// The parameters by the loops whose indices they mention, and by their text; filled when first requested.
     known: HashMap<(LoopSet, String), ParameterId>,
+    /// What the entries of tables by classes are: the loops over the two bodies of a pair, and the text of an entry, also as shown.
+    pub(super) entries: HashMap<ParameterId, ([LoopId; 2], [TokenStream; 2])>,
 }
 
 impl Parameters for Texts<'_> {
@@ -52,17 +54,19 @@ impl Parameters for Texts<'_> {
         {
             return None;
         }
-        let text = with_indices(&text, &|by| match renaming.of(by) {
+        let index = |by: LoopId| match renaming.of(by) {
             // The index of a closure in the text changes places with one that it would capture.
             _ if !loops.contains(by) => renamed_to(by).map(|from| running_index(from).into()),
             Place::Loop(to) => Some(running_index(to).into()),
             Place::Number(value) => Some(Literal::u64_unsuffixed(value).into()),
-        });
+        };
+        let [text, own] = [text, self.own_text(id)].map(|text| with_indices(&text, &index));
         let loops = loops.iter().fold(LoopSet::EMPTY, |set, by| match renaming.of(by) {
             Place::Loop(to) => set.union(LoopSet::of(to)),
             Place::Number(_) => set,
         });
         let renamed = self.id(graph, text, loops);
+        self.show(renamed, &own);
         graph.declare_like(renamed, id);
         if !loops.is_empty() {
             self.parameters[renamed.0 as usize].whole = self.parameters[id.0 as usize].whole.clone();
@@ -131,9 +135,7 @@ impl Parameters for Texts<'_> {
     fn of_distinct(&mut self, graph: &mut Graph, id: ParameterId, bodies: [LoopId; 3]) -> ParameterId {
         let mut text = self.text(id);
         let known = text.to_string();
-        while let Some((condition, inner)) = guarded(&text)
-            && (are_distinct(&condition, &bodies) || asks_for_indices(&condition) && unlooked(&inner).is_some())
-        {
+        while let Some(inner) = unguarded(&text, &bodies, None) {
             text = inner;
         }
         if text.to_string() == known {
@@ -149,6 +151,10 @@ impl Parameters for Texts<'_> {
 
     fn choice(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
         self.choice_of_pair(graph, id, pair, ends)
+    }
+
+    fn sum(&mut self, graph: &mut Graph, id: NodeId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> Option<NodeId> {
+        self.sum_of_pair(graph, id, pair, ends)
     }
 
     fn without(
@@ -245,7 +251,14 @@ impl<'m> Texts<'m> {
         running: &'m mut HashMap<LoopId, Ident>,
         root: &'m syn::Path,
     ) -> Self {
-        Self { parameters, running, root, count: format_ident!("length"), known: HashMap::new() }
+        Self {
+            parameters,
+            running,
+            root,
+            count: format_ident!("length"),
+            known: HashMap::new(),
+            entries: HashMap::new(),
+        }
     }
 
     /// The same of bodies whose number is that of the coordinates or another one.
@@ -390,10 +403,7 @@ impl<'m> Texts<'m> {
     /// twice leave out.
     pub(super) fn text_of_pair(&self, id: ParameterId, pair: [LoopId; 2], ends: [Option<End>; 2]) -> TokenStream {
         let text = self.text(id);
-        match guarded(&text) {
-            Some((condition, inner)) if ends[0].is_none() && are_distinct(&condition, &pair) => inner,
-            _ => text,
-        }
+        unguarded(&text, &pair, ends[0]).unwrap_or(text)
     }
 
     /// The item of a list with the index of a loop.
@@ -561,13 +571,25 @@ fn guarded(text: &TokenStream) -> Option<(TokenStream, TokenStream)> {
     }
 }
 
-/// Whether a condition is that indices of these loops differ, and nothing else.
-fn are_distinct(condition: &TokenStream, bodies: &[LoopId]) -> bool {
+/// The text inside of a condition on the indices of these bodies, if the condition holds wherever they differ, or if the text is looked up
+/// where its lists have it.
+fn unguarded(text: &TokenStream, bodies: &[LoopId], end: Option<End>) -> Option<TokenStream> {
+    let (condition, inner) = guarded(text)?;
+    (is_known(&condition, bodies, end) || asks_for_indices(&condition) && unlooked(&inner).is_some()).then_some(inner)
+}
+
+/// Whether a condition always holds since the indices of these loops differ, and the first of them has no partner at this end.
+fn is_known(condition: &TokenStream, bodies: &[LoopId], end: Option<End>) -> bool {
     let text: String = condition.to_string().chars().filter(|letter| !matches!(letter, ' ' | '(' | ')')).collect();
+    let is_first_less = end.map(|end| end == End::Last);
     text.split("&&").all(|one| {
-        let pair = one.strip_prefix('!').and_then(|equal| equal.split_once("=="));
-        let is_own = |name| bodies.iter().any(|by| running_index(*by) == name);
-        pair.is_some_and(|(first, second)| first != second && is_own(first) && is_own(second))
+        let (one, holds) = one.strip_prefix('!').map_or((one, true), |one| (one, false));
+        let position = |name| bodies.iter().position(|by| running_index(*by) == name);
+        let parts = ["==", "<=", "<"].into_iter().find_map(|sign| Some((sign, one.split_once(sign)?)));
+        let Some((sign, (a, b))) = parts else { return false };
+        let (Some(a), Some(b)) = (position(a), position(b)) else { return false };
+        let is_less = is_first_less.map(|first| first == (a < b));
+        a != b && if sign == "==" { !holds } else { is_less == Some(holds) }
     })
 }
 
