@@ -201,7 +201,7 @@ macro_rules! fast_dual {
 
 macro_rules! dual_real {
     (
-        { $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty; }
+        { $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty, Wide = $wide:ty; }
         unary { $($unary:ident($x:ident) { value: $value:tt; slope: $value_and_slope:expr; $($more:tt)* })* }
         binary { $($binary:ident($a:ident, $b:ident) { value: $value_of_two:tt; dual: $dual:expr; $($more_of_two:tt)* })* }
     ) => {
@@ -213,8 +213,8 @@ macro_rules! dual_real {
             type Mask = F::Mask;
             type Block = $block;
             type Row<const $bodies: usize> = $row;
-            type Wide = Self;
-            type Bundle = Self;
+            type Wide = $wide;
+            type Bundle = $wide;
             type Pair = Lanes<Self, 2>;
 
             #[inline(always)]
@@ -388,9 +388,10 @@ macro_rules! dual_real {
 elementary_functions!(rows of dual_real! {
     false,
     Block = Dual<F::Block, N, true, SENSITIVE>,
-    Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>;
+    Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>,
+    Wide = Dual<F::Wide, N, true, SENSITIVE>;
 });
-elementary_functions!(rows of dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
+elementary_functions!(rows of dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>, Wide = Self; });
 
 #[cfg(test)]
 mod tests {
