@@ -536,13 +536,18 @@ impl<C: Coords> Run<C> {
     }
 
     pub(crate) fn parts(&self) -> Parts {
+        self.parts_of(|| self.state())
+    }
+
+    /// The energies at [`Run::time`], for the state there.
+    pub(crate) fn parts_of(&self, state: impl FnOnce() -> Phase<C>) -> Parts {
         let time = self.time();
         if self.between.is_none()
             && let Some(parts) = self.engine.energy(self.since_opened(), time)
         {
             return parts;
         }
-        self.energies.parts(&self.state(), time, self.engine.motions.found().as_ref())
+        self.energies.parts(&state(), time, self.engine.motions.found().as_ref())
     }
 
     /// Changes the state between two steps.
@@ -691,6 +696,26 @@ impl<C: Coords> Run<C> {
     pub(crate) fn lane(&self, lane: usize) -> Phase<C> {
         let mut point = self.shape.clone();
         self.engine.lane(self.since_opened(), lane, &mut point);
+        point
+    }
+
+    /// The first two lanes at the end of the last step.
+    #[cfg(feature = "check")]
+    pub(crate) fn state_and_next_lane(&self) -> [Phase<C>; 2] {
+        let mut points = [self.shape.clone(), self.shape.clone()];
+        self.engine.read(self.since_opened(), |completed, shown| {
+            for (lane, point) in points.iter_mut().enumerate() {
+                show(completed, shown, lane, point);
+            }
+        });
+        points
+    }
+
+    /// A lane in the middle of the current step, in the coordinates of the motion.
+    #[cfg(feature = "check")]
+    pub(crate) fn own_lane(&self, lane: usize) -> Phase<C> {
+        let mut point = self.shape.clone();
+        self.engine.unfinished(Form::Own, lane, &mut point);
         point
     }
 
