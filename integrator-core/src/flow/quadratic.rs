@@ -265,8 +265,8 @@ impl Group {
             for (column, z) in matrix.chunks_exact(2 * rows).zip(&*z) {
                 let (of_high, of_low) = column.split_at(rows);
                 for row in 0..rows {
-                    high[row] = of_high[row].fma(*z, high[row]);
-                    low[row] = of_low[row].fma(*z, low[row]);
+                    high[row] = of_high[row].scale_add(*z, high[row]);
+                    low[row] = of_low[row].scale_add(*z, low[row]);
                 }
             }
             if let Some(everywhere) = matrix.get(2 * rows * rows..).filter(|column| !column.is_empty()) {
@@ -313,11 +313,11 @@ impl<R: Real, const W: usize> Matrix<R, W> {
             let z = slot.value();
             for row in 0..W {
                 if column == 0 {
-                    high[row] = self.high[column][row] * z;
-                    low[row] = self.low[column][row] * z;
+                    high[row] = self.high[column][row].scale(z);
+                    low[row] = self.low[column][row].scale(z);
                 } else {
-                    high[row] = self.high[column][row].fma(z, high[row]);
-                    low[row] = self.low[column][row].fma(z, low[row]);
+                    high[row] = self.high[column][row].scale_add(z, high[row]);
+                    low[row] = self.low[column][row].scale_add(z, low[row]);
                 }
             }
         }
