@@ -59,8 +59,9 @@ struct Matrices<R> {
 impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solver<P> for Quadratic<R, PART, LONE> {
     /// By measurement, two oscillators and a rest, ns per stage in memory and in registers: 16 and 6 where a stage begins with
     /// a kick, which stores two numbers of four that are then loaded together, and 7.6 and 10 where it begins with a
-    /// drift, as the call for a new duration is prepared for at each stage.
-    const IN_REGISTERS: InRegisters = InRegisters::Kicked;
+    /// drift, as the call for a new duration is prepared for at each stage. With a deviation vector these are 16 and 12, since
+    /// its numbers are stored one by one, too.
+    const IN_REGISTERS: InRegisters = if R::LANES == R::MEMBERS { InRegisters::Kicked } else { InRegisters::Always };
 
     fn of(constants: &[&P], length: usize) -> Self {
         let form = |parameters: &&P| {
