@@ -219,7 +219,8 @@ macro_rules! dual_real {
 
             #[inline(always)]
             fn of(x: f64) -> Self {
-                Self { value: F::of(x), along: [F::of(0.0); N] }
+                // Minus zero, which changes no number that it is added to, so that the compiler leaves the addition out.
+                Self { value: F::of(x), along: [F::of(-0.0); N] }
             }
             #[inline(always)]
             fn lane(self, lane: usize) -> f64 {
@@ -272,6 +273,11 @@ macro_rules! dual_real {
             fn square_add(self, c: Self) -> Self {
                 let slope = self.value + self.value;
                 dual!(self.value.square_add(c.value), direction => slope.fma(self.along[direction], c.along[direction]))
+            }
+            #[inline(always)]
+            fn square_from(self, c: Self) -> Self {
+                let slope = -(self.value + self.value);
+                dual!(self.value.square_from(c.value), direction => slope.fma(self.along[direction], c.along[direction]))
             }
             #[inline]
             fn lane_by_lane<const A: usize>(
@@ -467,6 +473,7 @@ mod tests {
             ("a power", at(2.0, 0.0).powf(Dual::of(3.0)), 12.0),
             ("a square", at(3.0, 0.5).square(), 5.0),
             ("a square and a line", at(3.0, 0.5).square_add(at(3.0, 0.25)), 5.25),
+            ("a line and a square below it", at(3.0, 0.5).square_from(at(3.0, 0.25)), -4.75),
             ("radial", at(2.0, 0.0).div_pow_3_2(at(2.0, 0.0)), 0.75 * 2.0_f64.powf(-2.5)),
         ] {
             assert!(within(second(dual) - exact, 8.0 * f64::EPSILON), "{name}: {dual:?} for {exact}");

@@ -347,7 +347,7 @@ impl<C: Coords> Run<C> {
 
     /// The report on the step that could not be taken.
     pub(crate) fn divergence(&self) -> Divergence {
-        self.state_at_step().divergence(&self.tried(), self.clock).at_own_time(self.time_in_state())
+        self.state_at_step().divergence(&self.tried_lane(0), self.clock).at_own_time(self.time_in_state())
     }
 
     /// Shows a state of the step that would be next.
@@ -453,14 +453,7 @@ impl<C: Coords> Run<C> {
 
     /// The state at the end of the last step.
     pub(crate) fn state_at_step(&self) -> Phase<C> {
-        let mut state = self.shape.clone();
-        self.engine.state(self.since_opened(), &mut state);
-        state
-    }
-
-    /// Returns the state that the last step tried.
-    fn tried(&self) -> Phase<C> {
-        self.tried_lane(0)
+        self.lane(0)
     }
 
     /// Returns the energy `T + V` at [`Run::time`].
@@ -658,7 +651,7 @@ impl<C: Coords> Run<C> {
             Err(None) => Err(Error::Diverged(Divergence {
                 step,
                 time: clock.at(clock.steps) + duration,
-                ..clock.divergence(&from[0], &self.tried())
+                ..clock.divergence(&from[0], &self.tried_lane(0))
             })),
         }
     }

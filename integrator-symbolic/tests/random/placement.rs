@@ -67,10 +67,11 @@ const CALLED_IN_LOOPS: [(&str, &[usize]); 8] = [
 ];
 
 /// Methods of numbers that are operations.
-const METHODS: [&str; 24] = [
+const METHODS: [&str; 25] = [
     "square",
     "scale",
     "square_add",
+    "square_from",
     "scale_add",
     "fma",
     "div_pow_3_2",
