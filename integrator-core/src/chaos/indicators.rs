@@ -221,7 +221,10 @@ pub fn megno<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     follow::<H, X, K>(system, method, start.into_start(), h, steps, 1).map(|(of_one, _)| of_one)
 }
 
-/// Integrates an orbit with at most this number of vectors. Returns the indicators of the first, and all at the end.
+/// The indicators of the first vector, and all vectors at the end of the orbit.
+type Followed<C> = Result<(Megno, Vec<Phase<C>>), CheckError>;
+
+/// Integrates an orbit with at most this number of vectors.
 fn follow<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     system: &H,
     method: X,
@@ -229,7 +232,7 @@ fn follow<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     h: f64,
     steps: u64,
     most: usize,
-) -> Result<(Megno, Vec<Phase<Shaped<H, K>>>), CheckError> {
+) -> Followed<Shaped<H, K>> {
     let parameters = system.parameters(start.phase.q.length());
     let field = |state: &Phase<Shaped<H, K>>, time| field_at::<H, K>(&parameters, state, time);
     let directions = |phase: &Phase<Shaped<H, K>>, units: Units| {
@@ -284,12 +287,7 @@ pub(super) fn begin<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
 /// The velocities and the forces at a state and a time, as a list.
 type Field<'f, C> = dyn Fn(&Phase<C>, f64) -> Vec<f64> + 'f;
 
-fn of_tangent<C: Coords>(
-    mut tangent: Tangent<C>,
-    steps: u64,
-    units: Units,
-    field: &Field<'_, C>,
-) -> Result<(Megno, Vec<Phase<C>>), CheckError> {
+fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64, units: Units, field: &Field<'_, C>) -> Followed<C> {
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
