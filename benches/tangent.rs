@@ -10,18 +10,24 @@
 //!   1.1.
 //! - `ratio_tangent_map_<composition>_<steps>=` is the time of a chaos map of Hénon–Heiles orbits divided by that of the
 //!   ensemble without vectors; the target is 2.2. Short orbits are sampled every few steps, long ones every 64.
+//! - `ratio_tangent_taylor_<problem>_one=` and `_four=` are times by Taylor's method divided by that of the run alone; the target
+//!   with one vector is 3.
+//! - `ratio_megno_<composition>=` is the time of `chaos::megno` of the outer solar system in Jacobi coordinates divided by that of
+//!   the run alone; the target is 2.5. `_indicators=` is that of `chaos::indicators`, which integrates four vectors.
 
 use integrator_bench::{
     by_hand::{oscillators, tangent},
     plan::Plan,
+    problems::{Solar, jacobi::Jacobi},
     race::{Racer, race},
-    starts::Problems,
+    starts::{Problem, Problems},
     table::Table,
 };
 use integrator_core::{
     Coords, Memoryless,
     chaos::{self, Indicator},
     prelude::*,
+    taylor::{Recurrences, Taylor},
 };
 use std::error::Error;
 
@@ -29,6 +35,10 @@ use std::error::Error;
 const EVALUATIONS: u64 = 20_000;
 /// Number of rounds; odd, so that the median is the time of one round.
 const ROUNDS: usize = 41;
+
+/// Numbers of steps by Taylor's method, and of those of planets.
+const STEPS_BY_TAYLOR: u64 = 3_000;
+const STEPS_OF_PLANETS: u64 = 10_000;
 
 /// Number of orbits in a map.
 const ORBITS: u32 = 1_000;
@@ -113,6 +123,59 @@ where
     format!("ratio_tangent_map_{}_{steps}={:.3}", X::NAME.to_lowercase(), times.ratio(1, 0))
 }
 
+/// Measures runs by Taylor's method with one and with four vectors, and the run alone. Returns lines with the ratios of their
+/// times.
+fn taylor<H: Hamiltonian + Recurrences>(Problem { name, system, start, .. }: &Problem<H>, h: f64) -> [String; 2]
+where
+    H::Coords: Coords<Leaf = f64, With<f64> = H::Coords>,
+{
+    let method = Taylor::tolerance(1e-15);
+    let vectors = vectors(start);
+    let carrying = |count: usize| {
+        let vectors = vectors[..count.min(vectors.len())].to_vec();
+        let mut tangent = system.tangent::<f64, _>(method, start.clone(), vectors, h).expect("a start");
+        tangent.advance(STEPS_BY_TAYLOR).expect("finite vectors");
+        tangent.state()
+    };
+    let alone = || {
+        let mut run = system.run_with::<f64, _>(method, start.clone(), h).expect("a start");
+        run.advance(STEPS_BY_TAYLOR).expect("finite states");
+        run.state()
+    };
+    let racers = vec![
+        Racer::new("alone", alone),
+        Racer::new("one vector", || carrying(1)),
+        Racer::new("four vectors", || carrying(4)),
+    ];
+    let times = race(ROUNDS, STEPS_BY_TAYLOR as f64, racers);
+    let [alone, one, four] = [0, 1, 2].map(|racer| times.median(racer));
+    println!("Taylor, {name}: {alone:.1}, with one vector {one:.1}, with four {four:.1} ns a step");
+    let line = |count: &str, racer| format!("ratio_tangent_taylor_{name}_{count}={:.3}", times.ratio(racer, 0));
+    [line("one", 1), line("four", 2)]
+}
+
+/// Measures chaos indicators of planets and the run alone. Returns lines with the ratios of their times.
+fn megno<X: Composition<Jacobi> + Memoryless<Jacobi>>(_: X) -> [String; 2] {
+    let Problem { start, system: Solar { masses }, .. } = Problems::default().solar();
+    let (system, h) = (Jacobi { masses }, 100.0);
+    let alone = || {
+        let mut run = system.run_with::<f64, X>(X::default(), start, h).expect("a start").with_threads(1);
+        run.advance(STEPS_OF_PLANETS).expect("finite states");
+        run.state()
+    };
+    let racers = vec![
+        Racer::new("alone", alone),
+        Racer::new("megno", || chaos::megno(&system, X::default(), start, h, STEPS_OF_PLANETS)),
+        Racer::new("indicators", || chaos::indicators(&system, X::default(), start, h, STEPS_OF_PLANETS)),
+    ];
+    let times = race(ROUNDS_OF_MAPS, STEPS_OF_PLANETS as f64, racers);
+    let [alone, megno, indicators] = [0, 1, 2].map(|racer| times.median(racer));
+    println!("{}: {alone:.1}, MEGNO {megno:.1}, all indicators {indicators:.1} ns a step", X::NAME);
+    let name = X::NAME.to_lowercase();
+    let line = |what: &str, racer| format!("ratio_megno_{name}{what}={:.3}", times.ratio(racer, 0));
+    [line("", 1), line("_indicators", 2)]
+}
+
 /// Returns four vectors, or as many as the dimension allows, with components along every coordinate.
 fn vectors<C: Coords<Leaf = f64>>(start: &Phase<C>) -> Vec<Phase<C>> {
     let vector = |number: usize| {
@@ -165,6 +228,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let problem = (&chain.system, &chain.start);
     report.compare("fput", problem, Verlet, 0.05, &by_hand);
     report.compare("fput", problem, KahanLi8, 0.05, &by_hand);
+
+    report.ratios.extend(taylor(&pendulum, 0.05));
+    report.ratios.extend(taylor(&henon, 0.05));
+    report.ratios.extend(taylor(&problems.kepler(), 0.05));
+    report.ratios.extend(taylor(&solar, 10.0));
+    report.ratios.extend(taylor(&chain, 0.05));
+    report.ratios.extend([megno(Verlet), megno(Aba1064), megno(WisdomHolmanTouma17)].into_iter().flatten());
 
     report.table.write()?;
     report.ratios.iter().for_each(|line| println!("{line}"));

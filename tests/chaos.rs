@@ -96,6 +96,21 @@ fn the_galaxy_of_henon_and_heiles_has_the_orbits_that_are_published() {
     assert!(text[0].starts_with("regular: ") && text[1].starts_with("chaotic: "), "{text:?}");
 }
 
+#[test]
+fn one_vector_has_the_indicators_that_it_has_among_several() {
+    for (start, steps) in
+        [(on_section(0.55, 0.0), 25_000), (on_section(-0.016, 0.0), 25_000), (on_section(0.1, 0.0), 100)]
+    {
+        let all = chaos::indicators(&HenonHeiles, BlanesMoanSrkn11, start, 0.2, steps).expect("an orbit");
+        let one = chaos::megno(&HenonHeiles, BlanesMoanSrkn11, start, 0.2, steps).expect("an orbit");
+        assert_eq!(
+            [one.exponent, one.megno, one.mean_megno, one.fli, one.ofli, one.time],
+            [all.exponent, all.megno, all.mean_megno, all.fli, all.ofli, all.time]
+        );
+        assert_eq!((one.verdict, one.to_string()), (all.verdict, all.to_string()));
+    }
+}
+
 /// A pendulum, all of whose orbits but one pair are periodic.
 struct Pendulum;
 
@@ -345,6 +360,7 @@ fn orbits_without_enough_information_are_refused() {
     let start = on_section(0.1, 0.0);
     let few = CheckError::TooFewSteps { steps: 3, needed: 16 };
     assert_eq!(chaos::indicators(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
+    assert_eq!(chaos::megno(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
     assert_eq!(chaos::lyapunov_spectrum(&HenonHeiles, Verlet, start, 0.1, 3), Err(few.clone()));
     assert_eq!(chaos::map(&HenonHeiles, Verlet, [start], 0.1, 3, Indicator::Fli), Err(few));
     assert_eq!(monodromy(&HenonHeiles, Verlet, start, 0.1, 0), Err(CheckError::TooFewSteps { steps: 0, needed: 1 }));

@@ -1,5 +1,6 @@
 //! The benchmarked systems: five small ones with references in `examples/data/problems.json`, and large ones.
 
+pub mod jacobi;
 pub mod molecule;
 
 use integrator_core::prelude::*;

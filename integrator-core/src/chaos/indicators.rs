@@ -44,11 +44,11 @@ impl Verdict {
     }
 }
 
-/// The chaos indicators of an orbit. `Display` prints the verdict and its reason.
-#[derive(Clone, Debug, PartialEq)]
+/// The chaos indicators of an orbit that follow from one deviation vector. `Display` prints the verdict and its reason.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Indicators {
-    /// The estimate of the largest exponent: the mean growth rate of a deviation vector.
+pub struct Megno {
+    /// The estimate of the largest exponent: the mean growth rate of the deviation vector.
     ///
     /// On regular orbits it decreases like `ln t / t`.
     pub exponent: f64,
@@ -66,6 +66,28 @@ pub struct Indicators {
     ///
     /// On a periodic orbit it stays bounded, whereas `fli` grows like the logarithm of the time.
     pub ofli: f64,
+    /// The integration time.
+    pub time: f64,
+    /// The verdict, from the mean of MEGNO. "Regular" also requires 64 turns of the vector, or its growth by `e^6`.
+    pub verdict: Verdict,
+}
+
+/// The chaos indicators of an orbit. `Display` prints the verdict and its reason.
+///
+/// The fields up to `ofli`, the time and the verdict are those of [`Megno`].
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Indicators {
+    /// The estimate of the largest exponent, [`Megno::exponent`].
+    pub exponent: f64,
+    /// MEGNO at the end of the orbit, [`Megno::megno`].
+    pub megno: f64,
+    /// The time average of MEGNO, [`Megno::mean_megno`].
+    pub mean_megno: f64,
+    /// The fast Lyapunov indicator, [`Megno::fli`].
+    pub fli: f64,
+    /// The orthogonal fast Lyapunov indicator, [`Megno::ofli`].
+    pub ofli: f64,
     /// The smaller alignment index: of the order of one on regular orbits of two and more degrees of freedom, and
     /// exponentially small on chaotic ones.
     pub sali: f64,
@@ -73,11 +95,25 @@ pub struct Indicators {
     pub gali: Vec<f64>,
     /// The integration time.
     pub time: f64,
-    /// The verdict, from the mean of MEGNO. "Regular" also requires 64 turns of the vector, or its growth by `e^6`.
+    /// The verdict, [`Megno::verdict`].
     pub verdict: Verdict,
 }
 
+impl Indicators {
+    /// Returns those that follow from one vector.
+    fn of_one_vector(&self) -> Megno {
+        let Self { exponent, megno, mean_megno, fli, ofli, time, verdict, .. } = *self;
+        Megno { exponent, megno, mean_megno, fli, ofli, time, verdict }
+    }
+}
+
 impl fmt::Display for Indicators {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.of_one_vector().fmt(f)
+    }
+}
+
+impl fmt::Display for Megno {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let exponent = self.exponent;
         let (mean_megno, time) = (Number(self.mean_megno), Number(self.time));
@@ -102,7 +138,7 @@ impl fmt::Display for Indicators {
 /// Two to four deviation vectors are integrated with the orbit. They are sampled about a hundred times, and at least
 /// every 64 steps. For a method with a fictitious time, such as [`Logarithmic`](crate::Logarithmic), vectors are compared
 /// at equal physical times. With these methods and with [`Taylor`](crate::taylor::Taylor), vectors are not rescaled, so
-/// that the orbit ends if a vector overflows.
+/// that the orbit ends if a vector overflows. [`megno()`] integrates one vector only.
 ///
 /// ```
 /// use integrator_core::{chaos::{self, Verdict}, check::CheckError, prelude::*};
@@ -143,15 +179,69 @@ pub fn indicators<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     h: f64,
     steps: u64,
 ) -> Result<Indicators, CheckError> {
-    let start = start.into_start();
+    let (of_one, vectors) = follow::<H, X, K>(system, method, start.into_start(), h, steps, TOGETHER)?;
+    let Megno { exponent, megno, mean_megno, fli, ofli, time, verdict } = of_one;
+    let (sali, gali) = (smaller_alignment_index(&vectors), alignment_indices(&vectors));
+    Ok(Indicators { exponent, megno, mean_megno, fli, ofli, sali, gali, time, verdict })
+}
+
+/// Computes MEGNO, the other indicators of one deviation vector, and the verdict, like [`indicators()`].
+///
+/// It takes about half of the time, since SALI and GALI require several vectors.
+///
+/// ```
+/// use integrator_core::{chaos::{self, Verdict}, check::CheckError, prelude::*};
+///
+/// struct Pendulum;
+///
+/// #[hamiltonian]
+/// impl Pendulum {
+///     fn kinetic(&self, p: [f64; 1]) -> f64 {
+///         p[0] * p[0] / 2.0
+///     }
+///     fn potential(&self, q: [f64; 1]) -> f64 {
+///         -q[0].cos()
+///     }
+/// }
+///
+/// let found = chaos::megno(&Pendulum, BlanesMoanSrkn11, Phase::new([2.0], [0.0]), 0.1, 16_000)?;
+/// assert_eq!(found.verdict, Verdict::Regular);
+/// # Ok::<(), CheckError>(())
+/// ```
+///
+/// # Errors
+/// Those of [`indicators()`].
+pub fn megno<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: impl IntoStart<Shaped<H, K>, Leaf = K>,
+    h: f64,
+    steps: u64,
+) -> Result<Megno, CheckError> {
+    follow::<H, X, K>(system, method, start.into_start(), h, steps, 1).map(|(of_one, _)| of_one)
+}
+
+/// The indicators of the first vector, and all vectors at the end of the orbit.
+type Followed<C> = Result<(Megno, Vec<Phase<C>>), CheckError>;
+
+/// Integrates an orbit with at most this number of vectors.
+fn follow<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
+    system: &H,
+    method: X,
+    start: Start<Shaped<H, K>>,
+    h: f64,
+    steps: u64,
+    most: usize,
+) -> Followed<Shaped<H, K>> {
     let parameters = system.parameters(start.phase.q.length());
-    let field = |tangent: &Tangent<Shaped<H, K>>| field_at::<H, K>(&parameters, &tangent.state(), tangent.time());
+    let field = |state: &Phase<Shaped<H, K>>, time| field_at::<H, K>(&parameters, state, time);
     let directions = |phase: &Phase<Shaped<H, K>>, units: Units| {
-        let count = (2 * phase.q.flat().len()).min(TOGETHER);
+        let count = (2 * phase.q.flat().len()).min(most);
         (0..count).map(|vector| units.stretched(generic_direction(phase, vector))).collect()
     };
     let vector = |tangent: &Tangent<Shaped<H, K>>, vector| {
-        at_equal_times(tangent.vector(vector), tangent.time_slope(vector), &field(tangent))
+        let motion = field(&tangent.state(), tangent.time());
+        at_equal_times(tangent.vector(vector), tangent.time_slope(vector), &motion)
     };
     let (tangent, units) = begin::<H, X, K>(system, method, start, h, directions, vector)?;
     of_tangent(tangent, steps, units, &field)
@@ -194,58 +284,56 @@ pub(super) fn begin<H: Hamiltonian, X: Differentiable<H>, K: Precision>(
     Ok((start(vectors(&phase, units), h)?.at_time(time), units))
 }
 
-fn of_tangent<C: Coords>(
-    mut tangent: Tangent<C>,
-    steps: u64,
-    units: Units,
-    field: &dyn Fn(&Tangent<C>) -> Vec<f64>,
-) -> Result<Indicators, CheckError> {
+/// The velocities and the forces at a state and a time, as a list.
+type Field<'f, C> = dyn Fn(&Phase<C>, f64) -> Vec<f64> + 'f;
+
+fn of_tangent<C: Coords>(mut tangent: Tangent<C>, steps: u64, units: Units, field: &Field<'_, C>) -> Followed<C> {
     if steps < LEAST {
         return Err(CheckError::TooFewSteps { steps, needed: LEAST });
     }
     let begin = tangent.time();
+    // State and vector are read together: each reading would undo the processor of a composition again.
     let lengths = |tangent: &Tangent<C>| {
-        let mut motion = field(tangent);
-        let vector = at_equal_times(tangent.vector(0), tangent.time_slope(0), &motion);
+        let [state, vector] = tangent.state_and_first_vector();
+        let (energy, mut motion) = (tangent.energy_of(&state), field(&state, tangent.time()));
+        let vector = at_equal_times(vector, tangent.time_slope(0), &motion);
         let length = logarithm(&vector, tangent.exponents()[0], units);
         let positions = motion.len() / 2;
         motion[..positions].iter_mut().for_each(|rate| *rate = units.measured_position(*rate));
-        [length, length + orthogonal_part(&units.measured(vector), &motion).ln()]
+        [length, length + orthogonal_part(&units.measured(vector), &motion).ln(), energy]
     };
-    let [length, first] = lengths(&tangent);
+    let [length, first, _] = lengths(&tangent);
     let (mut growth, mut highest) = (Growth::new(length), first);
     let every = steps_between_samples(steps);
     while tangent.steps() < steps {
         let portion = every.min(steps - tangent.steps());
         tangent.advance(portion - 1)?;
-        let (before, exponent) = (units.measured(tangent.vector(0)), tangent.exponents()[0]);
+        // In the coordinates of the motion, where a vector turns as often: nothing has to be undone to read these.
+        let (before, exponent) = (units.measured(tangent.unfinished_vector()), tangent.exponents()[0]);
         tangent.advance(1)?;
-        let after = units.measured(tangent.vector(0));
+        let after = units.measured(tangent.unfinished_vector());
         let change = relative_change(&before, &after, tangent.exponents()[0] - exponent);
         growth.change(portion as f64 * change);
-        let (energy, time) = (tangent.energy(), tangent.time());
+        let [length, orthogonal, energy] = lengths(&tangent);
         if !energy.is_finite() {
-            return Err(Error::NoEnergy { time, energy }.into());
+            return Err(Error::NoEnergy { time: tangent.time(), energy }.into());
         }
-        let [length, orthogonal] = lengths(&tangent);
         growth.sample(tangent.time() - begin, length);
         highest = highest.max(orthogonal);
     }
-    let motion = field(&tangent);
+    let motion = field(&tangent.state(), tangent.time());
     let vectors = tangent.vectors().into_iter().zip(tangent.time_slopes());
-    let vectors: Vec<_> =
-        vectors.map(|(vector, slope)| units.measured(at_equal_times(vector, slope, &motion))).collect();
-    Ok(Indicators {
+    let vectors = vectors.map(|(vector, slope)| units.measured(at_equal_times(vector, slope, &motion))).collect();
+    let of_one = Megno {
         exponent: growth.exponent(),
         megno: growth.megno(),
         mean_megno: growth.mean_megno(),
         fli: growth.fli(),
         ofli: highest - first,
-        sali: smaller_alignment_index(&vectors),
-        gali: alignment_indices(&vectors),
         time: growth.time(),
         verdict: growth.verdict(),
-    })
+    };
+    Ok((of_one, vectors))
 }
 
 /// The difference to a neighbour at equal times, from that after equal numbers of steps, where its time has a slope.

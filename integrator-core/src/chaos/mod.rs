@@ -3,6 +3,7 @@
 //! | function | result |
 //! |---|---|
 //! | [`indicators()`] | one orbit: largest exponent, MEGNO, FLI, SALI, GALI, and a verdict |
+//! | [`megno()`] | one orbit: those of one deviation vector, without SALI and GALI |
 //! | [`lyapunov_spectrum()`] | one orbit: all exponents |
 //! | [`map()`] | many orbits: one indicator each, in SIMD lanes and on all cores |
 //! | [`map_while()`] | many orbits: one indicator each, and which orbits were ejected or failed |
@@ -22,6 +23,6 @@ mod indicators;
 mod map;
 mod spectrum;
 
-pub use indicators::{Indicators, Verdict, indicators};
+pub use indicators::{Indicators, Megno, Verdict, indicators, megno};
 pub use map::{End, Indicator, Mapped, map, map_while};
 pub use spectrum::{Spectrum, lyapunov_spectrum};

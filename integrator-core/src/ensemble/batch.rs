@@ -140,7 +140,7 @@ impl Batch {
     fn finish(&mut self, index: usize, clock: Clock, replay: &Replay) -> Option<(usize, Divergence)> {
         let clock = Clock { steps: clock.steps + replay.taken, ..clock };
         let mut state = self.sample.boxed_clone();
-        replay.engine.state(self.since_opened(clock), &mut *state);
+        replay.engine.lane(self.since_opened(clock), 0, &mut *state);
         replay.engine.completed.store(0, &mut *self.sample);
         let elapsed = replay.engine.elapsed(self.since_opened(clock), 0);
         let time = self.time(index, clock, elapsed);

@@ -59,8 +59,9 @@ struct Matrices<R> {
 impl<R: Real, P: QuadraticPart<PART>, const PART: usize, const LONE: bool> Solver<P> for Quadratic<R, PART, LONE> {
     /// By measurement, two oscillators and a rest, ns per stage in memory and in registers: 16 and 6 where a stage begins with
     /// a kick, which stores two numbers of four that are then loaded together, and 7.6 and 10 where it begins with a
-    /// drift, as the call for a new duration is prepared for at each stage.
-    const IN_REGISTERS: InRegisters = InRegisters::Kicked;
+    /// drift, as the call for a new duration is prepared for at each stage. With a deviation vector these are 16 and 12, since
+    /// its numbers are stored one by one, too.
+    const IN_REGISTERS: InRegisters = if R::LANES == R::MEMBERS { InRegisters::Kicked } else { InRegisters::Always };
 
     fn of(constants: &[&P], length: usize) -> Self {
         let form = |parameters: &&P| {
@@ -265,8 +266,8 @@ impl Group {
             for (column, z) in matrix.chunks_exact(2 * rows).zip(&*z) {
                 let (of_high, of_low) = column.split_at(rows);
                 for row in 0..rows {
-                    high[row] = of_high[row].fma(*z, high[row]);
-                    low[row] = of_low[row].fma(*z, low[row]);
+                    high[row] = of_high[row].scale_add(*z, high[row]);
+                    low[row] = of_low[row].scale_add(*z, low[row]);
                 }
             }
             if let Some(everywhere) = matrix.get(2 * rows * rows..).filter(|column| !column.is_empty()) {
@@ -313,11 +314,11 @@ impl<R: Real, const W: usize> Matrix<R, W> {
             let z = slot.value();
             for row in 0..W {
                 if column == 0 {
-                    high[row] = self.high[column][row] * z;
-                    low[row] = self.low[column][row] * z;
+                    high[row] = self.high[column][row].scale(z);
+                    low[row] = self.low[column][row].scale(z);
                 } else {
-                    high[row] = self.high[column][row].fma(z, high[row]);
-                    low[row] = self.low[column][row].fma(z, low[row]);
+                    high[row] = self.high[column][row].scale_add(z, high[row]);
+                    low[row] = self.low[column][row].scale_add(z, low[row]);
                 }
             }
         }

@@ -201,7 +201,7 @@ macro_rules! fast_dual {
 
 macro_rules! dual_real {
     (
-        { $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty; }
+        { $is_row:literal, Block = $block:ty, Row<$bodies:ident> = $row:ty, Wide = $wide:ty; }
         unary { $($unary:ident($x:ident) { value: $value:tt; slope: $value_and_slope:expr; $($more:tt)* })* }
         binary { $($binary:ident($a:ident, $b:ident) { value: $value_of_two:tt; dual: $dual:expr; $($more_of_two:tt)* })* }
     ) => {
@@ -213,13 +213,14 @@ macro_rules! dual_real {
             type Mask = F::Mask;
             type Block = $block;
             type Row<const $bodies: usize> = $row;
-            type Wide = Self;
-            type Bundle = Self;
+            type Wide = $wide;
+            type Bundle = $wide;
             type Pair = Lanes<Self, 2>;
 
             #[inline(always)]
             fn of(x: f64) -> Self {
-                Self { value: F::of(x), along: [F::of(0.0); N] }
+                // Minus zero, which changes no number that it is added to, so that the compiler leaves the addition out.
+                Self { value: F::of(x), along: [F::of(-0.0); N] }
             }
             #[inline(always)]
             fn lane(self, lane: usize) -> f64 {
@@ -272,6 +273,11 @@ macro_rules! dual_real {
             fn square_add(self, c: Self) -> Self {
                 let slope = self.value + self.value;
                 dual!(self.value.square_add(c.value), direction => slope.fma(self.along[direction], c.along[direction]))
+            }
+            #[inline(always)]
+            fn square_from(self, c: Self) -> Self {
+                let slope = -(self.value + self.value);
+                dual!(self.value.square_from(c.value), direction => slope.fma(self.along[direction], c.along[direction]))
             }
             #[inline]
             fn lane_by_lane<const A: usize>(
@@ -397,9 +403,10 @@ macro_rules! dual_real {
 elementary_functions!(rows of dual_real! {
     false,
     Block = Dual<F::Block, N, true, SENSITIVE>,
-    Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>;
+    Row<BODIES> = Dual<F::Row<BODIES>, N, true, SENSITIVE>,
+    Wide = Dual<F::Wide, N, true, SENSITIVE>;
 });
-elementary_functions!(rows of dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>; });
+elementary_functions!(rows of dual_real! { true, Block = Self, Row<BODIES> = Lanes<Self, BODIES>, Wide = Self; });
 
 #[cfg(test)]
 mod tests {
@@ -476,6 +483,7 @@ mod tests {
             ("a square", at(3.0, 0.5).square(), 5.0),
             ("a square and a line", at(3.0, 0.5).square_add(at(3.0, 0.25)), 5.25),
             ("a reciprocal root", at(2.0, 0.0).div_sqrt(at(2.0, 0.0)), -0.25 * 2.0_f64.powf(-1.5)),
+            ("a line and a square below it", at(3.0, 0.5).square_from(at(3.0, 0.25)), -4.75),
             ("radial", at(2.0, 0.0).div_pow_3_2(at(2.0, 0.0)), 0.75 * 2.0_f64.powf(-2.5)),
         ] {
             assert!(within(second(dual) - exact, 8.0 * f64::EPSILON), "{name}: {dual:?} for {exact}");

@@ -291,6 +291,9 @@ elementary_functions!(real_of_two_parts! {
         fn square_add(self, c: Self) -> Self {
             self.square() + c
         }
+        fn square_from(self, c: Self) -> Self {
+            c - self.square()
+        }
         /// Methods of the user have no bounds.
         fn lane_by_lane<const N: usize>(
             _arguments: [Self; N],

@@ -177,6 +177,11 @@ macro_rules! declare_real {
             fn square_add(self, c: Self) -> Self {
                 self.fma(self, c)
             }
+            /// `c - self * self`, likewise.
+            #[inline(always)]
+            fn square_from(self, c: Self) -> Self {
+                (-self).fma(self, c)
+            }
             /// A function known in `f64` alone, lane by lane. Only a dual evaluates the derivatives, which come in the
             /// order of the arguments.
             #[inline]

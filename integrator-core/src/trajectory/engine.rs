@@ -187,12 +187,8 @@ impl Engine {
         }
     }
 
-    /// Writes the state of a trajectory: with the current step completed, while the motions stay where they are.
-    pub(crate) fn state(&self, clock: Clock, to: &mut dyn Point) {
-        self.read(clock, |completed, shown| show(completed, shown, 0, to));
-    }
-
-    /// Writes what a trajectory carries in a lane, with the current step completed.
+    /// Writes the state of a trajectory, in lane 0, or what it carries in another lane: with the current step completed, while
+    /// the motions stay where they are.
     pub(crate) fn lane(&self, clock: Clock, lane: usize, to: &mut dyn Point) {
         self.read(clock, |completed, shown| show(completed, shown, lane, to));
     }

@@ -347,7 +347,7 @@ impl<C: Coords> Run<C> {
 
     /// The report on the step that could not be taken.
     pub(crate) fn divergence(&self) -> Divergence {
-        self.state_at_step().divergence(&self.tried(), self.clock).at_own_time(self.time_in_state())
+        self.state_at_step().divergence(&self.tried_lane(0), self.clock).at_own_time(self.time_in_state())
     }
 
     /// Shows a state of the step that would be next.
@@ -453,14 +453,7 @@ impl<C: Coords> Run<C> {
 
     /// The state at the end of the last step.
     pub(crate) fn state_at_step(&self) -> Phase<C> {
-        let mut state = self.shape.clone();
-        self.engine.state(self.since_opened(), &mut state);
-        state
-    }
-
-    /// Returns the state that the last step tried.
-    fn tried(&self) -> Phase<C> {
-        self.tried_lane(0)
+        self.lane(0)
     }
 
     /// Returns the energy `T + V` at [`Run::time`].
@@ -536,13 +529,18 @@ impl<C: Coords> Run<C> {
     }
 
     pub(crate) fn parts(&self) -> Parts {
+        self.parts_of(|| self.state())
+    }
+
+    /// The energies at [`Run::time`], for the state there.
+    pub(crate) fn parts_of(&self, state: impl FnOnce() -> Phase<C>) -> Parts {
         let time = self.time();
         if self.between.is_none()
             && let Some(parts) = self.engine.energy(self.since_opened(), time)
         {
             return parts;
         }
-        self.energies.parts(&self.state(), time, self.engine.motions.found().as_ref())
+        self.energies.parts(&state(), time, self.engine.motions.found().as_ref())
     }
 
     /// Changes the state between two steps.
@@ -653,7 +651,7 @@ impl<C: Coords> Run<C> {
             Err(None) => Err(Error::Diverged(Divergence {
                 step,
                 time: clock.at(clock.steps) + duration,
-                ..clock.divergence(&from[0], &self.tried())
+                ..clock.divergence(&from[0], &self.tried_lane(0))
             })),
         }
     }
@@ -691,6 +689,26 @@ impl<C: Coords> Run<C> {
     pub(crate) fn lane(&self, lane: usize) -> Phase<C> {
         let mut point = self.shape.clone();
         self.engine.lane(self.since_opened(), lane, &mut point);
+        point
+    }
+
+    /// The first two lanes at the end of the last step.
+    #[cfg(feature = "check")]
+    pub(crate) fn state_and_next_lane(&self) -> [Phase<C>; 2] {
+        let mut points = [self.shape.clone(), self.shape.clone()];
+        self.engine.read(self.since_opened(), |completed, shown| {
+            for (lane, point) in points.iter_mut().enumerate() {
+                show(completed, shown, lane, point);
+            }
+        });
+        points
+    }
+
+    /// A lane in the middle of the current step, in the coordinates of the motion.
+    #[cfg(feature = "check")]
+    pub(crate) fn own_lane(&self, lane: usize) -> Phase<C> {
+        let mut point = self.shape.clone();
+        self.engine.unfinished(Form::Own, lane, &mut point);
         point
     }
 

@@ -174,14 +174,14 @@ impl<C: Coords> Tangent<C> {
             run.advance(0)?;
         }
         self.between = None;
-        while self.steps() < end {
+        while self.steps() < end && self.linear > 0 {
             let next = (self.steps() / BETWEEN_SCALES + 1) * BETWEEN_SCALES;
             self.take_steps_to(next.min(end))?;
             if self.steps() == next {
                 self.scale();
             }
         }
-        Ok(())
+        self.take_steps_to(end)
     }
 
     /// Takes steps up to this number of steps, or as many as all runs can take.
@@ -339,6 +339,24 @@ impl<C: Coords> Tangent<C> {
         }
         let (run, lane) = self.place(vector);
         run.lane(lane)
+    }
+
+    /// Returns the state and the first vector at the end of the last step, which are read together.
+    #[cfg(feature = "check")]
+    pub(crate) fn state_and_first_vector(&self) -> [Phase<C>; 2] {
+        self.runs[0].state_and_next_lane()
+    }
+
+    /// Returns the first vector in the middle of the current step, in the coordinates of the motion.
+    #[cfg(feature = "check")]
+    pub(crate) fn unfinished_vector(&self) -> Phase<C> {
+        self.runs[0].own_lane(1)
+    }
+
+    /// Returns the energy at the end of the last step, for the state there.
+    #[cfg(feature = "check")]
+    pub(crate) fn energy_of(&self, state: &Phase<C>) -> f64 {
+        self.runs[0].parts_of(|| state.clone()).total
     }
 
     /// Counts the powers of two from here on.

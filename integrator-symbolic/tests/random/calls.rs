@@ -313,6 +313,7 @@ impl Machine<'_> {
             }
             ("square", []) => number.mul(number).into(),
             ("square_add", [c]) => number.fma(number, &alike(c)?).into(),
+            ("square_from", [c]) => number.neg().fma(number, &alike(c)?).into(),
             ("scale", [x]) => number.mul(&alike(x)?).into(),
             ("fma" | "scale_add" | "mul_add", [b, c]) => number.fma(&alike(b)?, &alike(c)?).into(),
             ("powf" | "fast_powf", [exponent]) => number.powf(&alike(exponent)?).into(),

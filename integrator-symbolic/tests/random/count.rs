@@ -31,7 +31,7 @@ impl Machine<'_> {
     pub(crate) fn count_method(&mut self, name: &str) {
         match name {
             "square" | "scale" => self.done.multiplications += 1,
-            "square_add" | "scale_add" | "fma" => {
+            "square_add" | "square_from" | "scale_add" | "fma" => {
                 self.done.multiplications += 1;
                 self.done.additions += 1;
             }

@@ -67,10 +67,11 @@ const CALLED_IN_LOOPS: [(&str, &[usize]); 8] = [
 ];
 
 /// Methods of numbers that are operations.
-const METHODS: [&str; 25] = [
+const METHODS: [&str; 26] = [
     "square",
     "scale",
     "square_add",
+    "square_from",
     "scale_add",
     "fma",
     "div_sqrt",

@@ -82,7 +82,8 @@ impl Kepler {
         duration: f64,
     ) {
         let duration = R::of(duration);
-        if q.len() == 1 {
+        // With derivatives, a solver for rows beside the one for a body would double the code.
+        if const { R::LANES != R::MEMBERS } || q.len() == 1 {
             self.in_rows::<R, R, L, D>([q, p], inverse_mass, strength, duration);
         } else {
             self.in_rows::<R, R::Wide, L, D>([q, p], inverse_mass, strength, duration);

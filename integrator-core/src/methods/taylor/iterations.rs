@@ -251,13 +251,14 @@ mod tests {
         *,
     };
     use crate::scalar::{
+        dual::Dual,
         fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
     };
 
-    /// Numbers with so few digits that sums of products are exact, in whatever order.
-    fn number(seed: usize) -> f64 {
-        (seed * 7 % 31) as f64 / 8.0 - 2.0
+    /// Numbers with so few digits that sums of products are exact, in whatever order; others in each lane.
+    fn number<R: Real>(seed: usize) -> R {
+        R::state(&|lane| ((seed + 11 * lane) * 7 % 31) as f64 / 8.0 - 2.0)
     }
 
     /// The iterations of two loops: what each reads and the two coordinates that it moves.
@@ -283,7 +284,7 @@ mod tests {
             let mut iterations: Iterations<R, (), 2, 1, 4, 3, 2> = Iterations::default();
             assert!(iterations.is_empty());
             for (seed, [i, j]) in list.iter().enumerate() {
-                iterations.push([*i, *j], [R::of(number(seed))], [*i, *j, *i, *j]);
+                iterations.push([*i, *j], [number(seed)], [*i, *j, *i, *j]);
             }
             let momenta = [Target::momentum(0), Target::momentum(1)];
             let positions = [Target::position(2), Target::position(2).negated()];
@@ -292,7 +293,7 @@ mod tests {
             assert!(iterations.blocks().count() >= list.len().div_ceil(together), "{name}");
             let (mut of_q, mut of_p) = (Table::new(layout), Table::new(layout));
             let (mut q, mut p) = (of_q.of(layout, R::of(1.0)), of_p.of(layout, R::of(1.0)));
-            let from: Vec<R> = (0..width).map(|index| R::of(number(index + 100))).collect();
+            let from: Vec<R> = (0..width).map(|index| number(index + 100)).collect();
             for order in [3, 4] {
                 q[order].copy_from_slice(&from);
                 p[order].copy_from_slice(&from);
@@ -311,7 +312,7 @@ mod tests {
                 let mut to = from.clone();
                 for addend in addends {
                     for (iteration, indices) in list.iter().enumerate() {
-                        let (index, value) = addend(*indices, R::of(number(iteration)));
+                        let (index, value) = addend(*indices, number(iteration));
                         to[index] += value;
                     }
                 }
@@ -324,7 +325,9 @@ mod tests {
                 after(&[&|[i, j], _| (i, x(i) * x(j)), &|[i, j], constant| (j, (x(i) - x(j)) * constant)]),
                 after(&[&|[i, j], _| (i, x(j)), &|[i, j], _| (j, x(i) - x(j))]),
             ];
-            let bits = |numbers: &[R]| -> Vec<u64> { numbers.iter().map(|x| x.lane(0).to_bits()).collect() };
+            let bits = |numbers: &[R]| -> Vec<u64> {
+                numbers.iter().flat_map(|x| (0..R::LANES).map(|lane| x.lane(lane).to_bits())).collect()
+            };
             for (found, expected) in [&q[3], &q[4], &p[3], &p[4]].into_iter().zip(&expected) {
                 assert_eq!(bits(found), bits(expected), "{name}, interleaved: {interleaved}");
             }
@@ -339,10 +342,14 @@ mod tests {
         if available.contains(&InstructionSet::Fused) {
             iterations_are_those_of_a_loop::<Fused<f64, Fma>>();
             iterations_are_those_of_a_loop::<Fused<f32, Fma>>();
+            iterations_are_those_of_a_loop::<Dual<Fused<f64, Fma>>>();
+            iterations_are_those_of_a_loop::<Dual<Fused<f32, Fma>, 4>>();
         }
         if available.contains(&InstructionSet::Avx512) {
             iterations_are_those_of_a_loop::<Fused<f64, Avx512>>();
             iterations_are_those_of_a_loop::<Fused<f32, Avx512>>();
+            iterations_are_those_of_a_loop::<Dual<Fused<f64, Avx512>>>();
+            iterations_are_those_of_a_loop::<Dual<Fused<f64, Avx512>, 4>>();
         }
     }
 

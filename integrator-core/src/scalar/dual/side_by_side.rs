@@ -156,14 +156,24 @@ impl<F: Real, V: Row<F>, const N: usize, const SENSITIVE: bool> Row<Dual<F, N, f
     }
     #[inline(always)]
     fn read(from: &[Dual<F, N, false, SENSITIVE>]) -> Self {
-        let of = |part: &dyn Fn(&Dual<F, N, false, SENSITIVE>) -> F| {
-            let mut numbers = [part(&from[0]); WIDEST];
-            for (number, dual) in numbers.iter_mut().zip(&from[..V::LANES / F::LANES]) {
-                *number = part(dual);
+        let width = V::LANES / F::LANES;
+        let (from, mut pairs) = (&from[..width], [from[0].value; 2 * WIDEST]);
+        if const { N == 1 } {
+            // Whole vectors, which the compiler then separates in registers.
+            let numbers = &Dual::in_memory(from)[..2 * width];
+            V::read(numbers).write(&mut pairs);
+            V::read(&numbers[width..]).write(&mut pairs[width..]);
+        }
+        let mut numbers = [from[0].value; WIDEST];
+        for (lane, number) in numbers[..width].iter_mut().enumerate() {
+            *number = if const { N == 1 } { pairs[2 * lane] } else { from[lane].value };
+        }
+        dual!(V::read(&numbers), direction => {
+            for (lane, number) in numbers[..width].iter_mut().enumerate() {
+                *number = if const { N == 1 } { pairs[2 * lane + 1] } else { from[lane].along[direction] };
             }
             V::read(&numbers)
-        };
-        dual!(of(&|dual| dual.value), direction => of(&|dual| dual.along[direction]))
+        })
     }
     #[inline(always)]
     fn write(self, to: &mut [Dual<F, N, false, SENSITIVE>]) {

@@ -19,6 +19,7 @@ macro_rules! every_function {
                 ("mul", |a, b| a * b, |a, b| a * b),
                 ("div", |a, b| a / b, |a, b| a / b),
                 ("square_add", |a, b| a.square_add(b), |a, b| a * a + b),
+                ("square_from", |a, b| a.square_from(b), |a, b| b - a * a),
             ]
         }
     };

@@ -373,9 +373,10 @@ impl Printer<'_> {
         (negative, x, y): (bool, NodeId, NodeId),
         other: &TokenStream,
     ) -> TokenStream {
-        if x == y && !negative && self.is_of_scalars() {
-            let x = self.receiver(fields, x);
-            return quote!(#x.square_add(#other));
+        if x == y && self.is_of_scalars() {
+            let (x, method) =
+                (self.receiver(fields, x), if negative { quote!(square_from) } else { quote!(square_add) });
+            return quote!(#x.#method(#other));
         }
         if let Some((constant, varied)) = self.constant_factor(x, y) {
             let (factor, varied) = (self.factor(fields, negative, constant), self.expression(fields, varied).tokens);

@@ -46,7 +46,7 @@ const _: () = {
             Parameters,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 12220034033749124535;
+        const FINGERPRINT: u64 = 14255250820355731464;
         fn parameters(&self, _length: usize) -> Parameters {
             Parameters
         }
@@ -70,7 +70,7 @@ const _: () = {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             motion.p[0].fma((step * Scalar::of(2.0)).scale(q0), q1 + Scalar::of(0.5));
-            motion.p[1].scale_add(step, q1 + (-q1).fma(q1, q0.square()));
+            motion.p[1].scale_add(step, q1 + q1.square_from(q0.square()));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
