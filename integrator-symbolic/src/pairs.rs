@@ -12,6 +12,7 @@ mod cutoff;
 mod embedded;
 mod exchange;
 mod extremes;
+mod half;
 mod images;
 mod included;
 mod merged;

@@ -3,10 +3,11 @@
 use super::{
     embedded::Embedded,
     exchange::is_symmetric,
+    half::Half,
     merged::{in_one_direction, sum},
     order::{ends, with_numbers},
     over_all,
-    partners::{Half, Visited, addend_of_distinct_pair, is_before, is_partner},
+    partners::{Visited, addend_of_distinct_pair, is_before, is_partner},
     reads_only,
     renamed::renamed,
     triplets::{Finder, Triplets},
