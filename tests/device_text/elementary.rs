@@ -20,8 +20,8 @@ macro_rules! values {
 /// The functions in the order of `functions.cpp`, with their values.
 fn values<R: Real>(x: f64, y: f64) -> Vec<(&'static str, f64)> {
     values!(R, x, y;
-        abs acos asin atan cbrt ceil cos exp floor ln round round_ties_even signum sin sqrt tan tanh trunc fast_acos fast_asin fast_atan
-        fast_cbrt fast_cos fast_exp fast_ln fast_sin fast_tan fast_tanh;
+        abs acos asin atan cbrt ceil cos exp floor ln ln_1p round round_ties_even signum sin sqrt tan tanh trunc fast_acos fast_asin
+        fast_atan fast_cbrt fast_cos fast_exp fast_ln fast_ln_1p fast_sin fast_tan fast_tanh;
         atan2 fast_atan2 max min powf remainder)
 }
 
@@ -58,6 +58,7 @@ fn is_left_to_library(name: &str, x: f64, y: f64, is_single: bool) -> bool {
     match name.trim_start_matches("fast_") {
         "sin" | "cos" | "tan" | "the sine of both" | "the cosine of both" => x.abs() > farthest,
         "ln" => !is_normal(x),
+        "ln_1p" => !(x > -1.0 && x <= 0.25 * greatest),
         "cbrt" => !is_normal(x.abs()),
         "atan2" => !(near < big && big < far && (near < small || small == 0.0)),
         // The product of the exponent and the logarithm is rounded.

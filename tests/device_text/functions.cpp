@@ -2,9 +2,9 @@
 
 namespace integrator {
 
-#define UNARY(F) F(abs) F(acos) F(asin) F(atan) F(cbrt) F(ceil) F(cos) F(exp) F(floor) F(ln) F(round) F(round_ties_even) F(signum) F(sin) F(sqrt) \
-    F(tan) F(tanh) F(trunc) F(fast_acos) F(fast_asin) F(fast_atan) F(fast_cbrt) F(fast_cos) F(fast_exp) F(fast_ln)            \
-    F(fast_sin) F(fast_tan) F(fast_tanh)
+#define UNARY(F) F(abs) F(acos) F(asin) F(atan) F(cbrt) F(ceil) F(cos) F(exp) F(floor) F(ln) F(ln_1p) F(round) F(round_ties_even)     \
+    F(signum) F(sin) F(sqrt) F(tan) F(tanh) F(trunc) F(fast_acos) F(fast_asin) F(fast_atan) F(fast_cbrt) F(fast_cos)          \
+    F(fast_exp) F(fast_ln) F(fast_ln_1p) F(fast_sin) F(fast_tan) F(fast_tanh)
 #define BINARY(F) F(atan2) F(fast_atan2) F(max) F(min) F(powf) F(remainder)
 
 template <class R> static void write_values(R x, R y) {

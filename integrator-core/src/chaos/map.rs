@@ -67,7 +67,7 @@ where
     K: LaneScalars,
 {
     let starts: Vec<_> = starts.into_iter().collect();
-    let found = followed::<H, X, K>(system, method, &starts, (h, steps), indicator, &|_| true)?;
+    let found = followed::<H, X, K>(system, method, &starts, (h, steps), indicator, None)?;
     let (mut indicators, mut members) = (Vec::with_capacity(found.len()), Vec::new());
     for (member, Mapped { value, end, .. }) in found.into_iter().enumerate() {
         match end {
@@ -159,7 +159,7 @@ where
     K: LaneScalars,
 {
     let starts: Vec<_> = starts.into_iter().collect();
-    followed::<H, X, K>(system, method, &starts, (h, steps), indicator, &stays)
+    followed::<H, X, K>(system, method, &starts, (h, steps), indicator, Some(&stays))
 }
 
 /// The orbits from all starts.
@@ -169,7 +169,7 @@ fn followed<H, X, K>(
     starts: &[Phase<Shaped<H, K>>],
     (h, steps): (f64, u64),
     indicator: Indicator,
-    stays: &Stays<Shaped<H, K>>,
+    stays: Option<&Stays<Shaped<H, K>>>,
 ) -> Result<Vec<Mapped>, CheckError>
 where
     H: Hamiltonian,
@@ -217,9 +217,9 @@ where
 /// Whether an orbit continues from a state.
 type Stays<'s, C> = dyn Fn(&Phase<C>) -> bool + Sync + 's;
 
-/// The condition on the state of an orbit.
+/// The conditions on the state of an orbit.
 struct Look<'l, C> {
-    stays: &'l Stays<'l, C>,
+    stays: Option<&'l Stays<'l, C>>,
     energy: &'l (dyn Fn(&Phase<C>, f64) -> f64 + Sync),
 }
 
@@ -346,6 +346,9 @@ impl<C: Coords> Batch<C> {
 
     /// Ends orbits that do not stay, or have no energy; whether there are any.
     fn look(&mut self, clock: Clock, look: Look<'_, C>, reads_energies: bool) -> bool {
+        if look.stays.is_none() && !reads_energies {
+            return false;
+        }
         let (mut point, time, orbits) = (self.shape.clone(), clock.at(clock.steps), &mut self.orbits);
         let mut has_ended = false;
         self.engine.read(clock, |completed, shown| {
@@ -353,7 +356,7 @@ impl<C: Coords> Batch<C> {
                 show(completed, shown, LANES_OF_ORBIT * number, &mut point);
                 if reads_energies && !(look.energy)(&point, time).is_finite() {
                     orbit.end = Some(End::NoEnergy);
-                } else if !(look.stays)(&point) {
+                } else if look.stays.is_some_and(|stays| !stays(&point)) {
                     orbit.end = Some(End::Gone);
                 }
                 has_ended |= orbit.end.is_some();

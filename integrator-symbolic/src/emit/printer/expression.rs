@@ -153,7 +153,10 @@ impl Printer<'_> {
             Node::Div(a, b) => {
                 if self.dialect == Dialect::Generic && !self.compared.contains(&id) {
                     let is_named = |id| self.names.contains_key(&id);
-                    let by_root = root(self.graph, b, is_named).map(|base| (base, quote!(div_sqrt)));
+                    // The force of a pair says which instruction set computes all of its sums; a lone root does not.
+                    let base =
+                        if matches!(self.frame, Frame::Bodies(_)) { root(self.graph, b, is_named) } else { None };
+                    let by_root = base.map(|base| (base, quote!(div_sqrt)));
                     let by_cube = || Some((root_cubed(self.graph, b, is_named)?, quote!(div_pow_3_2)));
                     if let Some((base, quotient)) = by_root.or_else(by_cube) {
                         let a = self.expression(fields, a).at_least(Binding::Atom);

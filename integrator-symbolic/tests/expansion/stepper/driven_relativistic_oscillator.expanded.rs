@@ -67,7 +67,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = false;
-        const FINGERPRINT: u64 = 14199395044171690531;
+        const FINGERPRINT: u64 = 709413572954614763;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 amplitude: self.amplitude,
@@ -82,7 +82,7 @@ const _: () = {
         ) {
             let step = Scalar::of(duration);
             let p0 = motion.p[0].value();
-            motion.q[0].add(step.scale(p0).div_sqrt(p0.square_add(Scalar::of(1.0))));
+            motion.q[0].add(step.scale(p0) / p0.square_add(Scalar::of(1.0)).sqrt());
         }
         #[inline(always)]
         fn kick<Scalar: runtime::Real, Leaf: runtime::Precision>(

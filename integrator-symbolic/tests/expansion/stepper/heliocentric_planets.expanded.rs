@@ -117,7 +117,7 @@ const _: () = {
         const SEPARABLE: bool = false;
         const PAIRED: bool = true;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 47653241426691080;
+        const FINGERPRINT: u64 = 5752709121859246866;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -314,12 +314,8 @@ const _: () = {
                         .prepared_5[i]
                         .scale_add(
                             sum_0,
-                            -motion
-                                .parameters
-                                .prepared_1[i]
-                                .div_sqrt(
-                                    q_i_2.square_add(q_i_1.square_add(q_i_0.square())),
-                                ),
+                            -(motion.parameters.prepared_1[i]
+                                / q_i_2.square_add(q_i_1.square_add(q_i_0.square())).sqrt()),
                         );
             }
             sum_1
@@ -340,10 +336,10 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     sum_2
-                        += (motion.parameters.prepared_3[i] * motion.parameters.mass[j])
-                            .div_sqrt(
-                                shared_2.square_add(shared_1.square_add(shared_0.square())),
-                            );
+                        += motion.parameters.prepared_3[i] * motion.parameters.mass[j]
+                            / shared_2
+                                .square_add(shared_1.square_add(shared_0.square()))
+                                .sqrt();
                 }
                 sum_3 += sum_2;
             }

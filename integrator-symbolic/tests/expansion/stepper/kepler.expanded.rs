@@ -76,7 +76,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 5936785644878784621;
+        const FINGERPRINT: u64 = 16941470662577749677;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -124,7 +124,7 @@ const _: () = {
         ) -> Scalar {
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
-            motion.parameters.prepared_0.div_sqrt(q1.square_add(q0.square()))
+            motion.parameters.prepared_0 / q1.square_add(q0.square()).sqrt()
         }
         fn stated(
             &self,

@@ -106,7 +106,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 18068888598960546295;
+        const FINGERPRINT: u64 = 2835648426565933545;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -274,12 +274,8 @@ const _: () = {
                         .prepared_5[i]
                         .scale_add(
                             sum_0,
-                            -motion
-                                .parameters
-                                .prepared_1[i]
-                                .div_sqrt(
-                                    q_i_2.square_add(q_i_1.square_add(q_i_0.square())),
-                                ),
+                            -(motion.parameters.prepared_1[i]
+                                / q_i_2.square_add(q_i_1.square_add(q_i_0.square())).sqrt()),
                         );
             }
             sum_1
@@ -300,10 +296,10 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     sum_0
-                        += (motion.parameters.prepared_2[i] * motion.parameters.mass[j])
-                            .div_sqrt(
-                                shared_2.square_add(shared_1.square_add(shared_0.square())),
-                            );
+                        += motion.parameters.prepared_2[i] * motion.parameters.mass[j]
+                            / shared_2
+                                .square_add(shared_1.square_add(shared_0.square()))
+                                .sqrt();
                 }
                 sum_1 += sum_0;
             }

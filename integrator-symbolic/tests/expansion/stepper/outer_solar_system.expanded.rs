@@ -109,7 +109,7 @@ const _: () = {
             3,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 14139124835294165479;
+        const FINGERPRINT: u64 = 10573598181573161531;
         const WIDE: bool = true;
         const LAYOUT: &'static [&'static str] = &["row", "row"];
         fn parameters(&self, _length: usize) -> Parameters<f64> {
@@ -181,11 +181,10 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     sum_0
-                        += (motion.parameters.prepared_1[i]
-                            * motion.parameters.mass_2[j])
-                            .div_sqrt(
-                                shared_2.square_add(shared_1.square_add(shared_0.square())),
-                            );
+                        += motion.parameters.prepared_1[i] * motion.parameters.mass_2[j]
+                            / shared_2
+                                .square_add(shared_1.square_add(shared_0.square()))
+                                .sqrt();
                 }
                 sum_1 += sum_0;
             }
@@ -370,11 +369,10 @@ const _: () = {
                     let shared_1 = q_i_1 - motion.q[j][1].value();
                     let shared_2 = q_i_2 - motion.q[j][2].value();
                     sum_0
-                        += (motion.parameters.prepared_1[i]
-                            * motion.parameters.mass_2[j])
-                            .div_sqrt(
-                                shared_2.square_add(shared_1.square_add(shared_0.square())),
-                            );
+                        += motion.parameters.prepared_1[i] * motion.parameters.mass_2[j]
+                            / shared_2
+                                .square_add(shared_1.square_add(shared_0.square()))
+                                .sqrt();
                 }
                 sum_1 += sum_0;
             }

@@ -126,7 +126,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["kepler", "interaction"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 8499473119136552308;
+        const FINGERPRINT: u64 = 9805594202298683833;
         const WIDE: bool = true;
         const LARGE_FLOWS: bool = true;
         const LAYOUT: &'static [&'static str] = &["row", "row"];
@@ -302,11 +302,11 @@ const _: () = {
                         let shared_1 = q_i_1 - motion.q[j][1].value();
                         let shared_2 = q_i_2 - motion.q[j][2].value();
                         sum_0
-                            += (motion.parameters.prepared_1[i]
-                                * motion.parameters.mass_2[j])
-                                .div_sqrt(
-                                    shared_2.square_add(shared_1.square_add(shared_0.square())),
-                                );
+                            += motion.parameters.prepared_1[i]
+                                * motion.parameters.mass_2[j]
+                                / shared_2
+                                    .square_add(shared_1.square_add(shared_0.square()))
+                                    .sqrt();
                     }
                     sum_1 += sum_0;
                 }

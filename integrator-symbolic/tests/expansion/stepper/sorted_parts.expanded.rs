@@ -97,7 +97,7 @@ const _: () = {
         const PARTS: &'static [&'static str] = &["quadratic", "rest"];
         const SEPARABLE: bool = false;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 2870494041592025394;
+        const FINGERPRINT: u64 = 14705761833495096216;
         const WIDE: bool = true;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
@@ -234,8 +234,8 @@ const _: () = {
             let shared_0 = q0 + motion.parameters.mass;
             let shared_1 = motion.parameters.mass + (q0 + Scalar::of(-1.0));
             let shared_2 = q1.square();
-            -(motion.parameters.prepared_1.div_sqrt(shared_0.square_add(shared_2))
-                + motion.parameters.mass.div_sqrt(shared_1.square_add(shared_2)))
+            -(motion.parameters.prepared_1 / shared_0.square_add(shared_2).sqrt()
+                + motion.parameters.mass / shared_1.square_add(shared_2).sqrt())
         }
         fn stated(
             &self,
