@@ -309,6 +309,12 @@ impl<H: System, R: Real, K: Precision> Kernel for Finite<'_, H, R, K> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        all_finite(self.0, Some(1))
+        // Not `all_finite`, which calls a function for other threads outside of this variant.
+        for motion in self.0 {
+            if !motion.finite() {
+                return false;
+            }
+        }
+        true
     }
 }

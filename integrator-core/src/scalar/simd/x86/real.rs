@@ -77,15 +77,14 @@ macro_rules! vector {
             impl $vector {
                 #[inline(always)]
                 pub(super) fn lanes(self) -> [$scalar; $lanes] {
-                    let mut lanes = [0.0; $lanes];
-                    // SAFETY: the array has a number for every lane; for the instruction set as in `instruction!`.
-                    unsafe { $store(lanes.as_mut_ptr(), self.0) };
-                    lanes
+                    // No instruction, which is a call where the instruction set is not that of the function around it.
+                    // SAFETY: both are as many numbers, and any bits are some.
+                    unsafe { core::mem::transmute::<$register, [$scalar; $lanes]>(self.0) }
                 }
                 #[inline(always)]
                 pub(super) fn of_lanes(lanes: [$scalar; $lanes]) -> Self {
-                    // SAFETY: the array has a number for every lane; for the instruction set as in `instruction!`.
-                    Self(unsafe { $load(lanes.as_ptr()) })
+                    // SAFETY: as in `lanes`.
+                    Self(unsafe { core::mem::transmute::<[$scalar; $lanes], $register>(lanes) })
                 }
                 /// Reads the first numbers of a slice.
                 #[inline(always)]
