@@ -145,7 +145,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty, $div_sqrt:expr, $div_pow_3_2:expr; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty $(, $div_sqrt:path, $div_pow_3_2:path)?; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -199,14 +199,16 @@ macro_rules! fused_real {
             fn fma(self, b: Self, c: Self) -> Self {
                 Self::new(Elementary::mul_add(self.0, b.0, c.0))
             }
-            #[inline(always)]
-            fn div_sqrt(self, x: Self) -> Self {
-                $div_sqrt(self, x)
-            }
-            #[inline(always)]
-            fn div_pow_3_2(self, x: Self) -> Self {
-                $div_pow_3_2(self, x)
-            }
+            $(
+                #[inline(always)]
+                fn div_sqrt(self, x: Self) -> Self {
+                    $div_sqrt(self, x)
+                }
+                #[inline(always)]
+                fn div_pow_3_2(self, x: Self) -> Self {
+                    $div_pow_3_2(self, x)
+                }
+            )?
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
@@ -239,7 +241,4 @@ macro_rules! fused_real {
 elementary_functions!(
     fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_sqrt, S::div_pow_3_2; }
 );
-elementary_functions!(fused_real! {
-    f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>,
-    |n, x: Self| n / x.sqrt(), |n, x: Self| n / (x * x.sqrt());
-});
+elementary_functions!(fused_real! { f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>; });

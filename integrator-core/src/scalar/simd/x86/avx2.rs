@@ -82,8 +82,7 @@ elementary_functions!(vector! {
         let (low, high) = (_mm256_unpacklo_pd(evens, odds), _mm256_unpackhi_pd(evens, odds));
         [_mm256_permute2f128_pd::<0x20>(low, high), _mm256_permute2f128_pd::<0x31>(low, high)]
     },
-    pick crate::scalar::simd::block::pick,
-    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    pick crate::scalar::simd::block::pick;
 });
 elementary_functions!(vector! {
     /// Eight singles.
@@ -108,8 +107,7 @@ elementary_functions!(vector! {
         let (low, high) = (_mm256_unpacklo_ps(evens, odds), _mm256_unpackhi_ps(evens, odds));
         [_mm256_permute2f128_ps::<0x20>(low, high), _mm256_permute2f128_ps::<0x31>(low, high)]
     },
-    pick crate::scalar::simd::block::pick,
-    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    pick crate::scalar::simd::block::pick;
 });
 
 bits! {

@@ -103,8 +103,8 @@ elementary_functions!(vector! {
         let first = _mm512_permutex2var_pd(evens, _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11), odds);
         [first, _mm512_permutex2var_pd(evens, _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15), odds)]
     },
-    pick pick,
-    div_sqrt super::div_sqrt, div_pow_3_2 super::div_pow_3_2;
+    pick pick;
+    quotients super::div_sqrt, super::div_pow_3_2;
 });
 elementary_functions!(vector! {
     /// Sixteen singles.
@@ -131,8 +131,7 @@ elementary_functions!(vector! {
         let second = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
         [_mm512_permutex2var_ps(evens, first, odds), _mm512_permutex2var_ps(evens, second, odds)]
     },
-    pick pick,
-    div_sqrt |n, x: Self| n / x.sqrt(), div_pow_3_2 |n, x: Self| n / (x * x.sqrt());
+    pick pick;
 });
 
 bits! {

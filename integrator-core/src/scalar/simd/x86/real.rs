@@ -46,8 +46,8 @@ macro_rules! vector {
         after |$low:ident, $high:ident| $after:expr, before |$lower:ident, $higher:ident| $before:expr,
         deinterleave |$one:ident, $two:ident| $deinterleave:expr,
         interleave |$evens:ident, $odds:ident| $interleave:expr,
-        pick $pick:path,
-        div_sqrt $div_sqrt:expr, div_pow_3_2 $div_pow_3_2:expr;
+        pick $pick:path;
+        $(quotients $div_sqrt:path, $div_pow_3_2:path;)?
         unary: $($unary:ident)*; binary: $($binary:ident)*;
     ) => {
         $(#[$documentation])*
@@ -159,14 +159,16 @@ macro_rules! vector {
                 fn fma(self, b: Self, c: Self) -> Self {
                     Self(instruction!($fma(self.0, b.0, c.0)))
                 }
-                #[inline(always)]
-                fn div_sqrt(self, x: Self) -> Self {
-                    $div_sqrt(self, x)
-                }
-                #[inline(always)]
-                fn div_pow_3_2(self, x: Self) -> Self {
-                    $div_pow_3_2(self, x)
-                }
+                $(
+                    #[inline(always)]
+                    fn div_sqrt(self, x: Self) -> Self {
+                        $div_sqrt(self, x)
+                    }
+                    #[inline(always)]
+                    fn div_pow_3_2(self, x: Self) -> Self {
+                        $div_pow_3_2(self, x)
+                    }
+                )?
                 #[inline(always)]
                 fn sin_cos(self) -> (Self, Self) {
                     crate::scalar::functions::sin_cos(self)
