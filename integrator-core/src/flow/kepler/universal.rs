@@ -10,8 +10,7 @@
 //! its fourth order. One correction, of fourth order as well and with one division, takes it to the root wherever that
 //! is near. Where this correction is too long, a second one follows it, and after that a search in a bracket, by Laguerre's
 //! method (Conway 1986). The correction is always last and in the scalar itself, so that the tangent of a dual is exact,
-//! wherever the search came from. That is for
-//! duals over duals: a dual solves for its value alone ([`super::slope`]).
+//! wherever the search came from. That is for duals over duals: a dual solves for its value alone ([`super::slope`]).
 
 use super::{
     fall::{End, Fall, come_from_far, falls},
