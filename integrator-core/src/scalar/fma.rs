@@ -13,6 +13,18 @@ use core::{
     ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign},
 };
 
+/// `f64` or `f32`, with the estimate of a root that AVX-512 has.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+pub(crate) use crate::scalar::simd::x86::Estimated as Float;
+
+/// `f64` or `f32`.
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+pub trait Float {}
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+impl Float for f64 {}
+#[cfg(not(all(target_arch = "x86_64", feature = "std")))]
+impl Float for f32 {}
+
 /// An instruction set with fused multiply-add: its vectors, and the variant of a kernel that is compiled for it.
 pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
     /// Neighbours in an array of doubles.
@@ -32,12 +44,18 @@ pub trait Instructions: Copy + Debug + PartialEq + Send + Sync + 'static {
 
     /// `n / x^(1/2)`.
     #[inline(always)]
-    fn div_sqrt(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+    fn div_sqrt<F: Float>(n: Fused<F, Self>, x: Fused<F, Self>) -> Fused<F, Self>
+    where
+        Fused<F, Self>: Real,
+    {
         n / x.sqrt()
     }
     /// `n / x^(3/2)`.
     #[inline(always)]
-    fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+    fn div_pow_3_2<F: Float>(n: Fused<F, Self>, x: Fused<F, Self>) -> Fused<F, Self>
+    where
+        Fused<F, Self>: Real,
+    {
         n / (x * x.sqrt())
     }
     /// Runs the variant of `kernel` for these instructions.
@@ -98,17 +116,23 @@ impl Instructions for Avx512 {
     type Doubles = crate::scalar::simd::x86::X8;
     type Singles = crate::scalar::simd::x86::S16;
     type RowOfDoubles = crate::scalar::simd::x86::X8;
-    type RowOfSingles = crate::scalar::simd::x86::S8;
+    type RowOfSingles = crate::scalar::simd::x86::V8;
     type BundleOfDoubles = Lanes<Self::RowOfDoubles, 4>;
     type BundleOfSingles = Lanes<Self::RowOfSingles, 4>;
     type PairOfDoubles = crate::scalar::simd::x86::X2;
 
     #[inline(always)]
-    fn div_sqrt(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+    fn div_sqrt<F: Float>(n: Fused<F, Self>, x: Fused<F, Self>) -> Fused<F, Self>
+    where
+        Fused<F, Self>: Real,
+    {
         crate::scalar::simd::x86::div_sqrt(n, x)
     }
     #[inline(always)]
-    fn div_pow_3_2(n: Fused<f64, Self>, x: Fused<f64, Self>) -> Fused<f64, Self> {
+    fn div_pow_3_2<F: Float>(n: Fused<F, Self>, x: Fused<F, Self>) -> Fused<F, Self>
+    where
+        Fused<F, Self>: Real,
+    {
         crate::scalar::simd::x86::div_pow_3_2(n, x)
     }
     #[inline(always)]
@@ -145,7 +169,7 @@ macro_rules! operators {
 }
 
 macro_rules! fused_real {
-    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty $(, $div_sqrt:path, $div_pow_3_2:path)?; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
+    ($scalar:ty, $is_f64:literal, $block:ident, $row:ident, $bundle:ident, $pair:ty; unary: $($unary:ident)*; binary: $($binary:ident)*;) => {
         operators!($scalar: Add add +, Sub sub -, Mul mul *, Div div /);
 
         impl<S: Instructions> Neg for Fused<$scalar, S> {
@@ -199,16 +223,14 @@ macro_rules! fused_real {
             fn fma(self, b: Self, c: Self) -> Self {
                 Self::new(Elementary::mul_add(self.0, b.0, c.0))
             }
-            $(
-                #[inline(always)]
-                fn div_sqrt(self, x: Self) -> Self {
-                    $div_sqrt(self, x)
-                }
-                #[inline(always)]
-                fn div_pow_3_2(self, x: Self) -> Self {
-                    $div_pow_3_2(self, x)
-                }
-            )?
+            #[inline(always)]
+            fn div_sqrt(self, x: Self) -> Self {
+                S::div_sqrt(self, x)
+            }
+            #[inline(always)]
+            fn div_pow_3_2(self, x: Self) -> Self {
+                S::div_pow_3_2(self, x)
+            }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)
@@ -238,7 +260,5 @@ macro_rules! fused_real {
         }
     };
 }
-elementary_functions!(
-    fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles, S::div_sqrt, S::div_pow_3_2; }
-);
+elementary_functions!(fused_real! { f64, true, Doubles, RowOfDoubles, BundleOfDoubles, S::PairOfDoubles; });
 elementary_functions!(fused_real! { f32, false, Singles, RowOfSingles, BundleOfSingles, Lanes<Self, 2>; });

@@ -15,13 +15,16 @@ use crate::{
 };
 use core::{array, marker::PhantomData};
 
-/// The largest number of motions in a group. By measurement, more than six wait no less.
-const MOST: usize = 6;
+/// The number of motions in a group: by measurement on AVX2 and AVX-512, more than four wait less only where chains are long or
+/// states small. Powers of two, so that groups divide the members of most ensembles.
+const SOME: usize = 4;
+const MANY: usize = 8;
 
 /// The number of registers that a group's state may take out of 32, so that the rest is left to compute in. One too
 /// many, and the state goes through memory at every stage: by measurement on AVX-512, members with compensated
-/// coordinates of Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. Sixteen registers hold
-/// no group worth the name; there, as many motions as may hide how long memory takes.
+/// coordinates of Hénon–Heiles, three motions together and six, take 0.30 and 0.68 ns per step. A root takes so long that eight
+/// motions in memory are faster than four in registers: with Kepler's, 0.42 and 0.54 ns. Sixteen registers hold no group worth the
+/// name; there, as many motions as may hide how long memory takes.
 const FOR_STATE: usize = 24;
 
 /// Several motions, stage by stage.
@@ -90,13 +93,17 @@ where
         let numbers = 2 * size_of::<<Shaped<H, K> as Coords>::Slots<R>>() / size_of::<R>() * registers;
         let fitting = match FOR_STATE.checked_div(numbers) {
             Some(fitting) => fitting,
-            None => MOST,
+            None => MANY,
         };
+        // Outside of lattices and many bodies, flows that divide by roots.
+        let is_long = H::WIDE && numbers <= 4;
         // A motion that owns memory is of a size known at run time, hence not small.
         if E::REGISTERS == 0 || core::mem::needs_drop::<H::Motion<R, K>>() || fitting < 2 {
             1
-        } else if E::REGISTERS < 32 || fitting > MOST {
-            MOST
+        } else if is_long || numbers <= 2 {
+            MANY
+        } else if E::REGISTERS < 32 || fitting > SOME {
+            SOME
         } else {
             fitting
         }
@@ -141,8 +148,8 @@ where
         let rest = match Self::TOGETHER {
             2 => Self::groups::<2>(motions, clock, steps),
             3 => Self::groups::<3>(motions, clock, steps),
-            4 => Self::groups::<4>(motions, clock, steps),
-            MOST => Self::groups::<MOST>(motions, clock, steps),
+            SOME => Self::groups::<SOME>(motions, clock, steps),
+            MANY => Self::groups::<MANY>(motions, clock, steps),
             _ => motions,
         };
         for motion in rest {

@@ -1,7 +1,11 @@
 //! The registers of AVX2 and FMA, of 256 bits.
 
 use super::{bits::bits, real::vector};
-use crate::scalar::{fma::Fma, functions::elementary_functions, real::Mask};
+use crate::scalar::{
+    fma::{Avx512, Fma},
+    functions::elementary_functions,
+    real::Mask,
+};
 use core::arch::x86_64::{
     __m256, __m256d, _mm256_add_epi32, _mm256_add_epi64, _mm256_add_pd, _mm256_add_ps, _mm256_alignr_epi8,
     _mm256_and_pd, _mm256_and_ps, _mm256_andnot_pd, _mm256_andnot_ps, _mm256_blendv_pd, _mm256_blendv_ps,
@@ -84,41 +88,55 @@ elementary_functions!(vector! {
     },
     pick crate::scalar::simd::block::pick;
 });
-elementary_functions!(vector! {
-    /// Eight singles.
-    S8: 8 of f32 in __m256, masked by S8Mask, of the instructions Fma;
-    load _mm256_loadu_ps, store _mm256_storeu_ps, splat _mm256_set1_ps,
-    add _mm256_add_ps, sub _mm256_sub_ps, mul _mm256_mul_ps, div _mm256_div_ps,
-    fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps, to whole numbers _mm256_round_ps,
-    compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask),
-    after |low, high| {
-        let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
-        _mm256_castsi256_ps(_mm256_alignr_epi8::<4>(_mm256_permute2x128_si256::<0x21>(low, high), low))
-    },
-    before |low, high| {
-        let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
-        _mm256_castsi256_ps(_mm256_alignr_epi8::<12>(high, _mm256_permute2x128_si256::<0x21>(low, high)))
-    },
-    deinterleave |one, two| {
-        let (low, high) = (_mm256_permute2f128_ps::<0x20>(one, two), _mm256_permute2f128_ps::<0x31>(one, two));
-        [_mm256_shuffle_ps::<0x88>(low, high), _mm256_shuffle_ps::<0xdd>(low, high)]
-    },
-    interleave |evens, odds| {
-        let (low, high) = (_mm256_unpacklo_ps(evens, odds), _mm256_unpackhi_ps(evens, odds));
-        [_mm256_permute2f128_ps::<0x20>(low, high), _mm256_permute2f128_ps::<0x31>(low, high)]
-    },
-    pick crate::scalar::simd::block::pick;
-});
-
 bits! {
     X4 of f64, words of u64, masked by X4Mask;
     to integers _mm256_castpd_si256, back _mm256_castsi256_pd, and _mm256_and_pd, xor _mm256_xor_pd,
     add _mm256_add_epi64, left _mm256_sll_epi64, right _mm256_srl_epi64, splat _mm256_set1_pd,
     odd |x| _mm256_castsi256_pd(_mm256_slli_epi64::<63>(x))
 }
-bits! {
-    S8 of f32, words of u32, masked by S8Mask;
-    to integers _mm256_castps_si256, back _mm256_castsi256_ps, and _mm256_and_ps, xor _mm256_xor_ps,
-    add _mm256_add_epi32, left _mm256_sll_epi32, right _mm256_srl_epi32, splat _mm256_set1_ps,
-    odd |x| _mm256_castsi256_ps(_mm256_slli_epi32::<31>(x))
+/// Eight singles, on either set.
+macro_rules! eight_singles {
+    ($(#[$documentation:meta])* $vector:ident on $set:ident $(, quotients $div_sqrt:path, $div_pow_3_2:path)?) => {
+        elementary_functions!(vector! {
+            $(#[$documentation])*
+            $vector: 8 of f32 in __m256, masked by S8Mask, of the instructions $set;
+            load _mm256_loadu_ps, store _mm256_storeu_ps, splat _mm256_set1_ps,
+            add _mm256_add_ps, sub _mm256_sub_ps, mul _mm256_mul_ps, div _mm256_div_ps,
+            fma _mm256_fmadd_ps, sqrt _mm256_sqrt_ps, xor _mm256_xor_ps, andnot _mm256_andnot_ps, to whole numbers _mm256_round_ps,
+            compare _mm256_cmp_ps, select |mask, a, b| _mm256_blendv_ps(b, a, mask),
+            after |low, high| {
+                let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
+                _mm256_castsi256_ps(_mm256_alignr_epi8::<4>(_mm256_permute2x128_si256::<0x21>(low, high), low))
+            },
+            before |low, high| {
+                let (low, high) = (_mm256_castps_si256(low), _mm256_castps_si256(high));
+                _mm256_castsi256_ps(_mm256_alignr_epi8::<12>(high, _mm256_permute2x128_si256::<0x21>(low, high)))
+            },
+            deinterleave |one, two| {
+                let (low, high) = (_mm256_permute2f128_ps::<0x20>(one, two), _mm256_permute2f128_ps::<0x31>(one, two));
+                [_mm256_shuffle_ps::<0x88>(low, high), _mm256_shuffle_ps::<0xdd>(low, high)]
+            },
+            interleave |evens, odds| {
+                let (low, high) = (_mm256_unpacklo_ps(evens, odds), _mm256_unpackhi_ps(evens, odds));
+                [_mm256_permute2f128_ps::<0x20>(low, high), _mm256_permute2f128_ps::<0x31>(low, high)]
+            },
+            pick crate::scalar::simd::block::pick;
+            $(quotients $div_sqrt, $div_pow_3_2;)?
+        });
+        bits! {
+            $vector of f32, words of u32, masked by S8Mask;
+            to integers _mm256_castps_si256, back _mm256_castsi256_ps, and _mm256_and_ps, xor _mm256_xor_ps,
+            add _mm256_add_epi32, left _mm256_sll_epi32, right _mm256_srl_epi32, splat _mm256_set1_ps,
+            odd |x| _mm256_castsi256_ps(_mm256_slli_epi32::<31>(x))
+        }
+    };
+}
+
+eight_singles! {
+    /// Eight singles.
+    S8 on Fma
+}
+eight_singles! {
+    /// Eight singles beside the vectors of AVX-512.
+    V8 on Avx512, quotients super::div_sqrt, super::div_pow_3_2
 }

@@ -132,6 +132,7 @@ elementary_functions!(vector! {
         [_mm512_permutex2var_ps(evens, first, odds), _mm512_permutex2var_ps(evens, second, odds)]
     },
     pick pick;
+    quotients super::div_sqrt, super::div_pow_3_2;
 });
 
 bits! {

@@ -21,14 +21,15 @@ mod real;
 mod roots;
 mod row;
 
-pub use avx2::{S8, X4};
+pub use avx2::{S8, V8, X4};
 pub use avx512::{S16, X8};
 pub use pair::X2;
+pub use roots::Estimated;
 pub(crate) use roots::{div_pow_3_2, div_sqrt};
 
 #[cfg(test)]
 mod tests {
-    use super::{S8, S16, X4, X8};
+    use super::{S8, S16, V8, X4, X8};
     use crate::scalar::{
         fma::{Avx512, Fma, Fused},
         instruction_set::InstructionSet,
@@ -161,6 +162,7 @@ mod tests {
     fn every_lane_is_the_fused_scalar() {
         every_lane_is_the_scalar::<X4, Fused<f64, Fma>>(InstructionSet::Fused);
         every_lane_is_the_scalar::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
+        every_lane_is_the_scalar::<V8, Fused<f32, Avx512>>(InstructionSet::Avx512);
         every_lane_is_the_scalar::<X8, Fused<f64, Avx512>>(InstructionSet::Avx512);
         every_lane_is_the_scalar::<S16, Fused<f32, Avx512>>(InstructionSet::Avx512);
     }

@@ -1,6 +1,6 @@
 //! Rows of bodies in the lanes of one vector or two.
 
-use super::{S8, X4, X8};
+use super::{S8, V8, X4, X8};
 use crate::scalar::{
     fma::{Avx512, Fma, Fused},
     real::Real,
@@ -115,8 +115,8 @@ fn fetch_once<T>(address: *const T) {
 
 /// Eight singles, on either set.
 macro_rules! singles {
-    ($($set:ident)*) => {$(
-        impl Row<Fused<f32, $set>> for S8 {
+    ($($vector:ident on $set:ident)*) => {$(
+        impl Row<Fused<f32, $set>> for $vector {
             #[inline(always)]
             fn splat(x: Fused<f32, $set>) -> Self {
                 Self::of(f64::from(x.0))
@@ -157,7 +157,7 @@ macro_rules! singles {
         }
     )*};
 }
-singles!(Fma Avx512);
+singles!(S8 on Fma V8 on Avx512);
 
 impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
     #[inline(always)]
@@ -208,7 +208,7 @@ impl Row<Fused<f64, Fma>> for Lanes<X4, 2> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, X4, X8};
+    use super::{Avx512, Fma, Fused, Lanes, Real, Row, S8, V8, X4, X8};
     use crate::scalar::instruction_set::InstructionSet;
 
     /// All rotations of `N` bodies: each lane gets the body that is this number of lanes ahead, and lanes after the last
@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn rows_of_all_sets_rotate_alike() {
         all_rotations::<X8, Fused<f64, Avx512>>(InstructionSet::Avx512);
-        all_rotations::<S8, Fused<f32, Avx512>>(InstructionSet::Avx512);
+        all_rotations::<V8, Fused<f32, Avx512>>(InstructionSet::Avx512);
         all_rotations::<S8, Fused<f32, Fma>>(InstructionSet::Fused);
         all_rotations::<Lanes<X4, 2>, Fused<f64, Fma>>(InstructionSet::Fused);
         permutations::<Lanes<f64, 8>, f64>();
