@@ -7,7 +7,7 @@
 //! sin r = r - (r·z)·S(z)        cos r = 1 + r·(r·C(z))
 //! ```
 //!
-//! so that lanes choose coefficients and compute one of them. Terms are summed in pairs (Estrin), since a lone
+//! so that a number chooses coefficients and computes one of them. Terms are summed in pairs (Estrin), since a lone
 //! trajectory waits for every operation in a row.
 //!
 //! `S` and `C` are minimax (Remez in 300 bits, weighted for the relative error of the result, coefficients rounded one
@@ -78,15 +78,27 @@ fn coefficient<R: Bits>(odd: R::Mask, [sine, cosine]: [f64; 2]) -> R {
     R::select(odd, R::of(cosine), R::of(sine))
 }
 
-/// The sine of the rest, or its cosine where `odd` holds.
-///
-/// The leading term is added last but one, so that only two roundings are of the size of half a unit of the result.
+/// The sine and the cosine of the rest.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn both<R: Bits<Scalar: TrigReduction>>(reduced: Reduced<R>) -> [R; 2] {
+    let [sine, _] = sin_or_cos_with_error(R::Mask::of(false), reduced);
+    let [cosine, _] = sin_or_cos_with_error(R::Mask::of(true), reduced);
+    [sine, cosine]
+}
+
+/// The sine of the rest, or its cosine where `odd` holds. Lanes compute both: the selections of all coefficients take longer.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn sin_or_cos<R: Bits<Scalar: TrigReduction>>(odd: R::Mask, reduced: Reduced<R>) -> R {
-    sin_or_cos_with_error(odd, reduced)[0]
+    if R::LANES == 1 {
+        return sin_or_cos_with_error(odd, reduced)[0];
+    }
+    let [sine, cosine] = both(reduced);
+    R::select(odd, cosine, sine)
 }
 
 /// The sine of the rest, or its cosine where `odd` holds, and the error of the last rounding.
+///
+/// The leading term is added last but one, so that only two roundings are of the size of half a unit of the result.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn sin_or_cos_with_error<R: Bits<Scalar: TrigReduction>>(
     odd: R::Mask,
@@ -135,7 +147,7 @@ pub(crate) fn cos<R: Bits<Scalar: TrigReduction>>(x: R) -> R {
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sin_cos<R: Bits<Scalar: TrigReduction>>(x: R) -> (R, R) {
     let reduced = reduce(x);
-    let (sine, cosine) = (sin_or_cos(R::Mask::of(false), reduced), sin_or_cos(R::Mask::of(true), reduced));
+    let [sine, cosine] = both(reduced);
     let (odd, ahead) = (reduced.quarters.is_odd(), reduced.quarters + R::of(1.0));
     let sine_of_x = signed(R::select(odd, cosine, sine), reduced.quarters);
     let cosine_of_x = signed(R::select(odd, sine, cosine), ahead);
@@ -183,10 +195,8 @@ impl TrigReduction for f64 {
             coefficient(odd, [2.505_073_438_933_484_8e-8, -2.755_731_421_703_767e-7]),
             coefficient(odd, [-2.755_731_353_850_646e-6, 2.480_158_728_900_208e-5]),
         );
-        let third = z.fma(
-            coefficient(odd, [0.0, -1.135_874_918_630_080_7e-11]),
-            coefficient(odd, [-1.589_543_341_933_909_4e-10, 2.087_570_539_550_263e-9]),
-        );
+        let of_cosine = z.fma(R::of(-1.135_874_918_630_080_7e-11), R::of(2.087_570_539_550_263e-9));
+        let third = R::select(odd, of_cosine, R::of(-1.589_543_341_933_909_4e-10));
         let zz = z * z;
         (inner * zz).fma(zz.fma(third, second), inner.fma(first, excess))
     }
@@ -229,8 +239,8 @@ impl TrigReduction for f32 {
             coefficient(odd, [1.950_789_010_152_220_7e-4, -1.388_730_597_682_297_2e-3]),
             coefficient(odd, [-8.332_106_284_797_192e-3, 4.166_664_555_668_831e-2]),
         );
-        let third = coefficient(odd, [0.0, 2.443_165_067_236_707_4e-5]);
-        (inner * (z * z)).fma(third, inner.fma(first, excess))
+        let low = inner.fma(first, excess);
+        R::select(odd, (inner * (z * z)).fma(R::of(2.443_165_067_236_707_4e-5), low), low)
     }
 
     const FALLBACKS: [fn(&mut [f32]); 3] = [far_sine_single, far_cosine_single, far_tangent_single];
