@@ -31,8 +31,8 @@ use core::{ops::Range, slice};
 /// The number of sites of a tile: two arrays of doubles of this length fill a third of a first-level cache.
 const TILE: usize = 1024;
 
-/// The number of sites of a tile of rows: both arrays fit into a second-level cache many times.
-const TILE_OF_ROWS: usize = 8 * TILE;
+/// The number of sites of a tile of rows: a flow finds in a first-level cache most of the rows that the one before it moved.
+const TILE_OF_ROWS: usize = 2 * TILE;
 
 /// The number of sites by which the flows of a tile of rows may lean, a row each: they fit into a second-level cache. Flows that
 /// lean by more are tiled as many.
@@ -53,8 +53,8 @@ const LEAST_DEPTH: usize = 4;
 /// A lattice shorter than this stays in the cache as it is.
 const CACHED: usize = 3 * TILE;
 
-/// A plane of fewer sites gains nothing by tiles: its rows are moved as fast from a second-level cache.
-const CACHED_PLANE: usize = 48 * TILE;
+/// A plane of fewer sites gains nothing by tiles, which would have too few rows.
+const CACHED_PLANE: usize = 8 * TILE;
 
 /// The least number of sites in the chunk of a thread: the gaps between the chunks of a line are filled by one of them.
 const MIN_CHUNK: usize = 4 * TILE;
