@@ -231,6 +231,11 @@ macro_rules! fused_real {
             fn div_pow_3_2(self, x: Self) -> Self {
                 S::div_pow_3_2(self, x)
             }
+            #[cfg(all(target_arch = "x86_64", feature = "std"))]
+            #[inline(always)]
+            fn apart(self) -> Self {
+                Self::new(crate::scalar::simd::x86::apart(f64::from(self.0)) as $scalar)
+            }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 functions::sin_cos(self)

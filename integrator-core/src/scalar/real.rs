@@ -217,6 +217,11 @@ macro_rules! declare_real {
             fn div_pow_3_2(self, x: Self) -> Self {
                 self / (x * x.sqrt())
             }
+            /// The same number, which no optimisation puts into a vector with others.
+            #[inline(always)]
+            fn apart(self) -> Self {
+                self
+            }
             /// Sine and cosine of one argument.
             fn sin_cos(self) -> (Self, Self);
             elementary_functions!(fast ones of declare_fast!);

@@ -78,7 +78,7 @@ impl<R: Real> Slot<R> for [R; 2] {
     #[inline(always)]
     fn fma(&mut self, a: R, b: R) {
         let [value, carried] = *self;
-        *self = fast_two_sum(value, a.fma(b, carried));
+        *self = fast_two_sum(value, a.fma(b, carried).apart());
     }
     #[inline(always)]
     fn select(mask: R::Mask, a: Self, b: Self) -> Self {

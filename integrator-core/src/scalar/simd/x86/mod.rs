@@ -27,6 +27,14 @@ pub use pair::X2;
 pub use roots::Estimated;
 pub(crate) use roots::{div_pow_3_2, div_sqrt};
 
+/// The same number, which no optimisation puts into a vector with others.
+#[inline(always)]
+pub(crate) fn apart(mut number: f64) -> f64 {
+    // SAFETY: there is no instruction.
+    unsafe { core::arch::asm!("/* {0} */", inout(xmm_reg) number, options(pure, nomem, nostack, preserves_flags)) };
+    number
+}
+
 #[cfg(test)]
 mod tests {
     use super::{S8, S16, V8, X4, X8};
@@ -59,7 +67,7 @@ mod tests {
     /// Every operation on the numbers `a` and `b`: all lanes of the results.
     fn results<R: Real>(a: R, b: R) -> Vec<Vec<u64>> {
         let mut results =
-            vec![a + b, a - b, a * b, a / b, -a, a.fma(b, b), a.sqrt(), a.abs(), a.sin(), a.min(b), a.powf(b)];
+            vec![a + b, a - b, a * b, a / b, -a, a.fma(b, b), a.sqrt(), a.abs(), a.sin(), a.min(b), a.powf(b), a.apart()];
         results.extend([a.sin_cos().0, a.sin_cos().1]);
         results.extend([a.floor(), a.ceil(), a.trunc(), a.round(), a.round_ties_even(), a.remainder(b)]);
         let masks = [
