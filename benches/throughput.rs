@@ -28,8 +28,10 @@ use std::error::Error;
 const ROUNDS: usize = 31;
 /// Number of trajectories in an ensemble: a few hundred groups of vectors.
 const MEMBERS: usize = 8192;
-/// Steps per round of an ensemble.
-const STEPS: u64 = 1000;
+/// A small ensemble, of one group of vectors.
+const FEW: usize = 64;
+/// Steps of all members per round of an ensemble.
+const STEPS: usize = 8_192_000;
 /// Step of a lattice.
 const STEP: f64 = 0.05;
 
@@ -138,22 +140,23 @@ impl Report {
 
 /// Compares an ensemble, with one and with two threads, with its hand-written stepper.
 macro_rules! ensemble {
-    ($report:ident, $scene:literal, $number:ident, $h:expr, $point:expr, $columns:expr, $member:expr) => {{
-        let columns: Vec<[f64; 4]> = (0..MEMBERS).map(|i| $columns(i as f64 / MEMBERS as f64)).collect();
+    ($report:ident, $scene:literal, $count:expr, $number:ident, $point:expr, $columns:expr, $member:expr) => {{
+        let (h, steps) = (0.01, (STEPS / $count) as u64);
+        let columns: Vec<[f64; 4]> = (0..$count).map(|i| $columns(i as f64 / $count as f64)).collect();
         let members = || columns.iter().map($member);
-        let mut one = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
+        let mut one = Ensemble::new(Verlet, members(), h).expect("members").with_threads(1);
         // One thread in wall-clock time, for comparison with two threads.
-        let mut wall = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(1);
-        let mut two = Ensemble::new(Verlet, members(), $h).expect("members").with_threads(2);
+        let mut wall = Ensemble::new(Verlet, members(), h).expect("members").with_threads(1);
+        let mut two = Ensemble::new(Verlet, members(), h).expect("members").with_threads(2);
         let mut by_hand = Swarm::<$number>::new($point, &columns);
-        let plan = Plan::of::<Verlet>($h);
+        let plan = Plan::of::<Verlet>(h);
         let racers = vec![
-            Racer::new("generated", || one.advance(STEPS).expect("finite states")),
-            Racer::new("by hand", || by_hand.advance(&plan, STEPS)),
-            Racer::new("two threads", || two.advance(STEPS).expect("finite states")).in_threads(),
-            Racer::new("one thread", || wall.advance(STEPS).expect("finite states")).in_threads(),
+            Racer::new("generated", || one.advance(steps).expect("finite states")),
+            Racer::new("by hand", || by_hand.advance(&plan, steps)),
+            Racer::new("two threads", || two.advance(steps).expect("finite states")).in_threads(),
+            Racer::new("one thread", || wall.advance(steps).expect("finite states")).in_threads(),
         ];
-        $report.add($scene, "trajectory-steps/s", ROUNDS, MEMBERS as f64 * STEPS as f64, racers);
+        $report.add($scene, "trajectory-steps/s", ROUNDS, STEPS as f64, racers);
     }};
 }
 
@@ -178,17 +181,19 @@ fn ensembles(report: &mut Report) {
         let (system, start) = double(columns);
         (FastPendulum(system), start)
     };
-    ensemble!(report, "pendulum", f64, 0.01, Point::Pendulum, pendulum, double);
-    ensemble!(report, "pendulum_fast", f64, 0.01, Point::FastPendulum, pendulum, fast);
-    ensemble!(report, "pendulum_f32", f32, 0.01, Point::Pendulum, pendulum, single);
+    ensemble!(report, "pendulum", MEMBERS, f64, Point::Pendulum, pendulum, double);
+    ensemble!(report, "pendulum_fast", MEMBERS, f64, Point::FastPendulum, pendulum, fast);
+    ensemble!(report, "pendulum_f32", MEMBERS, f32, Point::Pendulum, pendulum, single);
 
     let henon = |x: f64| [0.1 + 0.2 * x, 0.1 * x, 0.0, 0.3];
-    ensemble!(report, "henon", f64, 0.01, Point::HenonHeiles, henon, planar!(HenonHeiles, f64));
-    ensemble!(report, "henon_f32", f32, 0.01, Point::HenonHeiles, henon, planar!(HenonHeiles, f32));
+    ensemble!(report, "henon", MEMBERS, f64, Point::HenonHeiles, henon, planar!(HenonHeiles, f64));
+    ensemble!(report, "henon_64", FEW, f64, Point::HenonHeiles, henon, planar!(HenonHeiles, f64));
+    ensemble!(report, "henon_f32", MEMBERS, f32, Point::HenonHeiles, henon, planar!(HenonHeiles, f32));
 
     let kepler = |x: f64| [0.6 + 0.4 * x, 0.0, 0.0, 1.0 + 0.2 * x];
-    ensemble!(report, "kepler", f64, 0.01, Point::Kepler, kepler, planar!(Kepler, f64));
-    ensemble!(report, "kepler_f32", f32, 0.01, Point::Kepler, kepler, planar!(Kepler, f32));
+    ensemble!(report, "kepler", MEMBERS, f64, Point::Kepler, kepler, planar!(Kepler, f64));
+    ensemble!(report, "kepler_64", FEW, f64, Point::Kepler, kepler, planar!(Kepler, f64));
+    ensemble!(report, "kepler_f32", MEMBERS, f32, Point::Kepler, kepler, planar!(Kepler, f32));
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -64,7 +64,7 @@ impl<T: Number> March<'_, T> {
 }
 
 macro_rules! precision {
-    ($number:ident in $vectors:ident) => {
+    ($number:ident in $vectors:ident, groups of $group:literal) => {
         impl Kernel for March<'_, $number> {
             type Out = ();
             #[inline(always)]
@@ -77,9 +77,9 @@ macro_rules! precision {
             /// Creates a swarm from the coordinates and parameters of each trajectory.
             ///
             /// # Panics
-            /// If their number is not a multiple of 128, which is a group of the widest vectors.
+            /// If their number is not a multiple of that in a group of the widest vectors.
             pub fn new(point: Point, members: &[[f64; 4]]) -> Self {
-                assert_eq!(members.len() % 128, 0, "whole groups");
+                assert_eq!(members.len() % $group, 0, "whole groups");
                 let column = |i: usize| members.iter().map(|member| $number::of(member[i])).collect();
                 Self { point, columns: [0, 1, 2, 3].map(column) }
             }
@@ -96,5 +96,5 @@ macro_rules! precision {
         }
     };
 }
-precision!(f64 in V);
-precision!(f32 in S);
+precision!(f64 in V, groups of 64);
+precision!(f32 in S, groups of 128);

@@ -34,12 +34,14 @@ pub struct Row {
 }
 
 /// Scenes and compositions as named in the tables of the benches, and their labels in plots.
-const NAMES_OF: [(&str, &str); 34] = [
+const NAMES_OF: [(&str, &str); 36] = [
     ("henon", "Hénon–Heiles"),
     ("henon_carried", "Hénon–Heiles, compensated"),
+    ("henon_64", "Hénon–Heiles, 64 members"),
     ("henon_f32", "Hénon–Heiles, f32"),
     ("henon_parts", "Hénon–Heiles, quadratic + rest"),
     ("kepler", "Kepler"),
+    ("kepler_64", "Kepler, 64 members"),
     ("kepler_f32", "Kepler, f32"),
     ("kepler_part", "Kepler part"),
     ("pendulum_fast", "pendulum, fast functions"),

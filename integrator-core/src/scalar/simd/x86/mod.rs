@@ -66,8 +66,20 @@ mod tests {
 
     /// Every operation on the numbers `a` and `b`: all lanes of the results.
     fn results<R: Real>(a: R, b: R) -> Vec<Vec<u64>> {
-        let mut results =
-            vec![a + b, a - b, a * b, a / b, -a, a.fma(b, b), a.sqrt(), a.abs(), a.sin(), a.min(b), a.powf(b), a.apart()];
+        let mut results = vec![
+            a + b,
+            a - b,
+            a * b,
+            a / b,
+            -a,
+            a.fma(b, b),
+            a.sqrt(),
+            a.abs(),
+            a.sin(),
+            a.min(b),
+            a.powf(b),
+            a.apart(),
+        ];
         results.extend([a.sin_cos().0, a.sin_cos().1]);
         results.extend([a.floor(), a.ceil(), a.trunc(), a.round(), a.round_ties_even(), a.remainder(b)]);
         let masks = [
