@@ -15,7 +15,7 @@ use core::{
 
 /// `f64` or `f32`, with the estimate of a root that AVX-512 has.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
-pub(crate) use crate::scalar::simd::x86::Estimated as Float;
+pub(crate) use crate::scalar::simd::x86::Estimate as Float;
 
 /// `f64` or `f32`.
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]

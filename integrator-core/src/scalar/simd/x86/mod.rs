@@ -24,7 +24,7 @@ mod row;
 pub use avx2::{S8, V8, X4};
 pub use avx512::{S16, X8};
 pub use pair::X2;
-pub use roots::Estimated;
+pub use roots::Estimate;
 pub(crate) use roots::{div_pow_3_2, div_sqrt};
 
 /// The same number, which no optimisation puts into a vector with others.

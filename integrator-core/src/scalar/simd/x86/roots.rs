@@ -13,27 +13,18 @@ use core::arch::x86_64::{
 };
 
 /// Numbers with an estimate of `1 / sqrt(x)`, off by less than one part in 2¹⁴. Vector and scalar have the same one.
-pub(crate) trait Estimate: Real {
+pub trait Estimate: Real {
     /// Whether the numbers have 24 bits, so that the first term of a series is enough.
     const IS_SINGLE: bool;
+    /// The estimate.
     fn reciprocal_root(self) -> Self;
     /// The number, or the largest one in place of infinity. NaN stays NaN.
     fn at_most_max(self) -> Self;
 }
 
-/// A number that a scalar with an estimate is made of.
-pub trait Estimated: Sized {
-    #[doc(hidden)]
-    const IS_SINGLE: bool;
-    #[doc(hidden)]
-    fn reciprocal_root(self) -> Self;
-    #[doc(hidden)]
-    fn at_most_max(self) -> Self;
-}
-
 macro_rules! estimate {
     ($number:ident, $is_single:literal, alone $set:ident $root:ident $min:ident $get:ident; $($vector:ident: $splat:ident $root_of_vector:ident $min_of_vector:ident),*) => {
-        impl Estimated for $number {
+        impl Estimate for $number {
             const IS_SINGLE: bool = $is_single;
 
             #[inline(always)]
@@ -67,7 +58,7 @@ estimate!(
     V8: _mm256_set1_ps _mm256_rsqrt14_ps _mm256_min_ps, S16: _mm512_set1_ps _mm512_rsqrt14_ps _mm512_min_ps
 );
 
-impl<F: Estimated> Estimate for Fused<F, Avx512>
+impl<F: Estimate> Estimate for Fused<F, Avx512>
 where
     Self: Real,
 {
