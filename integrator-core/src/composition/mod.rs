@@ -147,6 +147,15 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     /// The error of such a pair is of third order in its duration. Compositions of order two keep their order; higher orders
     /// need further conditions, beginning with `Σ bᵢ³ = 0`, which are proved.
     const KEEPS_PAIRS: bool = Self::ORDER < 3;
+    /// The orders if steps of a symmetric inner composition of order 2, 4, 6 or 8 integrate the last of two parts.
+    ///
+    /// Each kick consists of the same number of inner steps. An entry is the inner order or [`ORDER`](Self::ORDER),
+    /// whichever is lower, unless the errors of the inner steps cancel. They cancel in compositions of `Verlet`, such as
+    /// `Yoshida4` and `KahanLi8`.
+    ///
+    /// The entries are proved for compositions of general class. An entry above the inner order requires that the last kick
+    /// of a step and the first kick of the next one are not merged.
+    const ORDERS_OVER_INNER: [u32; 4] = lower_orders(Self::ORDER);
     /// Whether the sequence is a palindrome, so that a step by `-h` inverts a step by `h`.
     const SYMMETRIC: bool;
     /// The class of Hamiltonians that the composition can integrate.
@@ -166,6 +175,19 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const STAGES: Stages;
     /// The processor; none for most compositions.
     const PROCESSOR: Processor = Processor::NONE;
+}
+
+/// The inner orders 2, 4, 6 and 8, or the order of a composition where that is lower.
+const fn lower_orders(order: u32) -> [u32; 4] {
+    let mut orders = [2, 4, 6, 8];
+    let mut entry = 0;
+    while entry < orders.len() {
+        if orders[entry] > order {
+            orders[entry] = order;
+        }
+        entry += 1;
+    }
+    orders
 }
 
 /// Checks, in a constant, that a composition can integrate a Hamiltonian of this number of parts.

@@ -9,6 +9,7 @@ use syn::{LitStr, Path, Visibility, parse_quote};
 
 use super::{
     facts::Facts,
+    inner_errors::lower_bounds,
     prove::{Class, Scheme},
     syntax::Declaration,
     table::number,
@@ -72,10 +73,15 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
         quote!(const GENERALISED_ORDERS: &'static [u32] = &[#(#orders),*];)
     });
     // Those of second order keep it anyway.
-    let keeps_pairs = (facts.keeps_pairs && facts.order > 2).then(|| {
+    let keeps_pairs = (facts.over_inner.keeps_pairs && facts.order > 2).then(|| {
         quote!(
             const KEEPS_PAIRS: bool = true;
         )
+    });
+    let orders = facts.over_inner.orders;
+    let orders_over_inner = (orders != lower_bounds(facts.order)).then(|| {
+        let orders = orders.map(Literal::u32_unsuffixed);
+        quote!(const ORDERS_OVER_INNER: [u32; 4] = [#(#orders),*];)
     });
     let stages = table.stages(root);
     let processor =
@@ -93,6 +99,7 @@ pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &
             const ORDER: u32 = #order;
             #generalised
             #keeps_pairs
+            #orders_over_inner
             const SYMMETRIC: bool = #symmetric;
             const CLASS: #root::__private::Class = #root::__private::Class::#class;
             const FORCE_EVALUATIONS: usize = #force_evaluations;

@@ -1,8 +1,9 @@
 //! The properties of a composition in the generated code. In: a scheme. Out: its properties and their description.
 
 use super::{
+    inner_errors::{OverInner, lower_bounds},
     prove::{Class, Scheme},
-    stability, symmetric_pairs,
+    stability,
     table::Table,
 };
 
@@ -17,8 +18,8 @@ pub(super) struct Facts {
     pub(super) leading_error: Option<f64>,
     /// The generalised orders that are claimed; mostly none.
     pub(super) generalised: Vec<u32>,
-    /// Whether its orders hold where the second part is a symmetric pair.
-    pub(super) keeps_pairs: bool,
+    /// Its orders if the second part has no exact flow.
+    pub(super) over_inner: OverInner,
     /// The proved orders for every `T`, if the composition is defined there, and for quadratic `T`.
     orders: (Option<u32>, u32),
 }
@@ -33,7 +34,7 @@ impl Facts {
             stability_limit: stability::limit(&scheme.stages),
             leading_error: scheme.leading_error(),
             generalised: scheme.generalised.clone(),
-            keeps_pairs: symmetric_pairs::are_kept(scheme),
+            over_inner: OverInner::of(scheme),
             orders: (scheme.proof.general.map(|general| general.order), scheme.proof.quadratic.order),
         }
     }
@@ -48,7 +49,7 @@ impl Facts {
             stability_limit: 0.0,
             leading_error: None,
             generalised: Vec::new(),
-            keeps_pairs: true,
+            over_inner: OverInner { orders: lower_bounds(0), keeps_pairs: true },
             orders: (Some(0), 0),
         }
     }

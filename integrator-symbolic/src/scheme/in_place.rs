@@ -10,10 +10,10 @@ use syn::{Expr, Path, Visibility, parse::ParseStream, token};
 use super::{
     emit,
     facts::Facts,
+    inner_errors::OverInner,
     lower::{Known, lower},
     prove::{Class, Proof, Scheme},
     stages::Letter,
-    symmetric_pairs,
     syntax::{self, Sequence},
 };
 use crate::errors::Errors;
@@ -59,7 +59,7 @@ impl InPlace {
 
     /// Whether its order holds where the second part is a symmetric pair.
     pub(crate) fn keeps_pairs(&self) -> bool {
-        symmetric_pairs::are_kept(&self.scheme)
+        OverInner::of(&self.scheme).keeps_pairs
     }
 
     /// Whether the kick that ends a step is one with the kick that begins the next.
@@ -175,6 +175,26 @@ mod tests {
             let bound = quote!(impl<__System: ::integrator_core::__private::#bound>).to_string();
             assert!(code.contains(&bound), "{code}");
             assert!(code.contains("\"V(1/2) T(1) V(1/2)\""), "{code}");
+        }
+    }
+
+    #[test]
+    fn orders_over_inner_compositions_are_written_where_they_are_no_lower_bounds() {
+        let name = Ident::new("__Compose", Span::call_site());
+        let constant = quote!(
+            const ORDERS_OVER_INNER: [u32; 4] = [4, 4, 4, 4];
+        )
+        .to_string();
+        for (base, class, written) in [
+            ("Verlet", Class::General, true),
+            ("Verlet", Class::QuadraticKinetic, false),
+            ("VelocityVerlet", Class::General, false),
+        ] {
+            let code =
+                parse(&format!("triple_jump({base})")).expect("a composition").emit(&name, class, &default_root());
+            let code = code.to_string();
+            assert_eq!(code.contains(&constant), written, "{base}");
+            assert_eq!(code.contains("ORDERS_OVER_INNER"), written, "{base}");
         }
     }
 

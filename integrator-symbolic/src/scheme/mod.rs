@@ -19,6 +19,7 @@ mod double;
 mod emit;
 mod facts;
 mod in_place;
+mod inner_errors;
 mod leading_error;
 mod lower;
 mod near_integrable;
@@ -26,7 +27,6 @@ mod prove;
 mod proved;
 mod stability;
 mod stages;
-mod symmetric_pairs;
 mod syntax;
 mod table;
 

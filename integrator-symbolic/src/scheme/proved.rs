@@ -37,6 +37,10 @@ pub struct Proved {
     ///
     /// Errors are of the sizes `ε h^n₁`, `ε² h^n₂` and so on; the last one is `order`.
     pub generalised_orders: Vec<u32>,
+    /// The proved orders if each flow of the second part is approximated by the same number of steps of a symmetric inner
+    /// composition of order 2, 4, 6 or 8; `None` if the composition is only for Hamiltonians with a quadratic `T`, where
+    /// the second part has an exact flow.
+    pub orders_over_inner: Option<[u32; 4]>,
     /// Whether the composition is only for Hamiltonians with a quadratic `T`.
     pub quadratic_kinetic: bool,
     /// Whether the step is its own adjoint, so that a step by `-h` inverts a step by `h`.
@@ -128,6 +132,7 @@ impl Proved {
             general_order: scheme.proof.general.map(|general| general.order),
             quadratic_order: scheme.proof.quadratic.order,
             generalised_orders: near_integrable::orders(scheme).iter().map(|found| found.order).collect(),
+            orders_over_inner: (scheme.class == Class::General).then_some(facts.over_inner.orders),
             quadratic_kinetic: scheme.class == Class::QuadraticKinetic,
             symmetric: scheme.proof.symmetric,
             stages: shown(&scheme.stages, scheme.letters),
