@@ -73,10 +73,10 @@ enum Task {
     /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
     /// Keys of --json:
-    ///   sequence, order, general_order, quadratic_order, generalised_orders, class (general, quadratic), symmetric,
-    ///   stages and processor (part, coefficient, gradient), forces_per_step, gradients_per_step,
-    ///   stability_limit, leading_error, error_terms (bracket, factor), violation (word, residual),
-    ///   citation
+    ///   sequence, order, general_order, quadratic_order, generalised_orders, orders_over_inner,
+    ///   class (general, quadratic), symmetric, stages and processor (part, coefficient, gradient),
+    ///   forces_per_step, gradients_per_step, stability_limit, leading_error,
+    ///   error_terms (bracket, factor), violation (word, residual), citation
     #[command(verbatim_doc_comment)]
     Prove {
         /// Stages in the order in which they act, or the name of a composition of the catalogue

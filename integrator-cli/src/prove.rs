@@ -75,6 +75,12 @@ fn shown(text: &str, proved: &Proved) -> String {
         let orders: Vec<String> = proved.generalised_orders.iter().map(u32::to_string).collect();
         row("small second", &format!("({}) where the part of the kicks is small", orders.join(", ")));
     }
+    if let Some(orders) = proved.orders_over_inner {
+        row("inner steps", &over_inner(proved.order, orders));
+        if proved.generalised_orders.len() > 1 {
+            row("", "errors of at most ε^(r+1) h^r for H = A + ε B and an inner order r");
+        }
+    }
     row("symmetric", if proved.symmetric { "yes" } else { "no" });
     row("class", class);
     row("stages", &stages(&proved.stages));
@@ -106,6 +112,23 @@ fn shown(text: &str, proved: &Proved) -> String {
     shown
 }
 
+/// The orders over symmetric inner compositions of order 2, 4, 6 and 8, up to the first that is the order itself.
+fn over_inner(order: u32, orders: [u32; 4]) -> String {
+    if orders[0] == order {
+        return format!("order {order} if any symmetric composition integrates the second part");
+    }
+    let first = orders[0];
+    let mut entries = vec![format!("order {first} if a symmetric composition of order 2 integrates the second part")];
+    for (found, inner) in orders.into_iter().zip([2, 4, 6, 8]).skip(1) {
+        if found == order {
+            entries.push(format!("{found} if of order {inner} or higher"));
+            break;
+        }
+        entries.push(format!("{found} if of order {inner}"));
+    }
+    entries.join(", ")
+}
+
 /// Stages as they are typed, with coefficients as decimals.
 fn stages(stages: &[ProvedStage]) -> String {
     let stage = |stage: &ProvedStage| match stage.gradient {
@@ -135,6 +158,7 @@ fn value(text: &str, proved: &Proved) -> Value {
         "general_order": proved.general_order,
         "generalised_orders": proved.generalised_orders,
         "quadratic_order": proved.quadratic_order,
+        "orders_over_inner": proved.orders_over_inner,
         "class": if proved.quadratic_kinetic { "quadratic" } else { "general" },
         "symmetric": proved.symmetric,
         "stages": stages(&proved.stages),

@@ -6,6 +6,7 @@ use super::{answer, json, keys, refusal};
 fn the_report_on_velocity_verlet_is_complete() {
     let expected = "V(1/2) T(1) V(1/2)
     order            2 for every T(p)
+    inner steps      order 2 if any symmetric composition integrates the second part
     symmetric        yes
     class            every T(p)
     stages           V(0.5) T(1) V(0.5)
@@ -35,7 +36,20 @@ fn answers() {
         (&["BlanesMoanSrkn11", "--order", "6"], &["4 for every T(p), 6 for T = ½ pᵀ M⁻¹ p"]),
         (
             &["Aba864"],
-            &["order            4 for every T(p)", "small second     (8, 6, 4) where", "stages           A(0.07"],
+            &[
+                "order            4 for every T(p)",
+                "small second     (8, 6, 4) where",
+                "errors of at most ε^(r+1) h^r for H = A + ε B",
+                "stages           A(0.07",
+            ],
+        ),
+        (&["Yoshida6"], &["inner steps      order 6 if any symmetric composition"]),
+        (
+            &["BlanesMoan6"],
+            &[
+                "order 2 if a symmetric composition of order 2 integrates",
+                ", 4 if of order 4, 6 if of order 6 or higher\n",
+            ],
         ),
         (&["KahanLi10"], &["order            10 for every T(p)", "and 180 smaller terms"]),
     ];
@@ -115,6 +129,7 @@ fn json_says_the_same() {
             "gradients_per_step",
             "leading_error",
             "order",
+            "orders_over_inner",
             "processor",
             "quadratic_order",
             "sequence",
@@ -126,9 +141,11 @@ fn json_says_the_same() {
     );
     assert_eq!((&found["order"], &found["class"]), (&2.into(), &"general".into()));
     assert_eq!(json(&["prove", "WisdomHolmanTouma17"])["generalised_orders"], serde_json::json!([18, 2]));
+    assert_eq!(json(&["prove", "BlanesMoan4"])["orders_over_inner"], serde_json::json!([2, 4, 4, 4]));
     let third = found["error_terms"][0]["factor"].as_f64().expect("a number");
     assert!((third - 1.0 / 12.0).abs() < 1e-15, "{third}");
     assert_eq!(found["stages"].as_array().expect("a list").len(), 3);
     let gradient = json(&["prove", "Chin4A"]);
     assert_eq!((&gradient["general_order"], &gradient["quadratic_order"]), (&serde_json::Value::Null, &4.into()));
+    assert_eq!(gradient["orders_over_inner"], serde_json::Value::Null);
 }
