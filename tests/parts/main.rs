@@ -2,6 +2,7 @@
 //! against hand-written flows and closed forms.
 
 mod doubled;
+mod inner_steps;
 mod many_parts;
 mod pairs;
 #[path = "../support/slope.rs"]

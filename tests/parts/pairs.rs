@@ -8,7 +8,7 @@ use integrator_core::{
 };
 
 #[path = "../../integrator-core/src/composition/catalogue_list.rs"]
-mod catalogue;
+pub(crate) mod catalogue;
 
 use catalogue::for_each_composition;
 
@@ -17,8 +17,8 @@ struct Paired;
 
 twisted!(Paired: kinetic + (twist + counter + potential));
 
-/// A system of two parts, whose kicks are those of a pair.
-struct Two;
+/// A system of two parts, whose kicks consist of steps of a pair.
+pub(crate) struct Two;
 
 #[hamiltonian]
 impl Two {
@@ -30,19 +30,35 @@ impl Two {
     }
 }
 
-/// The flows by hand for two parts, the second of them the pair.
-struct AsTwo(ByHand);
+/// The flows by hand for two parts, the second of them the pair, in steps over these fractions of the duration.
+pub(crate) struct AsTwo {
+    flows: ByHand,
+    fractions: Vec<f64>,
+}
+
+impl AsTwo {
+    pub(crate) fn start(fractions: &[f64]) -> Self {
+        Self { flows: ByHand::start(Middle::AsTold), fractions: fractions.to_vec() }
+    }
+
+    pub(crate) fn state(&self) -> [f64; 4] {
+        self.flows.state()
+    }
+}
 
 impl Flows<Two> for AsTwo {
     const COMPENSATED: bool = false;
 
     fn drift(&mut self, t: f64, time: f64) {
-        Flows::<Paired>::drift(&mut self.0, t, time);
+        Flows::<Paired>::drift(&mut self.flows, t, time);
     }
     fn kick(&mut self, t: f64, time: f64) {
-        Flows::<Paired>::middle(&mut self.0, t / 2.0, time, false);
-        Flows::<Paired>::kick(&mut self.0, t, time);
-        Flows::<Paired>::middle(&mut self.0, t / 2.0, time, true);
+        for fraction in &self.fractions {
+            let t = t * fraction;
+            Flows::<Paired>::middle(&mut self.flows, t / 2.0, time, false);
+            Flows::<Paired>::kick(&mut self.flows, t, time);
+            Flows::<Paired>::middle(&mut self.flows, t / 2.0, time, true);
+        }
     }
     fn middle(&mut self, _: f64, _: f64, _: bool) {}
     fn gradient_kick(&mut self, _: f64, _: f64, _: f64)
@@ -93,9 +109,9 @@ fn every_composition_for_pairs_keeps_its_order() {
 fn the_others_lose_their_order() {
     fn slope<X: Composition<Two>>(exact: [f64; 4]) -> f64 {
         slope_of(X::NAME, exact, |steps| {
-            let mut flows = AsTwo(ByHand::start(Middle::AsTold));
+            let mut flows = AsTwo::start(&[1.0]);
             walk::<Two, X>(&mut flows, steps);
-            flows.0.state()
+            flows.state()
         })
     }
     let exact = reference();
