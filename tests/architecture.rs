@@ -120,7 +120,7 @@ const CORE: MayKnow = (
         ("state", &["error", "scalar"]),
         ("system", &["error", "scalar", "state", "threads"]),
         ("flow", &["error", "scalar", "state", "system"]),
-        ("composition", &["scalar", "system"]),
+        ("composition", &["scalar", "state", "system"]),
         ("layout", &["error", "flow", "scalar", "state", "system", "threads"]),
         ("trajectory", &["composition", "error", "layout", "scalar", "state", "system"]),
         ("ensemble", &["composition", "error", "layout", "scalar", "state", "system", "threads", "trajectory"]),
@@ -175,7 +175,8 @@ const LAYOUT: MayKnow = (
 );
 
 /// The folders of `methods`.
-const METHODS: MayKnow = ("integrator-core/src/methods", &[("implicit", &[]), ("pace", &[]), ("taylor", &[])]);
+const METHODS: MayKnow =
+    ("integrator-core/src/methods", &[("implicit", &[]), ("inner_steps", &[]), ("pace", &[]), ("taylor", &[])]);
 
 /// All of them.
 const ORDERS: [MayKnow; 7] = [SYMBOLIC, MODEL, EMIT, CORE, CHECK, LAYOUT, METHODS];

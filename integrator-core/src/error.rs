@@ -316,6 +316,9 @@ pub enum Error {
         /// The requested exponent.
         exponent: f64,
     },
+    /// The number of inner steps is zero.
+    #[error("the number of inner steps is 0\nhelp: write, for example, `Verlet.nested(8)`")]
+    InnerSteps,
     /// A run cannot go back to a time before its last step.
     #[error(
         "the run is at t = {present}, and its steps lead away from t = {time}\nhelp: integrate with steps of `-h`",

@@ -115,8 +115,10 @@ mod threads;
 mod trajectory;
 
 pub use composition::catalogue::*;
+pub use composition::inner_steps::WithInnerSteps;
 pub use composition::visitor::{
-    Visitor, visit_general, visit_many_parts, visit_pairs, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
+    Visitor, visit_general, visit_many_parts, visit_nested, visit_pairs, visit_quadratic, visit_two_parts,
+    visit_two_parts_quadratic,
 };
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
@@ -197,8 +199,10 @@ pub mod __private {
             Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages, admits, admits_pairs,
             catalogue::Verlet,
             corrected_durations::corrections,
+            inner_steps::{Nested, admits_inner, admits_nested, inner_steps},
             visitor::{
-                Visitor, visit_many_parts, visit_pairs, visit_quadratic, visit_two_parts, visit_two_parts_quadratic,
+                Visitor, visit_many_parts, visit_nested, visit_pairs, visit_quadratic, visit_two_parts,
+                visit_two_parts_quadratic,
             },
         },
         error::{Error, NotFinite},
@@ -216,7 +220,8 @@ pub mod __private {
                 },
                 many_rows::ManyRows,
                 one_row::OneRow,
-                pair_sums::{BodyConstants, ManyBody, Unpacked},
+                pair_sums::{BodyConstants, ManyBody, OfBodies, Unpacked},
+                part::{PartConstants, PartOfBodies},
             },
             lattice::{
                 energy::{KineticEnergy, PotentialEnergy},
@@ -270,6 +275,7 @@ pub mod __private {
             equal_values::{Both, SmallInteger},
             extremes::{greatest, least},
             flows::Flows,
+            inner_steps::InnerSteps,
             integers::{bound, bound_through, like, span, span_through, wrapped},
             least_length::{are_at_least, are_points},
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving, in_place},

@@ -143,7 +143,7 @@ impl Reason {
             Self::ManyBodies => ["a row has at most 8 bodies, and their number is in the type of `q`", ""],
             Self::FewBodies => ["at most 8 bodies are one row", ""],
             Self::InPart => [
-                "a part that `split` names is summed as written, without tiles or lists of pairs",
+                "a part that `split` names is summed as written if there are fewer than 33 numbers in `q`",
                 "`kinetic` and `potential` without `split`",
             ],
             Self::NoCutoff => [

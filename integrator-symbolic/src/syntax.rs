@@ -5,12 +5,15 @@
 mod device;
 mod method;
 pub(crate) mod names;
+mod split;
 
 use crate::{errors::Errors, scheme::InPlace};
 use device::gpu_of;
 pub(crate) use device::{DeviceFunctions, Gpu};
 use method::{compose_of, without_tolerance};
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
+pub(crate) use split::Nest;
+use split::{Parts, Split, split_of};
 use syn::{
     Expr, Ident, ImplItem, ImplItemFn, ItemImpl, Path, Token, parenthesized,
     parse::{ParseStream, Parser},
@@ -45,16 +48,6 @@ pub(crate) struct Coordinates {
     pub(crate) masses: Expr,
 }
 
-/// How H is split.
-enum Split {
-    /// Into the parts of these names; where all but the first stand in parentheses, these parentheses.
-    Parts(Vec<Ident>, Option<Span>),
-    /// Into H of each of two copies of the state, and a coupling.
-    Symmetric(Box<syn::Result<Expr>>),
-    /// Not at all.
-    Nowhere(Span),
-}
-
 /// The annotated impl and its annotation.
 pub(crate) struct Input {
     /// `None` where the annotation has no `compose`.
@@ -63,6 +56,8 @@ pub(crate) struct Input {
     pub(crate) split: Vec<Ident>,
     /// The parentheses around all parts but the first, which are one part then: a symmetric pair.
     pub(crate) paired: Option<Span>,
+    /// The parts in parentheses that take inner steps, the outermost first.
+    pub(crate) nests: Vec<Nest>,
     /// The coordinates of the motion, where they are not those of states.
     pub(crate) coordinates: Option<Coordinates>,
     /// How tightly two copies of the state are coupled, where `split = symmetric(omega = ..)` requests them.
@@ -123,16 +118,17 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
     }
     // Wrong arguments are noted; the functions are read all the same, so that all mistakes are reported together.
     let is_read = |name: &str| item.items.iter().any(|item| matches!(item, ImplItem::Fn(own) if own.sig.ident == name));
-    if arguments.is_none() && !["kinetic", "potential", "hamiltonian"].into_iter().any(is_read) {
+    let is_whole = is_read("hamiltonian") || is_read("kinetic") && is_read("potential");
+    if arguments.is_none() && !is_whole {
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
     let Arguments { compose, split, coordinates, functions, layout, taylor, sensitive, gpu, root } =
         arguments.unwrap_or_default();
-    let (mut names, mut paired, mut coupling, mut unsplit) = (Vec::new(), None, None, None);
+    let (mut parts, mut coupling, mut unsplit) = (Parts::default(), None, None);
     match split {
         None => {}
-        Some(Split::Parts(parts, pair)) => (names, paired) = (parts, pair),
+        Some(Split::Parts(named)) => parts = named,
         Some(Split::Nowhere(at)) => unsplit = Some(at),
         Some(Split::Symmetric(stated)) => {
             // H is read as it is meant all the same.
@@ -140,6 +136,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
             coupling = Some(errors.keep(*stated).unwrap_or_else(one));
         }
     }
+    let Parts { names, paired, nests } = parts;
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
     let sensitive = sensitive.unwrap_or_default();
@@ -147,6 +144,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         compose,
         split: names,
         paired,
+        nests,
         coordinates,
         coupling,
         unsplit,
@@ -257,103 +255,6 @@ fn misfit(input: ParseStream<'_>, key: Span, is: &str) -> syn::Error {
         return syn::Error::new(key, format!("this argument lacks its value\n{EXPECTED}"));
     }
     input.error(format!("{is}\n{EXPECTED}"))
-}
-
-/// The names of the parts, `symmetric` with its coupling, or `none`.
-fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
-    if input.fork().parse::<Ident>().is_ok_and(|name| name == "symmetric") && !input.peek2(Token![+]) {
-        return coupling_of(input).map(|coupling| Split::Symmetric(Box::new(coupling)));
-    }
-    let here = input.fork();
-    if here.parse::<Ident>().is_ok_and(|name| name == "none") && !here.peek(Token![+]) {
-        return Ok(Split::Nowhere(input.parse::<Ident>()?.span()));
-    }
-    let is = "expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + \
-              interaction`";
-    if input.peek(Paren) {
-        return Err(input.error(FIRST_IN_PARENTHESES));
-    }
-    if !input.peek(Ident) {
-        return Err(misfit(input, key, is));
-    }
-    let mut names = vec![input.parse::<Ident>()?];
-    while input.peek(Token![+]) {
-        input.parse::<Token![+]>()?;
-        if input.peek(Paren) {
-            return paired(input, names);
-        }
-        names.push(input.parse().map_err(|error: syn::Error| syn::Error::new(error.span(), is))?);
-    }
-    if let [alone] = &names[..] {
-        let message =
-            "a splitting requires at least two parts\nhelp: write, for example, `split = kepler + interaction`";
-        return Err(syn::Error::new(alone.span(), message));
-    }
-    Ok(Split::Parts(names, None))
-}
-
-const FIRST_IN_PARENTHESES: &str = "parts in parentheses have to be the second part of H\nhelp: write, for example, \
-                                    `split = kepler + (jump + interaction)`\nnote: a composition treats the second \
-                                    part as the small one";
-
-/// The first part with those in parentheses after it.
-fn paired(input: ParseStream<'_>, mut names: Vec<Ident>) -> syn::Result<Split> {
-    let content;
-    let span = parenthesized!(content in input).span.join();
-    let wrong = |place: Span, message: &str| Err(syn::Error::new(place, message));
-    if let [_, second, ..] = &names[..] {
-        let message = "parts in parentheses have to be the second of two parts\nhelp: move this part into the \
-                       parentheses, or remove them";
-        return wrong(second.span(), message);
-    }
-    let inner = Punctuated::<Ident, Token![+]>::parse_separated_nonempty(&content);
-    let is = "expected names of parts of H in the parentheses\nhelp: write, for example, `split = kepler + (jump + \
-              interaction)`";
-    let inner = inner.map_err(|error| syn::Error::new(error.span(), is))?;
-    if inner.len() < 2 {
-        return wrong(span, "parentheses require at least two parts\nhelp: remove the parentheses");
-    }
-    if input.peek(Token![+]) {
-        return wrong(
-            input.span(),
-            "parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
-        );
-    }
-    names.extend(inner);
-    Ok(Split::Parts(names, Some(span)))
-}
-
-/// The coupling of `symmetric(omega = 20.0)`, or what is wrong with it.
-fn coupling_of(input: ParseStream<'_>) -> syn::Result<syn::Result<Expr>> {
-    let name: Ident = input.parse()?;
-    if !input.peek(Paren) {
-        return Ok(Err(syn::Error::new(name.span(), UNCOUPLED)));
-    }
-    let content;
-    parenthesized!(content in input);
-    let coupling = stated_coupling(&content);
-    content.parse::<TokenStream>()?;
-    Ok(coupling)
-}
-
-const UNCOUPLED: &str = "`split = symmetric` lacks its coupling\nhelp: write, for example, `split = symmetric(omega = \
-                         20.0)`\nnote: omega is one to several times the largest angular frequency of the system";
-
-/// The number after `omega =`.
-fn stated_coupling(content: ParseStream<'_>) -> syn::Result<Expr> {
-    let uncoupled = |error: syn::Error| syn::Error::new(error.span(), UNCOUPLED);
-    let key: Ident = content.parse().map_err(uncoupled)?;
-    if key != "omega" {
-        return Err(syn::Error::new(key.span(), UNCOUPLED));
-    }
-    content.parse::<Token![=]>().map_err(uncoupled)?;
-    let coupling = content.parse()?;
-    match content.is_empty() {
-        true => Ok(coupling),
-        false => {
-            Err(content.error("the coupling has to be one number\nhelp: write, for example, `symmetric(omega = 20.0)`"))
-        }
-    }
 }
 
 /// The names of the parameters that derivatives are taken by, each once.

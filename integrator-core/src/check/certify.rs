@@ -221,10 +221,10 @@ fn certificate(subject: &Subject<'_>) -> Result<Certificate, CertifyError> {
     };
     findings.0.extend(invariants.iter().filter(|drift| !drift.is_conserved()).cloned().map(Shortfall::NotInvariant));
 
-    // The limit is that of an oscillator that is split into T and V.
+    // The limit is that of an oscillator that is split into T and V, or the resonance of inner steps.
     let stability = facts
         .stability_limit
-        .filter(|_| is_separable)
+        .filter(|_| is_separable || facts.innermost.is_some())
         .and_then(|limit| findings.judge("the stability", subject.measured.stability(limit), |_| None));
 
     let certificate = Certificate {

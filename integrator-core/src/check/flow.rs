@@ -32,7 +32,7 @@ impl Flow {
         match self {
             Self::First => H::drift::<R, K>(motion, duration, time),
             Self::Middle { backwards } => H::middle::<R, K>(motion, duration, time, backwards),
-            Self::Last => H::kick::<R, K>(motion, duration, time),
+            Self::Last => H::last::<R, K>(motion, duration, time),
         }
     }
 }

@@ -71,7 +71,7 @@ pub use property::monodromy::{Monodromy, Multiplier, monodromy};
 pub use property::order::{Order, observed_order};
 pub use property::reversibility::reversibility;
 pub use property::shadow::{Shadow, ShadowPower, shadow};
-pub use property::stability::{Stability, stability};
+pub use property::stability::{InnerStep, Stability, stability};
 pub use property::symplecticity::{
     TangentMap, poisson_bracket, symplectic_defect, symplectic_defect_after, tangent_maps,
 };

@@ -47,7 +47,13 @@ macro_rules! for_each_composition {
         for_each_composition!(near_integrable_quadratic: $each!);
     };
     (near_integrable_general: $each:ident!) => {
+        for_each_composition!(near_integrable_unprocessed: $each!);
+        for_each_composition!(near_integrable_processed: $each!);
+    };
+    (near_integrable_unprocessed: $each:ident!) => {
         $each!(Saba2 Saba3 Saba4 Sbab2 Sbab3 Sbab4 Aba84 Aba104 Aba864 Aba1064 Abah844 Abah864 Abah1064);
+    };
+    (near_integrable_processed: $each:ident!) => {
         $each!(BlanesCasasRos764);
         $each!(WisdomHolmanTouma3 WisdomHolmanTouma5 WisdomHolmanTouma7 WisdomHolmanTouma11 WisdomHolmanTouma17);
     };

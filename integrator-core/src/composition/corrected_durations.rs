@@ -77,11 +77,14 @@ pub(crate) enum Between {
     Flows,
     /// Flows around each kick, half of its duration before it and half after it.
     Pair,
+    /// Nothing, and the kick takes inner steps.
+    InnerSteps,
 }
 
 impl Between {
     pub(crate) const fn of<H: System>() -> Self {
         match (H::PARTS.len(), H::PAIRED) {
+            _ if !H::NESTED.is_empty() => Self::InnerSteps,
             (..=2, _) => Self::Nothing,
             (_, false) => Self::Flows,
             (_, true) => Self::Pair,
@@ -118,7 +121,7 @@ impl Corrections {
             drift: Correction::new(h, stages.clone().map(|stage| stage.drift)),
             kick: Correction::new(h, stages.map(|stage| stage.kick)),
             middle: match between {
-                Between::Nothing => Correction::NONE,
+                Between::Nothing | Between::InnerSteps => Correction::NONE,
                 Between::Flows => Correction::new(h, middle.flat_map(|stage| stage.middle)),
                 Between::Pair => Correction::new(h, middle.flat_map(|stage| [stage.kick / 2.0; 2])),
             },

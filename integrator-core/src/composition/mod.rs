@@ -12,9 +12,13 @@
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
 pub(crate) mod corrected_durations;
+mod inner_durations;
+pub(crate) mod inner_steps;
 pub(crate) mod visitor;
 
 use crate::system::{System, flows::Flows};
+use corrected_durations::Between;
+use inner_steps::{WithInnerSteps, admits_nested};
 
 /// A drift and a kick of a composition, as fractions of the step `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +43,14 @@ impl Stage {
     /// A stage without a drift or a kick.
     pub const NONE: Self =
         Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0, middle: [0.0; 2] };
+
+    /// The time at which inner steps of this kick begin, as a fraction of the step: the sum of the kicks before it.
+    pub(crate) fn inner_time(&self, lead: Lead) -> f64 {
+        match lead {
+            Lead::Drift => self.drift_time,
+            Lead::Kick => self.drift_time - self.kick,
+        }
+    }
 }
 
 /// The flow that comes first in a stage.
@@ -74,6 +86,12 @@ pub struct Stages {
 }
 
 impl Stages {
+    /// Whether steps of `H` are taken one by one: a stage that is merged across steps would belong to two pieces of `H`, or would
+    /// be the inner steps of two stages.
+    pub(crate) const fn are_whole<H: System>(&self) -> bool {
+        H::PIECEWISE_IN_TIME || (!H::NESTED.is_empty() && self.closing.kick != 0.0)
+    }
+
     /// The number of force evaluations of a step that is not merged with others, with its processor; kicks along the
     /// gradient of the squared force count twice.
     pub(crate) fn forces(&self, processor: &Processor) -> usize {
@@ -175,6 +193,34 @@ pub trait Scheme: Copy + Default + Send + Sync + 'static {
     const STAGES: Stages;
     /// The processor; none for most compositions.
     const PROCESSOR: Processor = Processor::NONE;
+
+    /// Returns this composition with a number of inner steps other than that of the annotation.
+    ///
+    /// The number applies to the outermost parentheses of `split = slow + 8 * (bonds + kinetic)`.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// /// A mass on a stiff spring in a shallow well.
+    /// struct Stiff;
+    ///
+    /// #[hamiltonian(split = well + 8 * (spring + kinetic))]
+    /// impl Stiff {
+    ///     fn well(&self, q: [f64; 1]) -> f64 { -q[0].cos() }
+    ///     fn spring(&self, q: [f64; 1]) -> f64 { 5000.0 * q[0] * q[0] }
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    /// }
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let start = Phase::new([0.1], [0.0]);
+    /// let mut run = Stiff.run_with(Verlet.nested(32), start, 0.05)?;
+    /// run.advance(1_000)?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    fn nested(self, steps: u32) -> WithInnerSteps<Self> {
+        WithInnerSteps { composition: self, steps }
+    }
 }
 
 /// The inner orders 2, 4, 6 and 8, or the order of a composition where that is lower.
@@ -248,6 +294,9 @@ pub trait Composition<H: System>: Scheme {
     /// The kick of one stage.
     #[inline(always)]
     fn kick(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
+        if const { matches!(Between::of::<H>(), Between::InnerSteps) } {
+            return flows.kick(h * stage.kick, time + h * stage.inner_time(Self::STAGES.lead));
+        }
         let (duration, time) = (h * stage.kick, time + h * stage.kick_time);
         if const { H::PAIRED } {
             flows.middle(duration / 2.0, time, false);
@@ -260,7 +309,7 @@ pub trait Composition<H: System>: Scheme {
     /// One stage of a step that begins at `time`.
     #[inline(always)]
     fn stage(flows: &mut impl Flows<H>, stage: &Stage, h: f64, time: f64) {
-        if const { H::PARTS.len() > 2 && !H::PAIRED } {
+        if const { matches!(Between::of::<H>(), Between::Flows) } {
             return Self::stage_of_many(flows, stage, h, time);
         }
         if const { matches!(Self::STAGES.lead, Lead::Kick) } {
@@ -319,7 +368,13 @@ pub trait Composition<H: System>: Scheme {
     /// From a closed state at `time` to just before the last stage of the step.
     #[inline(always)]
     fn open(flows: &mut impl Flows<H>, h: f64, time: f64) {
-        const { if H::PAIRED { admits_pairs::<Self>() } else { admits::<Self>(H::PARTS.len()) } };
+        const {
+            match Between::of::<H>() {
+                Between::Pair => admits_pairs::<Self>(),
+                Between::InnerSteps => admits_nested::<Self>(),
+                _ => admits::<Self>(H::PARTS.len()),
+            }
+        };
         if const { !Self::PROCESSOR.before.rows.is_empty() } {
             Self::once(flows, &Self::PROCESSOR.before, h, time);
         }

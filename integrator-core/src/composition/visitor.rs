@@ -73,6 +73,15 @@ pub fn visit_pairs<H: System>(visitor: &mut impl Visitor<H>) {
     for_each_composition!(pairs: visit!);
 }
 
+/// Visits the compositions for two parts with inner steps in the second: those without a processor.
+pub fn visit_nested<H: System>(visitor: &mut impl Visitor<H>) {
+    macro_rules! visit {
+        ($($composition:ident)*) => {$( visitor.visit($composition); )*};
+    }
+    visit_many_parts(visitor);
+    for_each_composition!(near_integrable_unprocessed: visit!);
+}
+
 /// Visits the compositions for every `T(p)`, then those for a small second part: for two named parts.
 pub fn visit_two_parts<H: System>(visitor: &mut impl Visitor<H>) {
     macro_rules! visit {

@@ -3,7 +3,7 @@
 use crate::{
     composition::{Composition, Scheme},
     system::System,
-    trajectory::method::{Memoryless, Method},
+    trajectory::method::{Method, Resumable},
 };
 
 /// A method that can integrate an ensemble of `H`.
@@ -34,6 +34,6 @@ impl<H: System, X: Scheme + Composition<H>> InLanes<H> for X {}
             h)?.at_time(time)`",
     note = "`Run::resume_with` resumes single runs with `Logarithmic`, `Power` or `Paced`"
 )]
-pub trait ResumableInLanes<H: System>: InLanes<H> + Memoryless<H> {}
+pub trait ResumableInLanes<H: System>: InLanes<H> + Resumable<H> {}
 
 impl<H: System, X: Scheme + Composition<H>> ResumableInLanes<H> for X {}

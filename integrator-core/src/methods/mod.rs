@@ -2,6 +2,7 @@
 
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod implicit;
+mod inner_steps;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub mod pace;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

@@ -1,4 +1,4 @@
-//! The flows that compositions call, and those of a single motion.
+//! The flows that compositions call, those of a single motion and those of several.
 
 use crate::{
     scalar::real::Real,
@@ -53,5 +53,48 @@ impl<H: System, R: Real, K: Precision> Flows<H> for Single<'_, H, R, K> {
         H: QuadraticKinetic,
     {
         H::gradient_kick::<R, K>(self.0, duration, gradient, time);
+    }
+}
+
+/// Several motions, stage by stage.
+///
+/// Unoptimised, a flow in vectors that was inlined at every stage would take megabytes of stack.
+pub(crate) struct Together<'m, H: System, R: Real, K: Precision, const N: usize>(
+    pub(crate) &'m mut [H::Motion<R, K>; N],
+);
+
+impl<H: System, R: Real, K: Precision, const N: usize> Flows<H> for Together<'_, H, R, K, N> {
+    const COMPENSATED: bool = K::COMPENSATED;
+
+    #[inline(always)]
+    fn begin_step(&mut self, middle: f64) {
+        for motion in self.0.iter_mut() {
+            H::begin_step::<R, K>(motion, middle);
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn drift(&mut self, duration: f64, time: f64) {
+        for motion in self.0.iter_mut() {
+            H::drift::<R, K>(motion, duration, time);
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn kick(&mut self, duration: f64, time: f64) {
+        H::kick_together::<R, K, N>(self.0, duration, time);
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
+        for motion in self.0.iter_mut() {
+            H::middle::<R, K>(motion, duration, time, backwards);
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
+    where
+        H: QuadraticKinetic,
+    {
+        for motion in self.0.iter_mut() {
+            H::gradient_kick::<R, K>(motion, duration, gradient, time);
+        }
     }
 }

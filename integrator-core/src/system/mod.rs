@@ -13,6 +13,7 @@ pub(crate) mod external;
 pub(crate) mod extremes;
 pub(crate) mod flow_layout;
 pub(crate) mod flows;
+pub(crate) mod inner_steps;
 pub(crate) mod integers;
 pub(crate) mod least_length;
 pub(crate) mod motion;
@@ -32,6 +33,7 @@ use crate::{
     scalar::real::Real,
     state::{coords::Coords, precision::Precision},
     system::{
+        inner_steps::InnerSteps,
         motion::{Motion, Moved, Prepared, Read},
         sites::{Flow, MovedSites, Sites, StencilRadii},
     },
@@ -74,6 +76,8 @@ pub trait System: Sized {
     ///
     /// The inner step applies `middle` for half the duration, `kick`, and `middle` backwards.
     const PAIRED: bool = false;
+    /// The parts that take inner steps, the outermost first. Each is the last part of the level around it.
+    const NESTED: &'static [InnerSteps] = &[];
     /// Whether `H = T(p) + V(q)`, so that a drift changes positions only and a kick momenta only.
     const SEPARABLE: bool = true;
     /// The error of flow derivatives relative to exact dual-number derivatives, which have 1.
@@ -135,8 +139,27 @@ pub trait System: Sized {
     fn drift<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
     /// Applies the flows of the parts between the first and the last, in their order or backwards.
     fn middle<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _duration: f64, _time: f64, _backwards: bool) {}
-    /// Applies the exact flow of `V`, or of the last part, for `duration`; an explicit time dependence is evaluated at `time`.
+    /// Applies the flow of `V`, or of the last part, for `duration`; an explicit time dependence is evaluated at `time`.
+    ///
+    /// The flow is exact, unless the last part takes inner steps.
     fn kick<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64);
+    /// Applies the exact flow of the last name in [`PARTS`](System::PARTS), whether it takes inner steps or not.
+    #[inline(always)]
+    fn last<R: Real, K: Precision>(motion: &mut Self::Motion<R, K>, duration: f64, time: f64) {
+        Self::kick::<R, K>(motion, duration, time);
+    }
+    /// Applies the flow of `V`, or of the last part, to several motions: one after the other, or stage by stage if the last part
+    /// takes inner steps.
+    #[inline(always)]
+    fn kick_together<R: Real, K: Precision, const N: usize>(
+        motions: &mut [Self::Motion<R, K>; N],
+        duration: f64,
+        time: f64,
+    ) {
+        for motion in motions {
+            Self::kick::<R, K>(motion, duration, time);
+        }
+    }
     /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
     ///
     /// Empty if `H = T(p) + V(q)` in the user's own coordinates: the flows of `T` and `V` give the field there.

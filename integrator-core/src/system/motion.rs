@@ -306,11 +306,14 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
     fn unsolved(&self, _lane: usize) -> Option<&Unsolved> {
         None
     }
+    /// Sets the number of threads, or all that the machine has, if the flow distributes its work.
+    fn share_among(&mut self, _threads: Option<usize>) {}
 }
 
 /// The solver of two flows is the pair of their solvers.
 impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
     const IN_REGISTERS: InRegisters = match (A::IN_REGISTERS, B::IN_REGISTERS) {
+        (InRegisters::Never, _) | (_, InRegisters::Never) => InRegisters::Never,
         (InRegisters::Always, InRegisters::Always) => InRegisters::Always,
         _ => InRegisters::Kicked,
     };
@@ -324,6 +327,10 @@ impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         self.0.unsolved(lane).or_else(|| self.1.unsolved(lane))
+    }
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.0.share_among(threads);
+        self.1.share_among(threads);
     }
 }
 
@@ -364,6 +371,9 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
     }
     fn unsolved(&self, lane: usize) -> Option<&Unsolved> {
         self.solvers.unsolved(lane)
+    }
+    fn share_among(&mut self, threads: Option<usize>) {
+        self.solvers.share_among(threads);
     }
     #[inline(always)]
     fn finite(&self) -> bool {

@@ -7,7 +7,7 @@ use crate::{
     composition::Composition,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
-    system::{QuadraticKinetic, Shaped, System, flows::Flows},
+    system::{Shaped, System, flows::Together},
     trajectory::{
         step_functions::Executor,
         step_loop::{Advance, AdvanceOne},
@@ -26,49 +26,6 @@ const MANY: usize = 8;
 /// motions in memory are faster than four in registers: with Kepler's, 0.42 and 0.54 ns. Sixteen registers hold no group worth the
 /// name; there, as many motions as may hide how long memory takes.
 const FOR_STATE: usize = 24;
-
-/// Several motions, stage by stage.
-///
-/// Unoptimised, a flow in vectors that was inlined at every stage would take megabytes of stack.
-struct Interleaved<'m, H: System, R: Real, K: Precision, const N: usize>(&'m mut [H::Motion<R, K>; N]);
-
-impl<H: System, R: Real, K: Precision, const N: usize> Flows<H> for Interleaved<'_, H, R, K, N> {
-    const COMPENSATED: bool = K::COMPENSATED;
-
-    #[inline(always)]
-    fn begin_step(&mut self, middle: f64) {
-        for motion in self.0.iter_mut() {
-            H::begin_step::<R, K>(motion, middle);
-        }
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn drift(&mut self, duration: f64, time: f64) {
-        for motion in self.0.iter_mut() {
-            H::drift::<R, K>(motion, duration, time);
-        }
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn kick(&mut self, duration: f64, time: f64) {
-        for motion in self.0.iter_mut() {
-            H::kick::<R, K>(motion, duration, time);
-        }
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn middle(&mut self, duration: f64, time: f64, backwards: bool) {
-        for motion in self.0.iter_mut() {
-            H::middle::<R, K>(motion, duration, time, backwards);
-        }
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gradient_kick(&mut self, duration: f64, gradient: f64, time: f64)
-    where
-        H: QuadraticKinetic,
-    {
-        for motion in self.0.iter_mut() {
-            H::gradient_kick::<R, K>(motion, duration, gradient, time);
-        }
-    }
-}
 
 /// The n-step loop over all motions, one group after the other.
 pub(crate) struct AdvanceAll<'m, H: System, X, R: Real, K: Precision, E> {
@@ -121,7 +78,7 @@ where
         let is_filled = E::REGISTERS >= 32 && rest.len() > 1;
         let mut filled = is_filled.then(|| array::from_fn(|number| rest[number.min(rest.len() - 1)].clone()));
         for group in groups.iter_mut().chain(&mut filled) {
-            Advance::<_, H, X>::new(Interleaved::<H, R, K, N>(group), clock, steps).call();
+            Advance::<_, H, X>::new(Together::<H, R, K, N>(group), clock, steps).call();
         }
         let Some(filled) = filled else { return rest };
         for (motion, moved) in rest.iter_mut().zip(filled) {

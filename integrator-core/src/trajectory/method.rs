@@ -4,7 +4,7 @@
 //! is that of the system.
 
 use crate::{
-    composition::{Composition, Processor, Scheme, Stages},
+    composition::{Composition, Processor, Scheme, Stages, inner_steps::Composed},
     error::Error,
     scalar::real::Real,
     state::precision::Precision,
@@ -39,8 +39,12 @@ pub struct Facts {
     pub roundings: usize,
     /// The name of the composition that it is over, where it is none itself.
     pub(crate) over: Option<&'static str>,
+    /// The number of innermost steps of a step, and the stability limit of one, if a part of H takes inner steps.
+    pub(crate) innermost: Option<(f64, f64)>,
     /// The stages of a composition.
     pub(crate) table: Option<(Stages, Processor)>,
+    /// The number of inner steps that replaces that of the annotation.
+    pub(crate) chosen_inner_steps: Option<u32>,
 }
 
 impl Facts {
@@ -56,7 +60,9 @@ impl Facts {
         stability_limit: None,
         roundings: 0,
         over: None,
+        innermost: None,
         table: None,
+        chosen_inner_steps: None,
     };
 
     /// The number of roundings of the state in this number of steps, as a double, which no number of steps exceeds.
@@ -108,6 +114,7 @@ impl<X: Scheme> Described for X {
     label = "neither a composition nor a method for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition",
+    note = "`Verlet.nested(8)` requires parts that take inner steps, `split = slow + 8 * (bonds + kinetic)`",
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
     note = "`Paced` and `Logarithmic` require H = T(p) + V(q) without explicit time; `Paced` also requires `fn \
             rate(&self, q: ...) -> f64`",
@@ -142,10 +149,17 @@ pub trait Method<H: System>: Described {
 
 impl<H: System, X: Scheme + Composition<H>> Method<H> for X {
     fn forces(self) -> Option<usize> {
-        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
+        match H::PIECEWISE_IN_TIME {
+            _ if !H::NESTED.is_empty() => None,
+            true => Some(X::STAGES.forces(&X::PROCESSOR)),
+            false => self.facts().forces,
+        }
     }
     fn claims(self) -> Facts {
         let mut facts = self.facts();
+        if const { !H::NESTED.is_empty() } {
+            return with_inner_steps::<H, X>(facts, None);
+        }
         if const { H::COPIES } {
             (facts.symmetric, facts.symplectic, facts.stability_limit) = (false, false, None);
         }
@@ -159,6 +173,21 @@ impl<H: System, X: Scheme + Composition<H>> Method<H> for X {
     }
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<H::Motion<R, K>> {
         of_composition::<H, X, R, K, E>()
+    }
+}
+
+/// The facts of a composition of a system whose last part takes inner steps, as many as these or those of the annotation.
+pub(crate) fn with_inner_steps<H: System, X: Scheme>(facts: Facts, steps: Option<u32>) -> Facts {
+    let Composed { order, symmetric, roundings, innermost, stability_limit } = Composed::of::<H, X>(steps);
+    Facts {
+        order,
+        symmetric,
+        roundings,
+        generalised_orders: &[],
+        forces: None,
+        stability_limit: Some(core::f64::consts::PI),
+        innermost: Some((innermost, stability_limit)),
+        ..facts
     }
 }
 

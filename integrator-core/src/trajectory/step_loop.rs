@@ -37,7 +37,7 @@ impl<F: Flows<H>, H: System, X: Composition<H>> Kernel for Advance<F, H, X> {
     fn call(mut self) {
         let Clock { h, steps: mut step, .. } = self.clock;
         let end = step + self.steps;
-        if const { H::PIECEWISE_IN_TIME } {
+        if const { X::STAGES.are_whole::<H>() } {
             return self.whole_steps(end);
         }
         if step == 0 && end > 0 {
@@ -61,8 +61,7 @@ impl<F: Flows<H>, H: System, X: Composition<H>> Kernel for Advance<F, H, X> {
 }
 
 impl<F: Flows<H>, H: System, X: Composition<H>> Advance<F, H, X> {
-    /// Takes whole steps, where a stage that is merged across steps would belong to two pieces: each step ends before
-    /// the next one begins, with its own middle.
+    /// Takes whole steps: each step ends before the next one begins, with its own middle.
     #[inline(always)]
     fn whole_steps(mut self, end: u64) {
         let Clock { h, steps, .. } = self.clock;

@@ -26,7 +26,7 @@ use flow::{
     Flows,
     constants::{Constants, with_count},
     device::DeviceText,
-    field, force_gradient, invariants, jacobi,
+    field, force_gradient, invariants, jacobi, nested,
     pieces::Pieces,
     transformed, user_energies,
 };
@@ -74,6 +74,8 @@ struct Stepper<'i> {
     invariants: Option<TokenStream>,
     /// The items for the runtime about named parts.
     parts: Option<TokenStream>,
+    /// The item for the runtime about parts that take inner steps, and the checks of their compositions.
+    nested: Option<[TokenStream; 2]>,
     /// Shows the compositions that it admits, where the runtime cannot know which.
     visit: Option<TokenStream>,
     autonomous: bool,
@@ -97,6 +99,7 @@ struct Stepper<'i> {
 impl<'i> Stepper<'i> {
     fn of(input: &'i Input, mut model: Model) -> (Self, Option<String>) {
         let mut stated_energies = [model.kinetic, model.potential];
+        let stated_parts: Vec<_> = model.parts.iter().map(|part| part.energy).collect();
         model.choose_in_the_middle();
         let [mut kinetic, mut potential] = gradients(&mut model);
         let equations = equations(&mut model, &kinetic, &potential);
@@ -109,6 +112,7 @@ impl<'i> Stepper<'i> {
         let names = Names::new(input);
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
         let (parts, visit) = (named_parts(&model), visit_compositions(&model, &names));
+        let nested = nested::stated(&model, &names);
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let pairs = pattern.pairs();
@@ -128,7 +132,7 @@ impl<'i> Stepper<'i> {
         let has_field = !emitter.model.is_separable() || emitter.model.jacobi().is_some();
         let field = has_field.then(|| field::function(&mut emitter));
         let energies = ["kinetic", "potential"].into_iter().zip(stated_energies);
-        let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy));
+        let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy, &stated_parts));
         let (energies, in_lanes): (TokenStream, Vec<bool>) = energies.unzip();
         let in_lanes = in_lanes.contains(&true).then(|| {
             quote!(
@@ -167,6 +171,7 @@ impl<'i> Stepper<'i> {
             stated,
             invariants,
             parts,
+            nested,
             visit,
             autonomous,
             quadratic,
@@ -184,8 +189,10 @@ impl<'i> Stepper<'i> {
 
     fn tokens(&self) -> TokenStream {
         let Self { input, names, documentation, composition: (_, composition), constants, tables, flows, .. } = self;
-        let (root, Names { runtime, .. }) = (&input.root, names);
+        let (root, Names { runtime, scalar, .. }) = (&input.root, names);
         let declaration = constants.declaration(names);
+        let is_generic = !input.item.generics.params.is_empty();
+        let checks = self.nested.as_ref().map(|[_, checks]| checks).filter(|_| !is_generic);
         let implementation = |of, items: &TokenStream| self.implementation(of, items);
         let of_bodies = flows.of_bodies(implementation, &constants.kind(&quote!(f64), names), names);
         let quadratic = self.quadratic.as_ref().map(|items| implementation(quote!(#runtime::QuadraticKinetic), items));
@@ -194,6 +201,8 @@ impl<'i> Stepper<'i> {
             quote!(#tape #recurrences)
         });
         let of_lattice = flows.of_lattice(implementation, names);
+        let of_nests = flows.of_nests(implementation, names);
+        let of_parts = flows.of_parts_of_pairs(&constants.kind(&quote!(#scalar), names), &self.coordinates, names);
         let of_forms = flows.of_quadratic_forms(&constants.kind(&quote!(f64), names), names);
         let of_jacobi = self.of_jacobi.as_ref().map(|items| {
             let constants = constants.kind(&quote!(f64), names);
@@ -204,7 +213,7 @@ impl<'i> Stepper<'i> {
         let rated = self.rated.as_ref().map(|items| implementation(quote!(#runtime::Rated), items));
         let sensitive = constants.sensitive(&input.sensitive, self.count.as_ref(), names);
         let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
-        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_forms);
+        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian());
         // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
@@ -216,6 +225,7 @@ impl<'i> Stepper<'i> {
                 use #root::__private::{self as #runtime, Mask as _, Slot as _};
 
                 #composition
+                #checks
                 #(#tables)*
                 #declaration
                 #documentation
@@ -269,10 +279,12 @@ impl<'i> Stepper<'i> {
             stated,
             invariants,
             parts,
+            nested,
             autonomous,
             admissible,
             ..
         } = self;
+        let nested = nested.as_ref().map(|[stated, _]| stated);
         let Names { runtime, scalar, leaf, .. } = names;
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
         let (motion, (layout, sites), moves) =
@@ -288,6 +300,7 @@ impl<'i> Stepper<'i> {
             type Motion<#scalar: #runtime::Real, #leaf: #runtime::Precision> = #motion;
 
             #parts
+            #nested
             const AUTONOMOUS: bool = #autonomous;
             const FINGERPRINT: u64 = #fingerprint;
             #layout
@@ -425,6 +438,7 @@ fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
         Model { quadratic: true, .. } => quote!(visit_quadratic),
         _ if are_two => quote!(visit_two_parts),
         Model { split: Split::Pair, .. } => quote!(visit_pairs),
+        Model { split: Split::Nested, .. } => quote!(visit_nested),
         model if model.flows() > 2 => quote!(visit_many_parts),
         _ => return None,
     };
@@ -478,11 +492,13 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
             let parts = model.flows();
             // The compiler knows what the path names.
             let held = parts > 2 && input.item.generics.params.is_empty();
+            let (span, runtime) = (path.span(), names.runtime_at(path.span()));
             let admits = match model.split {
-                Split::Pair => quote!(admits_pairs::<#path>()),
-                _ => quote!(admits::<#path>(#parts)),
+                Split::Pair => quote_spanned!(span=> #runtime::admits_pairs::<#path>()),
+                Split::Nested => quote_spanned!(span=> #runtime::admits_nested::<#path>()),
+                _ => quote_spanned!(span=> #runtime::admits::<#path>(#parts)),
             };
-            let check = quote_spanned!(path.span()=> const _: () = #runtime::#admits;);
+            let check = quote_spanned!(span=> const _: () = #admits;);
             let check = held.then_some(check);
             (quote!(#path), Some(quote!(#check #named_otherwise)))
         }

@@ -22,8 +22,10 @@ pub(super) fn check_composition(input: &Input, model: &Model, errors: &mut Error
 
 /// What in a sequence requests a quadratic `T` that this Hamiltonian does not have: the message for it.
 fn refusal(sequence: &InPlace, model: &Model) -> Option<String> {
-    if let Split::Pair = model.split {
-        return refusal_of_pairs(sequence);
+    match model.split {
+        Split::Pair => return refusal_of_pairs(sequence),
+        Split::Nested => return refusal_of_nests(sequence),
+        _ => {}
     }
     if model.flows() > 2 {
         return refusal_of_many_parts(sequence);
@@ -58,6 +60,16 @@ fn refusal_of_many_parts(sequence: &InPlace) -> Option<String> {
             "this sequence has order {} only for H = ½ pᵀ M⁻¹ p + V(q), and order {} for other parts\nhelp: {without}",
             proof.quadratic.order, general.order
         )),
+        Some(_) => None,
+    }
+}
+
+/// The same where the last part takes inner steps.
+fn refusal_of_nests(sequence: &InPlace) -> Option<String> {
+    let such = "help: use a composition such as `Verlet`, `Yoshida4` or `Aba864`";
+    match sequence.proof().general {
+        None => Some(format!("a force-gradient kick requires H = ½ pᵀ M⁻¹ p + V(q), without inner steps\n{such}")),
+        Some(_) if sequence.is_processed() => Some(format!("a processor does not support inner steps\n{such}")),
         Some(_) => None,
     }
 }

@@ -3,7 +3,7 @@
 //! Recognisers return the reason with which they give up. This module calls them again for reports and messages, so that
 //! an expansion without these does not pay for reasons.
 
-use super::{Form, form_along, forms, lane_context, list_sum, program_along, scheduled};
+use super::{Form, form_along, forms, forms_of_bodies, lane_context, list_sum, program_along, scheduled};
 use crate::{
     differentiate::{Contribution, fold_branches, gradient},
     graph::{
@@ -69,6 +69,12 @@ pub(crate) fn of_part(model: &mut Model, number: usize) -> Option<(Form, Vec<Los
         _ => return None,
     };
     let gradient = gradient(&mut model.graph, energy, part);
+    if part == Part::Position
+        && let Some(pairs) = AllPairs::of_part(model, energy)
+    {
+        let lost = pairs.listed.as_ref().err().map(|reason| Lost { form: Form::Lists, by: None, reason: *reason });
+        return Some((forms_of_bodies(model, &pairs)[1], lost.into_iter().collect()));
+    }
     let mut all = lost_along(model, &gradient, part);
     if is_of_pairs(model, energy) {
         all.insert(0, Lost { form: Form::Pairs, by: None, reason: Reason::InPart });

@@ -20,7 +20,7 @@ use crate::{
         exact::Exact,
         index::{Index, IndexId, LoopId, LoopSet},
     },
-    syntax::{Functions, Input},
+    syntax::{Functions, Input, Nest},
 };
 pub(crate) use code::sensitive_lists::without_lists;
 pub(crate) use code::shape::{Length, Shape};
@@ -94,6 +94,8 @@ pub(crate) struct Model {
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
     pub(crate) parts: Vec<ExactPart>,
     pub(crate) split: Split,
+    /// The parts that take inner steps, the outermost first.
+    pub(crate) nests: Vec<Nest>,
     pub(crate) shape: Shape,
     /// How many numbers, points or planes the coordinates are, and how many components a point or a plane has.
     pub(crate) lengths: Vec<IndexId>,
@@ -134,6 +136,8 @@ pub(crate) enum Split {
     Parts,
     /// Those of the first part and of a symmetric pair, which all others are.
     Pair,
+    /// Those of the first part and of all others, which take inner steps.
+    Nested,
     /// Those of two copies of the state, each of which moves by the H of the other, and of their coupling.
     Copies(NodeId),
     /// None: H stays in one piece.
@@ -262,9 +266,12 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
             Some(function) => reader.sorted_parts(function)?,
             None => reader.named_parts()?,
         };
-        let parts = reader.commuting_as_one(parts);
-        let is_pair = input.paired.is_some() && parts.len() > 2;
-        let split = if is_pair { Split::Pair } else { Split::Parts };
+        let parts = reader.commuting_by_nest(parts);
+        let split = match &input.nests[..] {
+            [] if input.paired.is_some() && parts.len() > 2 => Split::Pair,
+            [] => Split::Parts,
+            _ => Split::Nested,
+        };
         (reader.first_and_others(&parts), split, parts, shape, called)
     } else {
         let (energies, shape, called) = match whole {
@@ -302,6 +309,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         invariants,
         parts,
         split,
+        nests: input.nests.clone(),
         shape,
         lengths,
         extents,
@@ -344,6 +352,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         invariants: Vec::new(),
         parts: Vec::new(),
         split: Split::Energies,
+        nests: Vec::new(),
         shape,
         lengths,
         extents,

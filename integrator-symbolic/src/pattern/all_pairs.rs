@@ -41,8 +41,8 @@ pub(crate) struct AllPairs {
     pub(crate) dimension: u64,
     /// What is prepared of each body.
     pub(crate) constants: Constants,
-    /// What the flow of `T` does to a body.
-    pub(crate) drift: OfBodies,
+    /// What the flow of `T` does to a body; `None` of a part of H that has no `T`.
+    pub(crate) drift: Option<OfBodies>,
     /// Whether a pair interacts, and whether that condition has to hold.
     pub(crate) acts: Option<(OfBodies, bool)>,
     /// The gradient of the energy of a pair by the coordinates of its first body, or what their displacement is to be multiplied by.
@@ -186,7 +186,8 @@ impl AllPairs {
         let fewer_than = |bound| count.is_some_and(|count| count < bound);
         let are_many = !in_jacobi && !fewer_than(APART_FROM);
         let acting = acting(&model.graph, potential, all)?;
-        let moving = moving(&model.graph, kinetic, all).ok_or(Reason::Kinetic)?;
+        let has_kinetic = model.graph.as_constant(kinetic) != Some(0.0);
+        let moving = if has_kinetic { moving(&model.graph, kinetic, all).ok_or(Reason::Kinetic)? } else { all };
         let [first_acting, first_moving] = [acting, moving].map(|end| First::of(model, end, all));
         let first_acting = first_acting.map_err(|()| Reason::Unrecognised)?;
         let first_moving = first_moving.map_err(|()| Reason::Unrecognised)?;
@@ -230,7 +231,7 @@ impl AllPairs {
         let per_body = per_body(graph, kinetic, moving, Part::Momentum, &mut texts);
         let (kinetic, kinetic_beside, velocity) = per_body.ok_or(Reason::Kinetic)?;
         let velocity = fold_branches(graph, &velocity);
-        if velocity.is_empty() || !is_direct(&graph.loops, &velocity) {
+        if has_kinetic && (velocity.is_empty() || !is_direct(&graph.loops, &velocity)) {
             return Err(Reason::Kinetic);
         }
         if force.is_empty() && triplets.is_none() {
@@ -247,7 +248,10 @@ impl AllPairs {
             [] => None,
             _ => Some(EmbeddedOfBodies::of(model, &mut constants, bodies, dimension, &embedded)?),
         };
-        let drift = OfBodies::new(model, &mut constants, &[moved], &velocity, Sink::Update)?;
+        let drift = match has_kinetic {
+            true => Some(OfBodies::new(model, &mut constants, &[moved], &velocity, Sink::Update)?),
+            false => None,
+        };
         let acts = match condition(&force) {
             None => None,
             Some((condition, holds)) => Some((OfBodies::value(model, &mut constants, &pair, condition)?, holds)),
@@ -284,7 +288,8 @@ impl AllPairs {
                 if !reads_middle(&model.graph, &[energy, energy_alone, energy_of_others])
                     && !of_triplet.is_some_and(|energy| reads_middle(&model.graph, &[energy])) =>
             {
-                let has_form = model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
+                let has_form =
+                    has_kinetic && model.graph.is_form_of_momenta(kinetic) && !reads_middle(&model.graph, &[kinetic]);
                 let of_densities =
                     embedded.as_ref().map_or(energy_alone, |embedded| model.graph.add(energy_alone, embedded.energy));
                 let (known, of_pair, of_body) = (constants.count(), (pair, energy), (bodies, of_densities));
@@ -320,7 +325,7 @@ impl AllPairs {
         let weights = embedded.iter().map(|embedded| &embedded.weights);
         let of_lists = included.iter().map(|included| &included.condition);
         let of_bodies: Vec<_> =
-            [&drift].into_iter().chain(&alone).chain(of_one).chain(of_three).chain(weights).chain(of_lists).collect();
+            drift.iter().chain(&alone).chain(of_one).chain(of_three).chain(weights).chain(of_lists).collect();
         let number = constants.number(&model.graph, &of_pairs, &of_bodies);
         Ok(Self {
             pair,
@@ -343,6 +348,22 @@ impl AllPairs {
             of,
             number,
         })
+    }
+
+    /// That of a part of H that is a function of positions, if its energy is a sum over pairs of many bodies. A part that reads the
+    /// middle of the step, which its rows do not have, is none.
+    pub(crate) fn of_part(model: &mut Model, energy: NodeId) -> Option<Self> {
+        let graph = &mut model.graph;
+        let reads_middle = graph.reachable([energy]).into_iter().any(|id| graph.node(id) == Node::Middle);
+        let is_short = model.shape.numbers().is_some_and(|numbers| numbers < APART_FROM);
+        if reads_middle || is_short {
+            return None;
+        }
+        let zero = graph.constant(0.0);
+        let whole = [std::mem::replace(&mut model.kinetic, zero), std::mem::replace(&mut model.potential, energy)];
+        let pairs = Self::of(model).ok();
+        [model.kinetic, model.potential] = whole;
+        pairs
     }
 
     /// Whether all bodies act on each other, and their number is the length of the coordinates.

@@ -46,7 +46,24 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
         }
         [] => String::new(),
     });
+    let nested = matches!(model.split, Split::Nested).then(|| nested(model));
+    let pair = pair.or(nested);
     pair.into_iter().chain(parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy)))).collect()
+}
+
+/// H as the sum of its parts, with the inner steps that some take: `H = slow + 8 * Verlet(bonds + kinetic)`.
+fn nested(model: &Model) -> String {
+    let (mut text, mut first) = ("H = ".to_owned(), 0);
+    let names = |parts: &[ExactPart]| parts.iter().map(ExactPart::name).collect::<Vec<_>>().join(" + ");
+    for nest in &model.nests {
+        let compose = nest
+            .compose
+            .as_ref()
+            .map_or_else(|| "Verlet".to_owned(), |path| quote!(#path).to_string().replace(' ', ""));
+        text += &format!("{} + {} * {compose}(", names(&model.parts[first..nest.first]), nest.steps);
+        first = nest.first;
+    }
+    text + &names(&model.parts[first..]) + &")".repeat(model.nests.len())
 }
 
 /// The energies with their names: `T` and `V`, those of the parts that `split` names, or `H` where it is in one piece.
@@ -92,6 +109,9 @@ pub(crate) fn motion_documentation(model: &Model, equations: &[String]) -> Token
         Split::Whole => " H is in one piece, for methods that take the whole of its field.",
         Split::Pair => {
             " Each part has an exact flow. Those behind the first are one part of a composition, a symmetric pair."
+        }
+        Split::Nested => {
+            " Each part has an exact flow. Those in parentheses are one part of a composition, which takes inner steps."
         }
         _ if !model.is_separable() => " Each part has an exact flow.",
         _ if model.quadratic => " `T` is quadratic in the momenta, with a constant mass matrix.",

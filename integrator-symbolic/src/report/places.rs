@@ -60,7 +60,9 @@ pub(super) fn of_energies(model: &mut Model, energies: [NodeId; 2], pattern: &Pa
             let mut kinetic = Found::default();
             // Half the sum of the products of momenta and velocities.
             let products = Tally { multiplications: pairs.dimension, ..Tally::default() };
-            kinetic.add_bodies(model, Each::Bodies, &pairs.drift, products);
+            if let Some(drift) = &pairs.drift {
+                kinetic.add_bodies(model, Each::Bodies, drift, products);
+            }
             kinetic.add_beside(model, Some(beside));
             places[0] = kinetic.places(model);
         }
@@ -88,7 +90,9 @@ fn of_energy(model: &mut Model, energy: NodeId, pattern: &Pattern) -> Vec<Place>
 /// The flows of bodies that act on each other in pairs.
 fn of_bodies(model: &Model, pairs: &AllPairs) -> [Vec<Place>; 2] {
     let (mut drift, mut kick, none) = (Found::default(), Found::default(), Tally::default);
-    drift.add_bodies(model, Each::Bodies, &pairs.drift, none());
+    if let Some(of_body) = &pairs.drift {
+        drift.add_bodies(model, Each::Bodies, of_body, none());
+    }
     // The runtime multiplies the displacement by a central force, and adds the reaction.
     let mut beside = Tally::default();
     if pairs.central {

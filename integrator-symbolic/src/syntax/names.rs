@@ -27,6 +27,8 @@ pub(crate) struct Names {
     pub(crate) tape: Ident,
     /// What the structs of the iterations of its loops begin with.
     pub(crate) iteration: Ident,
+    /// What the types of parts that are sums over pairs begin with.
+    pub(crate) part: Ident,
     /// Values that loops keep of each iteration, and results of other ones.
     pub(crate) kept: Ident,
     pub(crate) results: Ident,
@@ -36,12 +38,22 @@ impl Names {
     pub(crate) fn new(input: &Input) -> Self {
         let mut used = HashSet::new();
         collect(input.item.to_token_stream(), &mut used);
-        if let Some(Compose::Named(path)) = &input.compose {
-            collect(path.to_token_stream(), &mut used);
-        }
+        let outer = match &input.compose {
+            Some(Compose::Named(path)) => Some(path),
+            _ => None,
+        };
+        let inner = input.nests.iter().filter_map(|nest| nest.compose.as_ref());
+        inner.chain(outer).for_each(|path| collect(path.to_token_stream(), &mut used));
         let free = |name: &str| {
             let mut free = name.to_owned();
             while used.contains(&free) {
+                free.push('_');
+            }
+            Ident::new(&free, Span::call_site())
+        };
+        let beginning = |name: &str| {
+            let mut free = name.to_owned();
+            while used.iter().any(|used| used.starts_with(&free)) {
                 free.push('_');
             }
             Ident::new(&free, Span::call_site())
@@ -57,9 +69,17 @@ impl Names {
             leaf: free("Leaf"),
             tape: free("Tape"),
             iteration: free("Iteration"),
+            part: beginning("Part"),
             kept: free("kept"),
             results: free("results"),
         }
+    }
+
+    /// Returns the path of the runtime's private API at a place, for errors that the compiler finds there.
+    pub(crate) fn runtime_at(&self, place: Span) -> Ident {
+        let mut runtime = self.runtime.clone();
+        runtime.set_span(runtime.span().located_at(place));
+        runtime
     }
 }
 

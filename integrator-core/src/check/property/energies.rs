@@ -57,6 +57,9 @@ pub(crate) trait Differentiable {
     /// The gradient of `T` or of `V`, or the derivative of that along a tangent.
     fn flow(&self, part: Part, point: &Flat, tangent: Option<&Flat>, time: f64) -> Vec<f64>;
 
+    /// The derivative of one half of the vector field along a tangent, as a gradient, if the last part of H takes inner steps.
+    fn bent_field(&self, part: Part, point: &Flat, tangent: &Flat, time: f64) -> Option<Vec<f64>>;
+
     /// Bounds on the rounding of the components of the gradient of `T` or of `V`.
     fn flow_rounding(&self, part: Part, point: &Flat, time: f64) -> Vec<f64>;
 }
@@ -144,6 +147,14 @@ impl<H: Hamiltonian> Differentiable for Energies<'_, H> {
                 flow::<H, Dual>(&self.parameters, part, [&point, &tangent], time, 1)
             }
         }
+    }
+
+    fn bent_field(&self, part: Part, point: &Flat, tangent: &Flat, time: f64) -> Option<Vec<f64>> {
+        if const { H::NESTED.is_empty() } {
+            return None;
+        }
+        let [point, tangent] = [point, tangent].map(|numbers| shaped(self.shape, numbers));
+        Some(half_of_field::<H, Dual>(&self.parameters, part, &[&point, &tangent], time, 1))
     }
 
     fn flow_rounding(&self, part: Part, point: &Flat, time: f64) -> Vec<f64> {

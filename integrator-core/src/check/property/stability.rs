@@ -29,6 +29,7 @@ use crate::{
     system::Shaped,
     trajectory::method::Method,
 };
+use nalgebra::Complex;
 use std::fmt;
 
 /// The number of samples of the motion and of steps between two of them: as far as the energy is followed in a
@@ -50,14 +51,28 @@ pub struct Stability {
     pub turn: f64,
     /// The time of that sample.
     pub time: f64,
-    /// The `h·ω` from which the composition is unstable: [`Scheme::STABILITY_LIMIT`](crate::Scheme::STABILITY_LIMIT).
+    /// The `h·ω` from which the composition is unstable: [`Scheme::STABILITY_LIMIT`](crate::Scheme::STABILITY_LIMIT). If a part of
+    /// `H` takes inner steps, π: a step of half a period of the fastest motion is in resonance with it.
+    pub limit: f64,
+    /// The same of an inner step, if a part of `H` takes inner steps: the innermost one.
+    pub inner_step: Option<InnerStep>,
+}
+
+/// The fastest oscillation of a run in units of its inner step, and the stability limit of the inner composition.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct InnerStep {
+    /// The largest `h·ω` of an inner step, in radians.
+    pub turn: f64,
+    /// The `h·ω` from which the inner composition is unstable.
     pub limit: f64,
 }
 
 impl Stability {
-    /// Returns the phase advance as a fraction of the limit.
+    /// Returns the phase advance as a fraction of the limit, of the inner step if that is more.
     pub fn share(&self) -> f64 {
-        self.turn / self.limit
+        let inner = self.inner_step.map(|InnerStep { turn, limit }| turn / limit);
+        largest([self.turn / self.limit].into_iter().chain(inner))
     }
 
     /// Whether the phase advance is half of the limit or more. The oscillation is then poorly resolved; use a smaller
@@ -69,12 +84,21 @@ impl Stability {
 
 impl fmt::Display for Stability {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { turn, time, limit } = self;
+        let &Self { turn, time, limit, inner_step } = self;
         if turn.is_nan() {
             return write!(f, "h·ω is unknown: no sample has finite second derivatives");
         }
-        let share = Number(100.0 * self.share());
-        write!(f, "h·ω is at most {turn:.2e} (t = {time:.3e}), {share:.1} % of the limit {limit:.2}")?;
+        let share = |turn: f64, limit: f64| Number(100.0 * turn / limit);
+        write!(f, "h·ω is at most {turn:.2e} (t = {time:.3e}), {:.1} % of ", share(turn, limit))?;
+        match inner_step {
+            None => write!(f, "the limit {limit:.2}")?,
+            Some(InnerStep { turn, limit }) => write!(
+                f,
+                "π, where the step resonates with the fastest motion; of an inner step {turn:.2e}, {:.1} % of the limit \
+                 {limit:.2}",
+                share(turn, limit)
+            )?,
+        }
         if self.is_near() {
             write!(f, "; WARNING: above half of the limit, use a smaller step")?;
         }
@@ -93,7 +117,8 @@ impl fmt::Display for Stability {
 ///
 /// # Errors
 /// - The start or the step is invalid for a run.
-/// - The parts of the Hamiltonian are not `T(p)` and `V(q)`: the limit is that of an oscillator with this splitting.
+/// - The parts of the Hamiltonian are not `T(p)` and `V(q)`, and none takes inner steps: the limit is that of an oscillator with
+///   this splitting.
 ///
 /// ```
 /// use integrator_core::{check::stability, prelude::*};
@@ -121,7 +146,8 @@ pub fn stability<H: Hamiltonian, X: Composition<H>, K: Precision>(
     start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Stability, CheckError> {
-    nearness::<H, X, K>(system, composition, X::STABILITY_LIMIT, &start.into_start(), h)
+    let limit = composition.claims().stability_limit.unwrap_or(X::STABILITY_LIMIT);
+    nearness::<H, X, K>(system, composition, limit, &start.into_start(), h)
 }
 
 /// Estimates stability like [`stability`], for a method with this limit.
@@ -133,16 +159,19 @@ pub(crate) fn nearness<H: Hamiltonian, X: Method<H>, K: Precision>(
     h: f64,
 ) -> Result<Stability, CheckError> {
     let start = begin::<H, X, K>(system, method, start, h)?;
-    if !H::SEPARABLE {
+    if !H::SEPARABLE && H::NESTED.is_empty() {
         return Err(CheckError::NotSeparable { what: "the limit of stability of a composition" });
     }
     let mut run = run::<H, X, f64>(system, method, &start, h)?;
     let energies = Energies::new(system, &start.phase);
     let begin = (flat(&run.state()), run.time());
-    Ok(fastest((&energies, h, limit), begin, &mut || {
+    let mut fastest = fastest((&energies, h, limit), begin, &mut || {
         run.advance(INTERVAL).ok()?;
         Some((flat(&run.state()), run.time()))
-    }))
+    });
+    fastest.inner_step =
+        method.claims().innermost.map(|(steps, limit)| InnerStep { turn: fastest.turn / steps, limit });
+    Ok(fastest)
 }
 
 /// The fastest oscillation of a run in units of its step, sampled at its start and after each call of `advance`.
@@ -151,7 +180,7 @@ fn fastest(
     mut sample: (Flat, f64),
     advance: &mut dyn FnMut() -> Option<(Flat, f64)>,
 ) -> Stability {
-    let mut fastest = Stability { turn: f64::NAN, time: sample.1, limit };
+    let mut fastest = Stability { turn: f64::NAN, time: sample.1, limit, inner_step: None };
     for _ in 0..SAMPLES {
         let (state, time) = &sample;
         let turn = (h * frequency(system, state, *time)).abs();
@@ -171,6 +200,9 @@ fn fastest(
 /// The largest frequency of the linear motion about `point`: with `δq' = T″ δp` and `δp' = -V″ δq`, the largest real
 /// part of a root of an eigenvalue of `T″ V″`.
 fn frequency(energies: &dyn Differentiable, point: &Flat, time: f64) -> f64 {
+    if let Some(frequency) = frequency_of_field(energies, point, time) {
+        return frequency;
+    }
     let length = point.q.len();
     let still = origin(point);
     let at_rest = Flat { q: point.q.clone(), p: still.p.clone() };
@@ -188,7 +220,29 @@ fn frequency(energies: &dyn Differentiable, point: &Flat, time: f64) -> f64 {
         let pull = force.flow(&at_rest, Some(&tangent(direction, 0)));
         velocity.flow(&at_origin, Some(&tangent(&pull, length)))
     });
-    squared.map_or(f64::NAN, |values| {
-        largest(values.iter().map(|value| value.re.hypot(value.im).sqrt() * (value.im.atan2(value.re) / 2.0).cos()))
-    })
+    squared.map_or(f64::NAN, |values| largest_frequency(&values))
+}
+
+/// The largest frequency of the linear motion `δz' = J δz` about `point`, from the eigenvalues of `-J²`, if the last part of H takes
+/// inner steps.
+fn frequency_of_field(energies: &dyn Differentiable, point: &Flat, time: f64) -> Option<f64> {
+    let length = point.q.len();
+    let bent = |direction: &[f64]| {
+        let tangent = Flat { q: direction[..length].to_vec(), p: direction[length..].to_vec() };
+        let mut field = energies.bent_field(Part::Kinetic, point, &tangent, time)?;
+        let gradient = energies.bent_field(Part::Potential, point, &tangent, time)?;
+        field.extend(gradient.iter().map(|slope| -slope));
+        Some(field)
+    };
+    bent(&vec![0.0; 2 * length])?;
+    let squared = eigenvalues(2 * length, &|direction| {
+        let twice = bent(direction).and_then(|field| bent(&field)).unwrap_or_default();
+        twice.iter().map(|number| -number).collect()
+    });
+    Some(squared.map_or(f64::NAN, |values| largest_frequency(&values)))
+}
+
+/// The largest real part of a root of an eigenvalue.
+fn largest_frequency(squared: &[Complex<f64>]) -> f64 {
+    largest(squared.iter().map(|value| value.re.hypot(value.im).sqrt() * (value.im.atan2(value.re) / 2.0).cos()))
 }

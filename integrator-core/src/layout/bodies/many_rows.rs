@@ -191,6 +191,19 @@ where
     }
 }
 
+impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
+    /// Bodies with these constants, the first ones of them acting on each other, at the origin and at rest.
+    pub(crate) fn at_origin(parameters: P, constants: Vec<[R::Row<WIDTH>; S]>, bodies: usize, acting: usize) -> Self {
+        let [q, p] = [(); 2].map(|()| zeros(constants.len()));
+        let (gradients, neighbours) = (Vec::new(), Neighbours::none());
+        Self { q, p, constants, gradients, neighbours, threads: 1, bodies, acting, moving: bodies, parameters }
+    }
+    /// Lets this number of threads share the pairs, or all that the machine has.
+    pub(crate) fn use_threads(&mut self, threads: Option<usize>) {
+        self.threads = threads.unwrap_or_else(all_threads).max(1);
+    }
+}
+
 impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> ManyRows<R, K, P, D, S> {
     /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
     /// composition would have a copy with stack slots of its own.

@@ -14,5 +14,7 @@ mod other_terms;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod pair_sums;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod part;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod rows;
 mod triplets;

@@ -11,7 +11,7 @@ use crate::{
         simd::row::Row,
     },
     state::{coords::Coords, precision::Slot},
-    system::System,
+    system::{System, motion::Prepared},
 };
 
 /// The prepared constants of each body. Written by `#[hamiltonian]`.
@@ -30,9 +30,22 @@ pub trait BodyConstants<const S: usize> {
     }
 }
 
-/// A Hamiltonian of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over pairs,
-/// and over bodies. Written by `#[hamiltonian]`.
-pub trait ManyBody<const D: usize, const S: usize>: System {
+/// What functions of bodies read: a system, or a part of it with a sum over pairs of its own.
+pub trait OfBodies {
+    /// The shape of `q` and of `p`.
+    type Coords: Coords<Leaf = f64>;
+    /// The prepared constants.
+    type Parameters<R: Real>: Prepared<R, Single = Self::Parameters<f64>>;
+}
+
+impl<H: System> OfBodies for H {
+    type Coords = H::Coords;
+    type Parameters<R: Real> = H::Parameters<R>;
+}
+
+/// A Hamiltonian, or a part of it, of bodies with `D` coordinates and `S` prepared constants each, whose potential is a sum over
+/// pairs, and over bodies. Written by `#[hamiltonian]`.
+pub trait ManyBody<const D: usize, const S: usize>: OfBodies {
     /// Whether action is reaction: the force on the second body is that on the first, with the opposite sign.
     const RECIPROCAL: bool;
     /// Whether forces are central: given by the radial factor that multiplies the displacement from the second body to
@@ -41,7 +54,8 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
     /// The force of a pair: the radial factor where forces are central, else one component per coordinate.
     type Force<W: Copy>: Array<W>;
 
-    /// The flow of `T` on one body.
+    /// The flow of `T` on one body. A part of H that is a function of positions alone has none.
+    #[inline(always)]
     fn drift_body<R: Real, W: Row<R>, L: Slot<W>>(
         parameters: &Self::Parameters<R>,
         q: &mut [L; D],
@@ -49,7 +63,9 @@ pub trait ManyBody<const D: usize, const S: usize>: System {
         constants: [W; S],
         step: W,
         time: f64,
-    );
+    ) {
+        let _ = (parameters, q, p, constants, step, time);
+    }
     /// The force of a pair as the gradient of its energy by the coordinates of the first body, or as the radial factor.
     /// The energy stays the same if the two are exchanged.
     fn pair<R: Real, W: Row<R>>(

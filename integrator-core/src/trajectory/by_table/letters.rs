@@ -67,7 +67,7 @@ impl Table {
     }
 
     fn moving(&self, lead: Lead, rows: &[Stage]) -> Vec<Letter> {
-        let letters = rows.iter().flat_map(|row| both(lead, row)).filter(|letter| !letter.stands_still());
+        let letters = rows.iter().flat_map(|row| both(lead, row, self.between)).filter(|letter| !letter.stands_still());
         letters.flat_map(|letter| self.paired(letter)).collect()
     }
 
@@ -98,8 +98,9 @@ impl Letter {
 }
 
 /// The drift and the kick of a stage.
-fn both(lead: Lead, stage: &Stage) -> [Letter; 2] {
+fn both(lead: Lead, stage: &Stage, between: Between) -> [Letter; 2] {
     let Stage { drift, kick, gradient, drift_time, kick_time, .. } = *stage;
+    let kick_time = if between == Between::InnerSteps { stage.inner_time(lead) } else { kick_time };
     let flow = if gradient == 0.0 { Flow::Kick } else { Flow::GradientKick };
     let drift = Letter { flow: Flow::Drift, duration: drift, gradient: 0.0, time: drift_time };
     let kick = Letter { flow, duration: kick, gradient, time: kick_time };
@@ -116,7 +117,7 @@ fn all(lead: Lead, stage: &Stage, between: Between) -> impl Iterator<Item = Lett
         let moves = between == Between::Flows && duration != 0.0;
         moves.then_some(Letter { flow: Flow::Middle { backwards }, duration, gradient: 0.0, time })
     };
-    let [first, last] = both(lead, stage);
+    let [first, last] = both(lead, stage, between);
     let kick_first = lead == Lead::Kick;
     let before = stage.kick_time;
     let after = if kick_first { before + stage.drift } else { before };

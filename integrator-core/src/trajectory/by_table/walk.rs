@@ -107,7 +107,7 @@ struct Lists {
     undoing: Vec<Letter>,
 }
 
-/// The number of passes of a step where pieces of H meet in time: the end of the last step, what undoes the processor,
+/// The number of passes of a step that is taken by itself: the end of the last step, what undoes the processor,
 /// and all up to the step's own end.
 const WHOLE_STEP: u64 = 3;
 
@@ -197,10 +197,14 @@ impl<F: Flows<H>, H: System, G: Kicks<H>> Walk<F, H, G> {
         }
     }
 
+    fn are_whole(&self) -> bool {
+        self.table.stages.are_whole::<H>()
+    }
+
     /// Returns the number of passes that make the portion, beside cycles that go in pairs.
     fn passes(&self) -> u64 {
         match self.portion {
-            Portion::Steps(steps) if H::PIECEWISE_IN_TIME => WHOLE_STEP * steps,
+            Portion::Steps(steps) if self.are_whole() => WHOLE_STEP * steps,
             // All but the first step of a run are cycles.
             Portion::Steps(steps) if Self::IN_PAIRS => {
                 if self.clock.steps == 0 {
@@ -220,7 +224,7 @@ impl<F: Flows<H>, H: System, G: Kicks<H>> Walk<F, H, G> {
         match self.portion {
             Portion::Closing => Lists { closing: table.closing(), ..none },
             Portion::Undoing => Lists { undoing: table.undoing(), ..none },
-            Portion::Steps(_) if H::PIECEWISE_IN_TIME => {
+            Portion::Steps(_) if self.are_whole() => {
                 Lists { opening: table.opening(), closing: table.closing(), undoing: table.undoing(), ..none }
             }
             Portion::Steps(_) => {
@@ -239,7 +243,7 @@ impl<F: Flows<H>, H: System, G: Kicks<H>> Walk<F, H, G> {
         match self.portion {
             Portion::Closing => ending(&lists.closing, begin),
             Portion::Undoing => ending(&lists.undoing, begin),
-            Portion::Steps(_) if H::PIECEWISE_IN_TIME => {
+            Portion::Steps(_) if self.are_whole() => {
                 let step = begin + number / WHOLE_STEP;
                 match number % WHOLE_STEP {
                     0 => ending(&lists.closing, step),
@@ -256,7 +260,7 @@ impl<F: Flows<H>, H: System, G: Kicks<H>> Walk<F, H, G> {
 
     fn corrections(&self) -> Corrections {
         let Table { stages, processor, between } = &self.table;
-        if H::PIECEWISE_IN_TIME {
+        if self.are_whole() {
             Corrections::of_whole_steps(stages, processor, self.clock.h, *between)
         } else {
             Corrections::new(stages, self.clock.h, *between)

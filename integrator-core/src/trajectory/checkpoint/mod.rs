@@ -36,7 +36,7 @@ use alloc::{borrow::ToOwned, string::ToString, vec::Vec};
 pub(crate) use record::Record as RunRecord;
 use record::Record;
 pub(crate) use record::Stored;
-use record::{OwnTime, fingerprint};
+use record::{OwnTime, fingerprint, with_inner_steps};
 pub(crate) use record::{record_of, sealed_record};
 #[cfg(feature = "std")]
 use std::{
@@ -58,14 +58,27 @@ pub(crate) struct Origin {
     over: &'static str,
     /// The stages of the composition; `None` for a method that is no composition, whose runs cannot be resumed.
     table: Option<(Stages, Processor)>,
+    /// The number of inner steps that replaces that of the annotation.
+    chosen_inner_steps: Option<u32>,
 }
 
 impl Origin {
     /// The origin of runs that are never written.
-    pub(crate) const UNKNOWN: Self =
-        Self { system: "", formulas: 0, parameters: 0, unknown: None, composition: "", over: "", table: None };
+    pub(crate) const UNKNOWN: Self = Self {
+        system: "",
+        formulas: 0,
+        parameters: 0,
+        unknown: None,
+        composition: "",
+        over: "",
+        table: None,
+        chosen_inner_steps: None,
+    };
 
-    pub(crate) fn of<H: System>(Facts { name, over, table, .. }: Facts, parameters: &H::Parameters<f64>) -> Self {
+    pub(crate) fn of<H: System>(
+        Facts { name, over, table, chosen_inner_steps, .. }: Facts,
+        parameters: &H::Parameters<f64>,
+    ) -> Self {
         let mut digest = Digest::EMPTY;
         H::Parameters::<f64>::digest(parameters, &mut digest);
         Self {
@@ -76,6 +89,7 @@ impl Origin {
             composition: name,
             over: over.unwrap_or_default(),
             table,
+            chosen_inner_steps,
         }
     }
 
@@ -111,7 +125,7 @@ impl Origin {
             system: self.system.to_owned(),
             formulas: self.formulas,
             parameters: self.parameters,
-            composition: self.composition.to_owned(),
+            composition: with_inner_steps(self.composition, self.chosen_inner_steps),
             stages: fingerprint(self.table.as_ref()),
             leaf: K::NAME.to_owned(),
             steps,

@@ -124,9 +124,10 @@ impl Stored {
     pub(crate) fn belongs_to<H: System, K: Precision>(&self, facts: Facts) -> Result<(), CheckpointError> {
         let Record { system, composition, stages, leaf, .. } = &self.record;
         let over = facts.over.unwrap_or_default();
+        let name = with_inner_steps(facts.name, facts.chosen_inner_steps);
         let asked = match self.over {
-            Some(_) => named(facts.name, over),
-            None => facts.name.to_owned(),
+            Some(_) => named(&name, over),
+            None => name,
         };
         let pairs = [
             ("system", system.clone(), core::any::type_name::<H>().to_owned()),
@@ -148,6 +149,14 @@ impl Stored {
 /// A method as it is written, with the composition that it is over.
 fn named(method: &str, over: &str) -> String {
     if over.is_empty() { method.to_owned() } else { format!("{method}({over})") }
+}
+
+/// The name of a composition with the number of inner steps that replaces that of the annotation: `Verlet.nested(4)`.
+pub(super) fn with_inner_steps(composition: &str, steps: Option<u32>) -> String {
+    match steps {
+        Some(steps) => format!("{composition}.nested({steps})"),
+        None => composition.to_owned(),
+    }
 }
 
 /// A record of another kind, as bytes that begin like their kind and end in a checksum.

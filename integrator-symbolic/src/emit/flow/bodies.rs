@@ -25,13 +25,19 @@ impl Constants {
         OfBodies::name_of(&name, model, by)
     }
 
-    /// Those of the body with an index; zeros for what the runtime computes.
-    pub(crate) fn of_body(&self, model: &Model, fields: &mut Fields, index: &Ident) -> Vec<TokenStream> {
+    /// Those of the body with an index, read from the struct of prepared constants; zeros for what the runtime computes.
+    pub(crate) fn of_body(
+        &self,
+        model: &Model,
+        fields: &mut Fields,
+        from: &TokenStream,
+        index: &Ident,
+    ) -> Vec<TokenStream> {
         let of = |(place, id): (usize, &NodeId)| match self.densities.contains(&place) {
             true => quote!(0.0),
             false => {
                 let field = fields.number(&model.graph, &model.parameters, *id);
-                quote!(self.#field[#index])
+                quote!(#from.#field[#index])
             }
         };
         self.nodes.iter().enumerate().map(of).collect()

@@ -90,6 +90,10 @@ impl Constants {
                     });
                     (quote!(#runtime::External<#count>), value)
                 }
+                Content::InnerSteps(level) => {
+                    let steps = Literal::u32_unsuffixed(emitter.model.nests[level].steps);
+                    (quote!(usize), quote!(#steps))
+                }
                 Content::OwnFlow(part) => {
                     let runtime = &names.runtime;
                     (quote!(#runtime::OwnFlow), own_flow(emitter.model, names, part))
@@ -109,12 +113,15 @@ impl Constants {
                     prepared.readers.extend(quote!(fn #name(&self) -> &#single { &self.#name }));
                     quote!(#runtime::in_lanes(members, #parameters::#name))
                 }
-                Content::Integer(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
+                Content::Integer(_) | Content::InnerSteps(_) => quote!(::core::clone::Clone::clone(&members[0].#name)),
                 Content::External(_) | Content::OwnFlow(_) => {
                     quote!(#runtime::table(<#scalar as #runtime::Real>::LANES, &|lane| ::core::clone::Clone::clone(&members[lane].#name[0])))
                 }
             };
-            let documentation = prose::documentation(emitter.model, content.node());
+            let documentation = match content {
+                Content::InnerSteps(_) => quote!(/** The number of inner steps. */),
+                _ => prose::documentation(emitter.model, content.node()).to_token_stream(),
+            };
             let kind = table.kind(kind, names);
             for (number, slopes) in prepared.slopes.iter_mut().enumerate() {
                 let slope = match of_pairs.is_some() {
@@ -125,7 +132,7 @@ impl Constants {
             }
             let value = values.declared(values.named_in(table.prepared(value, content, names)));
             prepared.common.extend(match (content, table.levels.first()) {
-                (Content::Integer(_), _) => Some(quote!(a.#name == b.#name)),
+                (Content::Integer(_) | Content::InnerSteps(_), _) => Some(quote!(a.#name == b.#name)),
                 (_, Some(Level { literal: None, .. })) => Some(quote!(a.#name.len() == b.#name.len())),
                 _ if of_pairs.is_some() => Some(quote!(a.#name.is_like(&b.#name))),
                 _ => None,
@@ -139,7 +146,7 @@ impl Constants {
                 let indices = table.levels.iter().map(|level| level.index.to_string());
                 prepared.not_finite.push(quote!(#runtime::not_finite(#formula, &[#(#indices),*], &single.#name)));
             }
-            prepared.generic |= !matches!(content, Content::Integer(_) | Content::External(_) | Content::OwnFlow(_));
+            prepared.generic |= matches!(content, Content::Number(_) | Content::Flag(_) | Content::Middle);
             prepared.fields.extend(quote!(#documentation #name: #kind,));
             prepared.gathered.extend(quote!(#name: #gathered,));
             prepared.values.extend(quote!(#name: #value,));
@@ -298,7 +305,7 @@ impl Values {
                 nodes.into_iter().filter_map(|id| parameter(&model.graph, id)).collect()
             }
             Content::Integer(parameter) => vec![parameter],
-            Content::Flag(_) | Content::Middle | Content::External(_) | Content::OwnFlow(_) => Vec::new(),
+            _ => Vec::new(),
         };
         let lists = parameters.into_iter().filter_map(|id| whole(model, id)).filter(|whole| whole.table.is_none());
         let named = |(number, whole): (usize, Whole)| match number {
@@ -357,7 +364,7 @@ fn slope(emitter: &mut Emitter<'_>, content: Content, parameter: usize, value: &
             None => quote!(0.0),
         },
         Content::Flag(_) | Content::Middle => quote!(0.0),
-        Content::Integer(_) | Content::External(_) | Content::OwnFlow(_) => value.clone(),
+        Content::Integer(_) | Content::InnerSteps(_) | Content::External(_) | Content::OwnFlow(_) => value.clone(),
     }
 }
 
@@ -411,7 +418,7 @@ impl Table {
         let loops = match content {
             Content::Number(id) => model.graph.loops_of(id),
             Content::Integer(id) | Content::Flag(id) => model.graph.loops.of_parameter(id),
-            Content::External(_) | Content::OwnFlow(_) | Content::Middle => LoopSet::EMPTY,
+            _ => LoopSet::EMPTY,
         };
         Self { levels: loops.iter().map(|by| Level::of(model, names, by, loops)).collect() }
     }
@@ -436,7 +443,7 @@ impl Table {
             _ if conditions.is_empty() => element,
             Content::Number(_) | Content::Flag(_) => quote!(if #(#conditions)&&* { #element } else { 0.0 }),
             Content::Integer(_) => quote!(if #(#conditions)&&* { #element } else { 0 }),
-            Content::External(_) | Content::OwnFlow(_) | Content::Middle => element,
+            _ => element,
         };
         self.levels.iter().rev().fold(element, |inner, Level { index, literal, extent, .. }| match literal {
             Some(_) => quote!(::core::array::from_fn(|#index: usize| #inner)),

@@ -223,6 +223,7 @@ fn check_parts(model: &Model) -> Result<(), String> {
         Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
         Split::Whole => return refused("H in one piece, `split = none`"),
         Split::Jacobi(_) => return refused("Jacobi coordinates"),
+        Split::Nested => return refused("inner steps"),
         Split::Energies | Split::Parts | Split::Pair => {}
     }
     for part in &model.parts {

@@ -29,6 +29,7 @@ impl Flows {
             in_jacobi: false,
             copies: true,
             energies: Vec::new(),
+            nests: Vec::new(),
         }
     }
 }

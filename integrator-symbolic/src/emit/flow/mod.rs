@@ -12,7 +12,9 @@ pub(super) mod invariants;
 pub(crate) mod jacobi;
 pub(super) mod kepler;
 pub(super) mod lattice;
+pub(super) mod nested;
 pub(super) mod pairs;
+pub(super) mod part_of_pairs;
 pub(super) mod pieces;
 pub(super) mod quadratic;
 pub(super) mod transformed;
@@ -39,7 +41,9 @@ use crate::{
     syntax::names::Names,
 };
 use lattice::Sweep;
+use nested::NestedFlows;
 use pairs::ManyBody;
+use part_of_pairs::PartOfPairs;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quadratic::Derivatives;
 use quote::quote;
@@ -60,6 +64,8 @@ pub(crate) struct Flows {
     copies: bool,
     /// The energies that the sites of a lattice compute.
     energies: Vec<Sweep>,
+    /// The last of them that take inner steps, the outermost first.
+    nests: Vec<NestedFlows>,
 }
 
 impl Flows {
@@ -86,7 +92,16 @@ impl Flows {
         if in_jacobi {
             (drift.body, kick.body) = (jacobi::drift(), jacobi::kick(&kick.body.0));
         }
-        Self { drift, middle: Vec::new(), kick, many_body, in_jacobi, copies: false, energies: Vec::new() }
+        Self {
+            drift,
+            middle: Vec::new(),
+            kick,
+            many_body,
+            in_jacobi,
+            copies: false,
+            energies: Vec::new(),
+            nests: Vec::new(),
+        }
     }
 
     /// None, where H stays in one piece.
@@ -100,6 +115,7 @@ impl Flows {
             in_jacobi: false,
             copies: false,
             energies: Vec::new(),
+            nests: Vec::new(),
         }
     }
 
@@ -111,11 +127,15 @@ impl Flows {
         for (number, flow) in solving.into_iter().enumerate() {
             // Of pairs `(first, (second, third))`.
             let path = (0..number).map(|_| quote!(.1)).chain((number < last).then(|| quote!(.0)));
-            let body = &flow.body.0;
-            flow.body = Body::new(quote!(let solver = &mut motion.solvers #(#path)*; #body));
+            let (path, body) = (quote!(motion.solvers #(#path)*), &flow.body.0);
+            flow.body = Body::new(quote!(let solver = &mut #path; #body));
+            if let Some(pairs) = &mut flow.pairs {
+                pairs.solver = path;
+            }
         }
         let kick = flows.pop().unwrap_or_default();
         let middle = flows.split_off(flows.len().min(1));
+        let nests = NestedFlows::of(emitter);
         Self {
             drift: flows.pop().unwrap_or_default(),
             middle,
@@ -124,7 +144,13 @@ impl Flows {
             in_jacobi: false,
             copies: false,
             energies: Vec::new(),
+            nests,
         }
+    }
+
+    /// All of them, in the order of the parts.
+    fn all(&self) -> impl Iterator<Item = &Flow> {
+        [&self.drift].into_iter().chain(&self.middle).chain([&self.kick])
     }
 
     /// Whether bodies act on each other in pairs.
@@ -152,22 +178,21 @@ impl Flows {
 
     /// The type of what flows keep beside the state: that of one, or pairs `(first, (second, third))`.
     fn solvers(&self) -> Option<TokenStream> {
-        let flows = [&self.drift].into_iter().chain(&self.middle).chain([&self.kick]);
-        let solvers = flows.filter_map(|flow| flow.solver.clone());
-        solvers.rev().reduce(|others, first| quote!((#first, #others)))
+        let solvers: Vec<_> = self.all().filter_map(|flow| flow.solver.clone()).collect();
+        solvers.into_iter().rev().reduce(|others, first| quote!((#first, #others)))
     }
 
     /// The items for the runtime about their form: constants, and the functions that move a lattice segment by
     /// segment.
     pub(crate) fn layout(&self, names: &Names) -> (TokenStream, Option<TokenStream>) {
-        let Self { drift, middle, kick, many_body, .. } = self;
-        let is_wide = [drift, kick].into_iter().chain(middle).any(|flow| flow.is_wide);
+        let Self { drift, kick, many_body, .. } = self;
+        let is_wide = self.all().any(|flow| flow.is_wide);
         let wide = (kick.sweep.is_some() || many_body.is_some() || is_wide).then(|| {
             quote!(
                 const WIDE: bool = true;
             )
         });
-        let is_large = self.in_jacobi || [drift, kick].into_iter().chain(middle).any(|flow| flow.is_large);
+        let is_large = self.in_jacobi || self.all().any(|flow| flow.is_large);
         let large = is_large.then(|| {
             quote!(
                 const LARGE_FLOWS: bool = true;
@@ -176,7 +201,7 @@ impl Flows {
         let lattice = |flow: &Flow| flow.sweep.as_ref().map(Sweep::lattice);
         let alike = lattice(drift).filter(|of_drift| lattice(kick) == Some(*of_drift));
         let (radii, sites) = alike.map(|alike| lattice::parts(alike, names)).unzip();
-        let forms = || [drift].into_iter().chain(middle).chain([kick]).map(|flow| flow.form);
+        let forms = || self.all().map(|flow| flow.form);
         let layout = forms().any(|form| form != Form::Plain).then(|| {
             let words = forms().map(Form::name);
             quote!(
@@ -189,7 +214,8 @@ impl Flows {
 
     /// The function that compares the number of bodies that act with the least number whose neighbours are listed.
     pub(crate) fn is_listed(&self, count: Option<&TokenStream>) -> Option<TokenStream> {
-        self.many_body.as_ref()?.listed()?;
+        let of_parts = self.all().filter_map(|flow| flow.pairs.as_ref()).map(PartOfPairs::many_body);
+        self.many_body.iter().chain(of_parts).find_map(ManyBody::listed)?;
         let (count, from) = (count.cloned().unwrap_or_else(|| quote!(length)), Literal::u64_unsuffixed(LISTED_FROM));
         Some(quote! {
             fn is_listed(&self, length: usize) -> bool {
@@ -200,16 +226,19 @@ impl Flows {
 
     /// The functions `drift` and `kick`, and `middle` where there are more parts.
     pub(crate) fn functions(&self, names: &Names) -> TokenStream {
+        if !self.nests.is_empty() {
+            return self.functions_of_nests(names);
+        }
         let [drift, kick] =
             [("drift", &self.drift), ("kick", &self.kick)].map(|(name, flow)| flow.body.flow(name, names));
-        let middle = self.middle_function(names);
+        let middle = Self::middle_function("middle", &self.middle.iter().collect::<Vec<_>>(), names);
         quote!(#drift #middle #kick)
     }
 
-    /// The function `middle`: the flows between the first and the last, in their order or backwards.
-    fn middle_function(&self, names: &Names) -> Option<TokenStream> {
+    /// The function of this name of flows between the first and the last, in their order or backwards.
+    fn middle_function(name: &str, flows: &[&Flow], names: &Names) -> Option<TokenStream> {
         let Names { runtime, scalar, leaf, .. } = names;
-        let flows: Vec<_> = self.middle.iter().map(|flow| &flow.body.0).collect();
+        let flows: Vec<_> = flows.iter().map(|flow| &flow.body.0).collect();
         let body = match &flows[..] {
             [] => return None,
             [alone] => quote!(#alone),
@@ -227,15 +256,24 @@ impl Flows {
         let body = Body::new(body);
         let [motion, duration, backwards] = ["motion", "duration", "backwards"].map(|name| body.argument(name));
         let time = body.argument("time");
-        let body = &body.0;
+        let (name, body) = (Ident::new(name, Span::call_site()), &body.0);
         Some(quote! {
             #[inline(always)]
-            fn middle<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64, #backwards: bool) { #body }
+            fn #name<#scalar: #runtime::Real, #leaf: #runtime::Precision>(#motion: &mut Self::Motion<#scalar, #leaf>, #duration: f64, #time: f64, #backwards: bool) { #body }
         })
     }
 
     /// The function that returns an energy; `true` if terms are in lanes.
-    pub(crate) fn energy(&mut self, emitter: &mut Emitter<'_>, name: &str, energy: NodeId) -> (TokenStream, bool) {
+    pub(crate) fn energy(
+        &mut self,
+        emitter: &mut Emitter<'_>,
+        name: &str,
+        energy: NodeId,
+        of_parts: &[NodeId],
+    ) -> (TokenStream, bool) {
+        if let Some(energy) = self.energy_of_parts(emitter, name, of_parts) {
+            return (energy, true);
+        }
         if let Some((true, beside)) = self.many_body.as_ref().map(|bodies| bodies.energy(name)) {
             return (Self::energy_of_bodies(emitter, name, beside), true);
         }
@@ -300,8 +338,7 @@ impl Flows {
 
     /// What prepared constants implement of the runtime for parts that are quadratic forms.
     pub(crate) fn of_quadratic_forms(&self, constants: &TokenStream, names: &Names) -> TokenStream {
-        let flows = [&self.drift].into_iter().chain(&self.middle).chain([&self.kick]);
-        let derivatives = flows.filter_map(|flow| flow.derivatives.as_ref());
+        let derivatives = self.all().filter_map(|flow| flow.derivatives.as_ref());
         derivatives.map(|derivatives| derivatives.implementation(constants, names)).collect()
     }
 
@@ -331,6 +368,8 @@ pub(crate) struct Flow {
     solver: Option<TokenStream>,
     /// What its matrices are made from, if it has some.
     derivatives: Option<Derivatives>,
+    /// What it consists of, if it is that of a part of H in which many bodies act on each other in pairs.
+    pairs: Option<PartOfPairs>,
 }
 
 impl Flow {
@@ -340,7 +379,10 @@ impl Flow {
         match form {
             Exact::Own => Self::own(emitter, number, own.clone()),
             Exact::OfMomenta => Self::by(emitter, energy, Part::Momentum),
-            Exact::OfPositions => Self::by(emitter, energy, Part::Position),
+            Exact::OfPositions => match part_of_pairs::flow(emitter, number) {
+                Some(flow) => flow,
+                None => Self::by(emitter, energy, Part::Position),
+            },
             Exact::Quadratic(form) => quadratic::flow(emitter, number, *form),
             Exact::Kepler(orbits) => {
                 let orbits = orbits.clone();

@@ -48,6 +48,7 @@ pub(crate) struct ManyBody {
 impl ManyBody {
     /// What a potential of pairs and a kinetic energy of bodies are written as.
     pub(crate) fn of(emitter: &mut Emitter<'_>, pairs: &AllPairs) -> Self {
+        let is_part = pairs.drift.is_none();
         let wide = &emitter.names.wide;
         let AllPairs {
             pair,
@@ -74,7 +75,8 @@ impl ManyBody {
         let sizes = [Literal::u64_unsuffixed(*dimension), Literal::usize_unsuffixed(constants.count())];
         let row = emitter.model.shape.length.literal().filter(|length| *length <= ROW).map(Literal::u64_unsuffixed);
         let mut writer = Writer { emitter, constants, sizes: &sizes };
-        let functions = [writer.drift(drift), writer.pair(force, central, pair)];
+        let drift = drift.as_ref().map(|drift| writer.drift(drift));
+        let functions = [drift, Some(writer.pair(force, central, pair))];
         let acts = acts.as_ref().map(|(condition, holds)| writer.acts(condition, *holds, pair));
         let included = included.as_ref().map(|included| writer.included(included, pair));
         let alone = alone.as_ref().map(|alone| writer.alone(alone));
@@ -86,7 +88,7 @@ impl ManyBody {
         let of_energies = energies.as_ref().map(|energies| writer.energies(energies, pair));
         let listed = listed.as_ref().ok();
         let neighbours = listed.map(|listed| writer.listed(listed));
-        let per_body = writer.per_body(of);
+        let per_body = writer.per_body(of, is_part);
         let parts = if central { Literal::u64_unsuffixed(1) } else { sizes[0].clone() };
         let number = number.filter(|_| listed.is_some()).map(|number| {
             let number = Literal::usize_unsuffixed(number);
@@ -183,6 +185,18 @@ impl ManyBody {
 
             impl #runtime::BodyConstants<#s> for #parameters { #per_body }
         }
+    }
+}
+
+impl ManyBody {
+    /// How many coordinates and how many prepared constants a body has.
+    pub(crate) fn sizes(&self) -> &[Literal; 2] {
+        &self.sizes
+    }
+
+    /// What the runtime requires of a part of H, and of its prepared constants.
+    pub(crate) fn of_part(&self) -> [&TokenStream; 2] {
+        [&self.functions, &self.per_body]
     }
 }
 
@@ -389,10 +403,16 @@ impl Writer<'_, '_> {
     }
 
     /// The prepared constants of a body as an array.
-    fn per_body(&mut self, of: &Bodies) -> TokenStream {
+    ///
+    /// They are methods of the struct of prepared constants, or functions of it for a part of H.
+    fn per_body(&mut self, of: &Bodies, is_part: bool) -> TokenStream {
+        let (receiver, from) = match is_part {
+            true => (quote!(parameters: &Self::Parameters<f64>), quote!(parameters)),
+            false => (quote!(&self), quote!(self)),
+        };
         let index = self.emitter.model.running.get(&self.constants.bodies);
         let index = index.map_or_else(|| format_ident!("body"), Clone::clone);
-        let fields = self.constants.of_body(self.emitter.model, &mut self.emitter.fields, &index);
+        let fields = self.constants.of_body(self.emitter.model, &mut self.emitter.fields, &from, &index);
         let reads_any = self.constants.densities.len() < fields.len();
         let argument = if reads_any { index } else { format_ident!("_body") };
         let s = &self.sizes[1];
@@ -408,13 +428,13 @@ impl Writer<'_, '_> {
             let (name, number) = (format_ident!("{name}"), fields_of.integer(parameters, first?.number));
             Some(quote! {
                 #[inline]
-                fn #name(&self, bodies: usize) -> usize { ::core::cmp::Ord::min(self.#number, bodies) }
+                fn #name(#receiver, bodies: usize) -> usize { ::core::cmp::Ord::min(#from.#number, bodies) }
             })
         });
         let counts: TokenStream = counts.collect();
         quote! {
             #[inline]
-            fn body_constants(&self, #argument: usize) -> [f64; #s] { #leading [#(#fields),*] }
+            fn body_constants(#receiver, #argument: usize) -> [f64; #s] { #leading [#(#fields),*] }
             #counts
         }
     }

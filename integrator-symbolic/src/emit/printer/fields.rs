@@ -20,6 +20,8 @@ pub(crate) enum Content {
     External(ExternalId),
     /// The flow of a part that the user wrote, by the number of the part.
     OwnFlow(usize),
+    /// How many inner steps parts take, by the number of parentheses around them.
+    InnerSteps(usize),
     /// The middle of the current step, which is the same for all lanes.
     Middle,
 }
@@ -54,6 +56,10 @@ impl Fields {
 
     pub(crate) fn own_flow(&mut self, part: usize, method: &Ident) -> Ident {
         self.insert(Content::OwnFlow(part), Some(method.clone()))
+    }
+
+    pub(crate) fn inner_steps(&mut self, level: usize) -> Ident {
+        self.insert(Content::InnerSteps(level), Some(format_ident!("inner_steps")))
     }
 
     pub(crate) fn middle(&mut self) -> Ident {
@@ -97,9 +103,7 @@ impl Content {
     pub(crate) fn node(self) -> Option<NodeId> {
         match self {
             Content::Number(id) => Some(id),
-            Content::Integer(_) | Content::Flag(_) | Content::External(_) | Content::OwnFlow(_) | Content::Middle => {
-                None
-            }
+            _ => None,
         }
     }
 }

@@ -6,9 +6,17 @@ use crate::{
 };
 
 impl Reader<'_> {
+    /// Joins neighbours that commute, but none that takes inner steps with one that does not.
+    pub(crate) fn commuting_by_nest(&mut self, mut parts: Vec<ExactPart>) -> Vec<ExactPart> {
+        let innermost = self.input.nests.last().map_or(0, |nest| nest.first);
+        let innermost = parts.split_off(innermost);
+        parts.extend(self.commuting_as_one(innermost));
+        parts
+    }
+
     /// Joins neighbours that are functions of positions alone, or of momenta alone: they commute, so their sum is one part. At
     /// least two parts are left.
-    pub(crate) fn commuting_as_one(&mut self, parts: Vec<ExactPart>) -> Vec<ExactPart> {
+    fn commuting_as_one(&mut self, parts: Vec<ExactPart>) -> Vec<ExactPart> {
         let is_one = |[first, second]: [&ExactPart; 2]| {
             matches!(first.form, Exact::OfPositions | Exact::OfMomenta) && first.form == second.form
         };

@@ -32,6 +32,7 @@ pub(super) fn flows(
         let within = Within { loops: &of.of, tables: pairs.constants.tables(of), stencil: None };
         evaluate(emitter, reads, within, &of.stores)
     };
+    let drift = drift.as_ref().ok_or("`gpu` requires a kinetic energy of bodies")?;
     let Lines { text, program, indices } = written(drift)?;
     let (body, count) = (&indices[0], shape.length);
     let lines =
