@@ -51,7 +51,7 @@ impl First {
 
 struct Coupled;
 
-#[hamiltonian(split = oscillator + pairs + motion, layout = lanes)]
+#[hamiltonian(split = oscillator + pairs + motion, layout = pairs)]
 impl Coupled {
     fn oscillator(&self, q: &[f64], p: &[f64]) -> f64 {
         (0..q.len()).map(|i| p[i] * p[i] + q[i] * q[i]).sum()
@@ -100,9 +100,9 @@ fn members_and_parts_have_layouts() -> Result<(), Error> {
         assert_eq!((layout.kick(), layout.is_listed()), ("lists", is_listed));
     }
     let layout = Coupled.run(Phase::new(vec![0.1; 100], vec![0.0; 100]), 0.01)?.layout();
-    assert_eq!(layout.to_string(), "oscillator: plain, pairs: lanes, motion: plain");
+    assert_eq!(layout.to_string(), "oscillator: plain, pairs: pairs, motion: plain");
     assert_eq!((layout.drift(), layout.kick(), layout.is_listed()), ("plain", "plain", false));
     let parts: Vec<_> = layout.parts().collect();
-    assert_eq!(parts, [("oscillator", "plain"), ("pairs", "lanes"), ("motion", "plain")]);
+    assert_eq!(parts, [("oscillator", "plain"), ("pairs", "pairs"), ("motion", "plain")]);
     Ok(())
 }

@@ -36,6 +36,7 @@ mod pace_checkpoints;
 mod pace_domain;
 mod pace_driven;
 mod pairs;
+mod pairs_in_parts;
 mod panics;
 mod parts;
 mod pieces;

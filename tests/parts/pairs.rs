@@ -1,16 +1,14 @@
 //! A last part that is itself a symmetric pair: which compositions keep their orders, and what slopes say of it.
 
-use crate::many_parts::{ByHand, Middle, TIME, reference, slope_of, twisted, walk};
+use crate::{
+    catalogue::for_each_composition,
+    many_parts::{ByHand, Middle, TIME, reference, slope_of, twisted, walk},
+};
 use integrator_core::{
     __private::{Flows, QuadraticKinetic, Scheme},
     Composition, Hamiltonian, Phase, Visitor,
     prelude::*,
 };
-
-#[path = "../../integrator-core/src/composition/catalogue_list.rs"]
-pub(crate) mod catalogue;
-
-use catalogue::for_each_composition;
 
 /// The parts of `Twisted`, all but the first of which are one.
 struct Paired;

@@ -26,6 +26,25 @@ macro_rules! driven {
 driven!(Three: motion + twist + potential);
 driven!(Paired: motion + (twist + potential));
 
+/// The same H with inner steps within inner steps.
+struct Nested;
+
+#[hamiltonian(split = twist + 2 * Yoshida4(pull + 3 * BlanesMoan4(rest + motion)))]
+impl Nested {
+    fn twist(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        (2.0 * t).cos() * q[0] * q[0] * p[1] / 2.0
+    }
+    fn pull(&self, q: [f64; 2], t: f64) -> f64 {
+        (q[0] - t).cos()
+    }
+    fn rest(&self, q: [f64; 2]) -> f64 {
+        q[0] * q[0] * q[1] + q[1] * q[1] / 2.0
+    }
+    fn motion(&self, p: [f64; 2], t: f64) -> f64 {
+        (1.0 + 0.3 * t.sin()) * (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+}
+
 fn start() -> Phase<[f64; 2]> {
     Phase { q: [0.4, -0.3], p: [0.2, 0.5] }
 }
@@ -59,4 +78,5 @@ fn parts_that_read_the_time_keep_the_order() {
     }
     slopes!(Three: Euler EulerAdjoint Verlet VelocityVerlet Ruth3 Yoshida4 VelocityYoshida4 KahanLi8);
     slopes!(Paired: Euler Verlet Saba4 Abah864 Yoshida4 KahanLi8);
+    slopes!(Nested: Euler Verlet Saba4 Abah864 Yoshida4);
 }

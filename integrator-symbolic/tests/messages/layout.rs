@@ -247,14 +247,14 @@ const PARTS: &[Row] = &[
         &["1:16 `layout` is given twice"],
     ),
     (
-        "split = oscillator + pairs, layout = pairs on fn oscillator(&self, q: &[f64], p: &[f64]) -> f64 { p.iter().map(|p| p * p).sum::<f64>() + q.iter().map(|q| q * q).sum::<f64>() }
-        fn pairs(&self, q: &[f64]) -> f64 { let mut v = 0.0; for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).cos(); } } v }",
-        &["1:37 no part of H has the layout `pairs`: `oscillator` has an exact flow of its own, `pairs` is `lanes`\nhelp: write `kinetic` and `potential` without `split`\nnote: a part that `split` names is summed as written, without tiles or lists of pairs"],
+        "split = oscillator + pairs, layout = pairs on fn oscillator(&self, q: [f64; 12], p: [f64; 12]) -> f64 { p.iter().map(|p| p * p).sum::<f64>() + q.iter().map(|q| q * q).sum::<f64>() }
+        fn pairs(&self, q: [f64; 12]) -> f64 { let mut v = 0.0; for i in 0..12 { for j in 0..i { v += (q[i] - q[j]).cos(); } } v }",
+        &["1:37 no part of H has the layout `pairs`: `oscillator` has an exact flow of its own, `pairs` is `plain`\nhelp: write `kinetic` and `potential` without `split`\nnote: a part that `split` names is summed as written if there are fewer than 33 numbers in `q`"],
     ),
     (
         "split = oscillator + pairs, layout = lanes on fn oscillator(&self, q: &[f64], p: &[f64]) -> f64 { p.iter().map(|p| p * p).sum::<f64>() + q.iter().map(|q| q * q).sum::<f64>() }
         fn pairs(&self, q: &[f64]) -> f64 { let mut v = 0.0; for i in 0..q.len() { for j in 0..i { v += (q[i] - q[j]).cos(); } } v }",
-        &[],
+        &["1:37 no part of H has the layout `lanes`: `oscillator` has an exact flow of its own, `pairs` is `pairs`\nhelp: write the energy of a pair inside of `if square < self.cutoff.powi(2) { .. }`\nnote: no condition on the distance of two bodies makes the energy of a pair zero"],
     ),
 ];
 

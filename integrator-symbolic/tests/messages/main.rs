@@ -5,6 +5,7 @@ mod jacobi;
 mod layout;
 #[path = "../mutate/mod.rs"]
 mod mutate;
+mod nested;
 mod robustness;
 mod sensitive;
 mod size;

@@ -1084,9 +1084,7 @@ pub(crate) const SPLITS: &[Row] = &[
     ),
     (
         "split = a + (b + (c + b)) on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] + p[1] * p[1] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0].cos() + q[1].cos() }",
-        &[
-            "1:17 expected names of parts of H in the parentheses\nhelp: write, for example, `split = kepler + (jump + interaction)`",
-        ],
+        &["1:22 the part `b` is named twice"],
     ),
     (
         "split = a + () on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] + p[1] * p[1] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0].cos() + q[1].cos() }",
