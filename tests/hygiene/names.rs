@@ -40,6 +40,8 @@ impl Slot for f64 {
 pub mod runtime {
     /// A constant in it.
     pub const HALF: f64 = 0.5;
+
+    pub use integrator_core::BlanesMoan4 as Inner;
 }
 
 /// Constants as type parameters might be called.
@@ -93,6 +95,22 @@ impl Plain {
     }
 }
 
+/// A system whose inner composition is in that module.
+pub struct Nested;
+
+#[hamiltonian(split = well + 2 * runtime::Inner(spring + kinetic))]
+impl Nested {
+    fn well(&self, q: [f64; 1]) -> f64 {
+        q[0] * q[0] / 4.0
+    }
+    fn spring(&self, q: [f64; 1]) -> f64 {
+        q[0] * q[0] / 4.0
+    }
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+}
+
 /// Compositions of the user.
 pub mod compositions {
     use integrator_core::composition;
@@ -135,6 +153,7 @@ fn every_name_means_what_the_user_meant() {
     assert_frequency(&Parameters { step: 4.0 }, 4.0 * K * 2.0 * Parameters::WEIGHT / R);
     assert_frequency(&Scalar, 1.0);
     assert_frequency(&leaf::System, 1.0);
+    assert_frequency(&Nested, 1.0);
     assert_frequency(&Plain(Parameters { step: 2.0 }), 2.0);
     let _ = (InPlace, Leaf);
     assert_eq!(step(), 4.0);
