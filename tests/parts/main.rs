@@ -6,6 +6,7 @@ mod catalogue;
 #[path = "../support/derivatives.rs"]
 mod derivatives;
 mod doubled;
+mod inner_counts;
 mod inner_kinds;
 mod inner_orders;
 mod inner_runs;

@@ -26,6 +26,8 @@ impl InnerSteps {
             orders_over_inner: X::ORDERS_OVER_INNER,
             symmetric: X::SYMMETRIC,
             stability_limit: X::STABILITY_LIMIT,
+            flows: X::STAGES.flows_of_cycle(),
+            closing: X::STAGES.flows_of_closing(),
             roundings: 2 * X::STAGES.cycle.len() + 1,
         }
     }

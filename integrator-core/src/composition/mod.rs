@@ -12,6 +12,7 @@
 pub(crate) mod catalogue;
 pub(crate) mod catalogue_list;
 pub(crate) mod corrected_durations;
+pub(crate) mod flow_counts;
 mod inner_durations;
 pub(crate) mod inner_steps;
 pub(crate) mod visitor;

@@ -260,6 +260,7 @@ impl<C: Coords> Ensemble<C> {
                 method: method.facts().name,
                 layout: Layouts::of::<H>(are_listed),
                 forces: method.forces(),
+                flows: method.flows().into(),
             },
             #[cfg(feature = "checkpoint")]
             origin: origins[0],
@@ -536,7 +537,7 @@ impl<C: Coords> Ensemble<C> {
     pub fn run_of(&self, member: usize) -> Option<Run<C>> {
         let run = self.members.batch_of(member)?.is_under_way(member).then(|| self.alone(member))??;
         Some(run.known_as(
-            self.kind,
+            self.kind.clone(),
             #[cfg(feature = "checkpoint")]
             self.origin.with_parameters(self.parameters[member]),
         ))

@@ -5,6 +5,7 @@ use crate::ensemble::in_lanes::{InLanes, ResumableInLanes};
 use crate::{
     composition::{
         Composition,
+        flow_counts::flows_of_parts,
         inner_steps::{Nested, WithInnerSteps},
     },
     error::Error,
@@ -15,7 +16,7 @@ use crate::{
         step_functions::{Executor, StepFunctions},
     },
 };
-use alloc::sync::Arc;
+use alloc::{sync::Arc, vec::Vec};
 
 impl<X: Described> Described for WithInnerSteps<X> {
     fn facts(self) -> Facts {
@@ -32,7 +33,10 @@ impl<H: Nested<0>, X: Composition<H>> Method<H> for WithInnerSteps<X> {
     type Motion<R: Real, K: Precision> = H::Motion<R, K>;
 
     fn forces(self) -> Option<usize> {
-        None
+        Method::<H>::flows(self).last().map(|kicks| *kicks as usize)
+    }
+    fn flows(self) -> Vec<u64> {
+        flows_of_parts::<H, X>(Some(self.steps))
     }
     fn claims(self) -> Facts {
         with_inner_steps::<H, X>(self.facts(), Some(self.steps))

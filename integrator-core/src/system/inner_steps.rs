@@ -17,6 +17,10 @@ pub struct InnerSteps {
     pub symmetric: bool,
     /// The smallest `h·ω` at which an inner step is unstable for a harmonic oscillator.
     pub stability_limit: f64,
+    /// The drifts of an inner step, its flows between the first part and the last, and its kicks.
+    pub flows: [u64; 3],
+    /// The same of the end of the last inner step.
+    pub closing: [u64; 3],
     /// The number of times that an inner step rounds the state.
     pub roundings: usize,
 }

@@ -75,6 +75,7 @@ type MotionsOf<P> = dyn Fn(Arc<P>, Vec<P>) -> Box<dyn Motions>;
 pub(crate) struct Bound<P> {
     pub(crate) facts: Facts,
     pub(crate) forces: Option<usize>,
+    pub(crate) flows: Arc<[u64]>,
     carries_constants: bool,
     motions: Box<MotionsOf<P>>,
 }
@@ -84,6 +85,7 @@ pub(crate) fn bound<H: System, X: Method<H>, K: Precision, V: Carried>(method: X
     Bound {
         facts: method.facts(),
         forces: method.forces(),
+        flows: method.flows().into(),
         carries_constants: const { V::CARRIES_CONSTANTS },
         motions: Box::new(move |parameters, slopes| {
             let mut constants = vec![method.constants(parameters)];

@@ -58,6 +58,8 @@ pub struct Run<C: Coords> {
     layout: Layouts,
     /// The number of force evaluations per step, if it is known beforehand.
     forces: Option<usize>,
+    /// How often a step applies the flow of each part, if that is known beforehand.
+    flows: Arc<[u64]>,
     /// The counters of the steps before `opened`.
     counted: Counts,
     /// Whether the energy of the start is still to be checked, where it depends on the time that the clock starts at.
@@ -69,12 +71,13 @@ pub struct Run<C: Coords> {
 
 /// The properties that runs of one kind of system by one method share.
 #[cfg(feature = "std")]
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Kind {
     pub(crate) autonomous: bool,
     pub(crate) method: &'static str,
     pub(crate) layout: Layouts,
     pub(crate) forces: Option<usize>,
+    pub(crate) flows: Arc<[u64]>,
 }
 
 impl<C: Coords> Run<C> {
@@ -158,6 +161,7 @@ impl<C: Coords> Run<C> {
             method: method.facts.name,
             layout: Layouts::of::<H>(system.is_listed(start.q.length())),
             forces: method.forces,
+            flows: method.flows.clone(),
             #[cfg(feature = "checkpoint")]
             origin,
             ..Self::of_engine(engine, energies::<H, K>(parameters), start, clock, opened)
@@ -192,6 +196,7 @@ impl<C: Coords> Run<C> {
             method: "",
             layout: Layouts::NONE,
             forces: None,
+            flows: Arc::default(),
             counted: Counts::default(),
             start_unchecked: false,
             #[cfg(feature = "checkpoint")]
@@ -203,7 +208,7 @@ impl<C: Coords> Run<C> {
     #[cfg(feature = "std")]
     pub(crate) fn known_as(
         self,
-        Kind { autonomous, method, layout, forces }: Kind,
+        Kind { autonomous, method, layout, forces, flows }: Kind,
         #[cfg(feature = "checkpoint")] origin: Origin,
     ) -> Self {
         Self {
@@ -211,6 +216,7 @@ impl<C: Coords> Run<C> {
             method,
             layout,
             forces,
+            flows,
             #[cfg(feature = "checkpoint")]
             origin,
             ..self
@@ -416,7 +422,8 @@ impl<C: Coords> Run<C> {
 
     /// Returns the number of force evaluations in all steps of this run.
     ///
-    /// - Compositions: evaluations per step times steps; a force-gradient kick counts twice.
+    /// - Compositions: evaluations per step times steps; a force-gradient kick counts twice. If a part takes inner steps, those of
+    ///   the last part: [`evaluations_of_parts`](Self::evaluations_of_parts) has all of them.
     /// - Implicit methods: counted; a Jacobian counts once for each of its columns.
     /// - [`Taylor`](crate::taylor::Taylor): counted; a polynomial counts once for each of its orders. The cost of an order
     ///   grows with the number of lower orders.
@@ -425,6 +432,14 @@ impl<C: Coords> Run<C> {
             Some(forces) => self.clock.steps.saturating_mul(forces as u64),
             None => self.counts().evaluations,
         }
+    }
+
+    /// Returns how often all steps of this run applied the flow of each part of `H`, with the names of the parts.
+    ///
+    /// A flow that is merged across steps counts once. Empty for methods that do not compose flows.
+    pub fn evaluations_of_parts(&self) -> Vec<(&'static str, u64)> {
+        let names = self.layout.parts().map(|(name, _)| name);
+        names.zip(self.flows.iter()).map(|(name, flows)| (name, self.clock.steps.saturating_mul(*flows))).collect()
     }
 
     /// Returns the internal steps of a method that chooses its own steps, such as [`Taylor`](crate::taylor::Taylor);
@@ -749,7 +764,14 @@ fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p
 impl<C: Coords> Clone for Run<C> {
     fn clone(&self) -> Self {
         let (engine, energies) = (self.engine.clone(), self.energies.clone());
-        Self { engine, energies, shape: self.shape.clone(), between: self.between.clone(), ..*self }
+        Self {
+            engine,
+            energies,
+            shape: self.shape.clone(),
+            between: self.between.clone(),
+            flows: self.flows.clone(),
+            ..*self
+        }
     }
 }
 
