@@ -2,8 +2,8 @@
 
 use integrator_core::{
     check::{
-        CheckError, ChooseError, Goal, LogarithmicSteps, PacedSteps, Splitting, candidates, candidates_with, certify,
-        choose, choose_among,
+        CheckError, ChooseError, Goal, LogarithmicSteps, NestedSteps, PacedSteps, Splitting, candidates,
+        candidates_with, certify, choose, choose_among,
     },
     prelude::*,
     taylor::Taylor,
@@ -433,4 +433,49 @@ fn small_and_large_numbers_of_tables_have_an_exponent() {
             assert!(!text.contains("0.0000") && !text.contains("00000."), "{text}");
         }
     }
+}
+
+/// A stiff spring in a soft, anharmonic well.
+struct Stiff;
+
+#[hamiltonian(split = well + 4 * (spring + kinetic))]
+impl Stiff {
+    fn well(&self, q: [f64; 2]) -> f64 {
+        (q[0] + q[1]).powi(4) - q[1].cos()
+    }
+    fn spring(&self, q: [f64; 2]) -> f64 {
+        200.0 * (q[0] - q[1]).powi(2)
+    }
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0
+    }
+}
+
+#[test]
+fn numbers_of_inner_steps_are_ranked_by_time() {
+    let (start, span, tolerance) = (Phase::new([0.5, 0.4], [0.0, 0.2]), 4.0, 1e-4);
+    let ranking = choose(&Stiff, start, span, Goal::Trajectory(tolerance)).expect("a ranking");
+    assert!(ranking.choices().is_sorted_by(|a, b| a.seconds <= b.seconds), "{ranking}");
+    let mut numbers: Vec<_> = ranking.choices().iter().filter_map(|choice| choice.splitting.inner_steps).collect();
+    numbers.sort();
+    numbers.dedup();
+    assert!(numbers.len() > 2, "{numbers:?}");
+    for choice in ranking.choices().iter().filter(|choice| choice.composition == "Verlet") {
+        let steps = choice.splitting.inner_steps.expect("a number of inner steps");
+        assert!(ranking.to_string().contains(&format!("Verlet.nested({steps})")), "{ranking}");
+        let end = |refined: u64| {
+            let steps_of_run = choice.steps * refined;
+            let mut run = Stiff.run_with(Verlet.nested(steps), start, span / steps_of_run as f64).expect("a start");
+            run.advance(steps_of_run).expect("finite");
+            (run.state(), run.evaluations())
+        };
+        let ((state, evaluations), (exact, _)) = (end(1), end(32));
+        assert_eq!(evaluations, choice.evaluations, "{ranking}");
+        // Positions and momenta are in units of how far they go, several units of each; the end is one of four times.
+        let off: f64 = state.q[0] - exact.q[0];
+        assert!(choice.error <= tolerance && off.abs() < 4.0 * tolerance, "{steps}: {off:e}");
+    }
+    let among = choose_among(&[&Stiff, &NestedSteps { system: &Stiff, steps: 8 }], start, span, Goal::Energy(1e-2));
+    let names: Vec<_> = among.expect("a ranking").choices().iter().map(|choice| choice.splitting.to_string()).collect();
+    assert!(names.contains(&"Stiff (well + spring + kinetic, 8 inner steps)".to_owned()), "{names:?}");
 }

@@ -51,8 +51,8 @@ pub(crate) mod statistics;
 pub use certificate::{Certificate, SecondPart, Tolerances};
 pub use certify::certify;
 pub use choose::{
-    Candidate, Choice, ChooseError, Goal, LogarithmicSteps, PacedSteps, Ranking, Split, Splitting, Unranked,
-    candidates, candidates_with, choose, choose_among,
+    Candidate, Choice, ChooseError, Goal, LogarithmicSteps, NestedSteps, PacedSteps, Ranking, Split, Splitting,
+    Unranked, candidates, candidates_with, choose, choose_among,
 };
 pub use error::CheckError;
 pub use modified::{

@@ -45,8 +45,6 @@ pub trait Nested<const LEVEL: usize>: System {
     /// The inner composition.
     type Inner: Composition<InnerParts<Self, LEVEL>>;
 
-    /// Sets the number of inner steps.
-    fn set_steps(parameters: &mut Self::Parameters<f64>, steps: usize);
     /// Returns the number of inner steps.
     fn steps<R: Real, K: Precision>(motion: &Self::Motion<R, K>) -> usize;
     /// Applies the flow of the first part in the parentheses.

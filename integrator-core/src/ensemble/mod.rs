@@ -260,7 +260,7 @@ impl<C: Coords> Ensemble<C> {
                 method: method.facts().name,
                 layout: Layouts::of::<H>(are_listed),
                 forces: method.forces(),
-                flows: method.flows().into(),
+                flows: method.flows(),
             },
             #[cfg(feature = "checkpoint")]
             origin: origins[0],
@@ -537,7 +537,7 @@ impl<C: Coords> Ensemble<C> {
     pub fn run_of(&self, member: usize) -> Option<Run<C>> {
         let run = self.members.batch_of(member)?.is_under_way(member).then(|| self.alone(member))??;
         Some(run.known_as(
-            self.kind.clone(),
+            self.kind,
             #[cfg(feature = "checkpoint")]
             self.origin.with_parameters(self.parameters[member]),
         ))

@@ -5,7 +5,7 @@ use crate::ensemble::in_lanes::{InLanes, ResumableInLanes};
 use crate::{
     composition::{
         Composition,
-        flow_counts::flows_of_parts,
+        flow_counts::PartFlows,
         inner_steps::{Nested, WithInnerSteps},
     },
     error::Error,
@@ -16,7 +16,7 @@ use crate::{
         step_functions::{Executor, StepFunctions},
     },
 };
-use alloc::{sync::Arc, vec::Vec};
+use alloc::sync::Arc;
 
 impl<X: Described> Described for WithInnerSteps<X> {
     fn facts(self) -> Facts {
@@ -33,16 +33,16 @@ impl<H: Nested<0>, X: Composition<H>> Method<H> for WithInnerSteps<X> {
     type Motion<R: Real, K: Precision> = H::Motion<R, K>;
 
     fn forces(self) -> Option<usize> {
-        Method::<H>::flows(self).last().map(|kicks| *kicks as usize)
+        Method::<H>::flows(self).map(|flows| flows.of_last_part() as usize)
     }
-    fn flows(self) -> Vec<u64> {
-        flows_of_parts::<H, X>(Some(self.steps))
+    fn flows(self) -> Option<PartFlows> {
+        Some(PartFlows::of::<H, X>(Some(self.steps)))
     }
     fn claims(self) -> Facts {
         with_inner_steps::<H, X>(self.facts(), Some(self.steps))
     }
     fn constants(self, mut parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
-        H::set_steps(Arc::make_mut(&mut parameters), self.steps as usize);
+        H::set_inner_steps(Arc::make_mut(&mut parameters), self.steps as usize);
         parameters
     }
     fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<H::Motion<R, K>> {

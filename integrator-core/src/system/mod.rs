@@ -133,6 +133,8 @@ pub trait System: Sized {
     ///
     /// `length` is the number of numbers or points in the positions of the start.
     fn parameters(&self, length: usize) -> Self::Parameters<f64>;
+    /// Sets the number of inner steps of the outermost part that takes such steps; without effect if there is none.
+    fn set_inner_steps(_parameters: &mut Self::Parameters<f64>, _steps: usize) {}
     /// Sets the midpoint time at which time-dependent conditions are evaluated in the current step.
     fn begin_step<R: Real, K: Precision>(_motion: &mut Self::Motion<R, K>, _middle: f64) {}
     /// Applies the exact flow of `T`, or of the first part, for `duration`; an explicit time dependence is evaluated at `time`.

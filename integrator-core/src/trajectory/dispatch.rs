@@ -1,6 +1,7 @@
 //! The choice among the multiversioned variants of single trajectories: the instruction set of this machine.
 
 use crate::{
+    composition::flow_counts::PartFlows,
     scalar::{dual::Dual, instruction_set::InstructionSet, real::Real},
     state::{point::Point, precision::Precision},
     system::{Shaped, System},
@@ -75,7 +76,7 @@ type MotionsOf<P> = dyn Fn(Arc<P>, Vec<P>) -> Box<dyn Motions>;
 pub(crate) struct Bound<P> {
     pub(crate) facts: Facts,
     pub(crate) forces: Option<usize>,
-    pub(crate) flows: Arc<[u64]>,
+    pub(crate) flows: Option<PartFlows>,
     carries_constants: bool,
     motions: Box<MotionsOf<P>>,
 }
@@ -85,7 +86,7 @@ pub(crate) fn bound<H: System, X: Method<H>, K: Precision, V: Carried>(method: X
     Bound {
         facts: method.facts(),
         forces: method.forces(),
-        flows: method.flows().into(),
+        flows: method.flows(),
         carries_constants: const { V::CARRIES_CONSTANTS },
         motions: Box::new(move |parameters, slopes| {
             let mut constants = vec![method.constants(parameters)];

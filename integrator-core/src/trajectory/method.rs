@@ -4,14 +4,14 @@
 //! is that of the system.
 
 use crate::{
-    composition::{Composition, Processor, Scheme, Stages, flow_counts::flows_of_parts, inner_steps::Composed},
+    composition::{Composition, Processor, Scheme, Stages, flow_counts::PartFlows, inner_steps::Composed},
     error::Error,
     scalar::real::Real,
     state::precision::Precision,
     system::{Shaped, System, motion::Motion},
     trajectory::step_functions::{Executor, StepFunctions, of_composition},
 };
-use alloc::{sync::Arc, vec::Vec};
+use alloc::sync::Arc;
 
 /// The properties that a method claims, whatever it integrates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,10 +132,9 @@ pub trait Method<H: System>: Described {
     fn forces(self) -> Option<usize> {
         if H::PIECEWISE_IN_TIME { None } else { self.facts().forces }
     }
-    /// Returns how often a step applies the flow of each part of `H`, after merging across steps; empty if the method does not
-    /// compose flows.
-    fn flows(self) -> Vec<u64> {
-        Vec::new()
+    /// Returns what determines how often a step applies the flow of each part of `H`, if the method composes flows.
+    fn flows(self) -> Option<PartFlows> {
+        None
     }
     /// Returns the properties that the method claims for this Hamiltonian.
     fn claims(self) -> Facts {
@@ -154,14 +153,13 @@ pub trait Method<H: System>: Described {
 
 impl<H: System, X: Scheme + Composition<H>> Method<H> for X {
     fn forces(self) -> Option<usize> {
-        match H::PIECEWISE_IN_TIME {
-            _ if !H::NESTED.is_empty() => self.flows().last().map(|kicks| *kicks as usize),
-            true => Some(X::STAGES.forces(&X::PROCESSOR)),
-            false => self.facts().forces,
+        if const { !H::NESTED.is_empty() } {
+            return Some(PartFlows::of::<H, X>(None).of_last_part() as usize);
         }
+        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
     }
-    fn flows(self) -> Vec<u64> {
-        flows_of_parts::<H, X>(None)
+    fn flows(self) -> Option<PartFlows> {
+        const { Some(PartFlows::of::<H, X>(None)) }
     }
     fn claims(self) -> Facts {
         let mut facts = self.facts();

@@ -7,6 +7,7 @@ use crate::trajectory::checkpoint::Origin;
 #[cfg(feature = "std")]
 use crate::trajectory::progress::{Progress, in_portions};
 use crate::{
+    composition::flow_counts::PartFlows,
     error::{Divergence, Error},
     state::{
         clock::{Clock, durations, time_after},
@@ -58,8 +59,8 @@ pub struct Run<C: Coords> {
     layout: Layouts,
     /// The number of force evaluations per step, if it is known beforehand.
     forces: Option<usize>,
-    /// How often a step applies the flow of each part, if that is known beforehand.
-    flows: Arc<[u64]>,
+    /// What determines how often a step applies the flow of each part, if the method composes flows.
+    flows: Option<PartFlows>,
     /// The counters of the steps before `opened`.
     counted: Counts,
     /// Whether the energy of the start is still to be checked, where it depends on the time that the clock starts at.
@@ -71,13 +72,13 @@ pub struct Run<C: Coords> {
 
 /// The properties that runs of one kind of system by one method share.
 #[cfg(feature = "std")]
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Kind {
     pub(crate) autonomous: bool,
     pub(crate) method: &'static str,
     pub(crate) layout: Layouts,
     pub(crate) forces: Option<usize>,
-    pub(crate) flows: Arc<[u64]>,
+    pub(crate) flows: Option<PartFlows>,
 }
 
 impl<C: Coords> Run<C> {
@@ -161,7 +162,7 @@ impl<C: Coords> Run<C> {
             method: method.facts.name,
             layout: Layouts::of::<H>(system.is_listed(start.q.length())),
             forces: method.forces,
-            flows: method.flows.clone(),
+            flows: method.flows,
             #[cfg(feature = "checkpoint")]
             origin,
             ..Self::of_engine(engine, energies::<H, K>(parameters), start, clock, opened)
@@ -196,7 +197,7 @@ impl<C: Coords> Run<C> {
             method: "",
             layout: Layouts::NONE,
             forces: None,
-            flows: Arc::default(),
+            flows: None,
             counted: Counts::default(),
             start_unchecked: false,
             #[cfg(feature = "checkpoint")]
@@ -439,7 +440,8 @@ impl<C: Coords> Run<C> {
     /// A flow that is merged across steps counts once. Empty for methods that do not compose flows.
     pub fn evaluations_of_parts(&self) -> Vec<(&'static str, u64)> {
         let names = self.layout.parts().map(|(name, _)| name);
-        names.zip(self.flows.iter()).map(|(name, flows)| (name, self.clock.steps.saturating_mul(*flows))).collect()
+        let counts = self.flows.iter().flat_map(PartFlows::counts);
+        names.zip(counts).map(|(name, count)| (name, self.clock.steps.saturating_mul(count))).collect()
     }
 
     /// Returns the internal steps of a method that chooses its own steps, such as [`Taylor`](crate::taylor::Taylor);
@@ -764,14 +766,7 @@ fn lanes<'p, C: Coords>(state: &'p Phase<C>, carried: &'p [Phase<C>]) -> Vec<&'p
 impl<C: Coords> Clone for Run<C> {
     fn clone(&self) -> Self {
         let (engine, energies) = (self.engine.clone(), self.energies.clone());
-        Self {
-            engine,
-            energies,
-            shape: self.shape.clone(),
-            between: self.between.clone(),
-            flows: self.flows.clone(),
-            ..*self
-        }
+        Self { engine, energies, shape: self.shape.clone(), between: self.between.clone(), ..*self }
     }
 }
 

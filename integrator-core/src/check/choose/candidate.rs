@@ -2,7 +2,7 @@
 
 use crate::{
     check::{start::Start, statistics::points::run},
-    composition::{Class, Composition, Rows, visitor::Visitor},
+    composition::{Class, Composition, Processor, Rows, Stages, flow_counts::PartFlows, visitor::Visitor},
     error::Error,
     hamiltonian::Hamiltonian,
     methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
@@ -10,7 +10,7 @@ use crate::{
     system::{QuadraticKinetic, Shaped},
     trajectory::{
         by_table::{ByTable, Kicks, Plain, WithGradients},
-        method::{Described, Facts, Method},
+        method::{Described, Facts, Method, with_inner_steps},
         run::Run,
     },
 };
@@ -120,7 +120,15 @@ pub fn candidates<H: Hamiltonian>(system: &H) -> Vec<Candidate<'_, H::Coords>> {
 ///
 /// An example is `candidates_with::<_, f32>(&system)`.
 pub fn candidates_with<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Candidate<'_, Shaped<H, K>>> {
-    let mut candidates = Candidates::<H, K> { system, with_gradients: None, found: Vec::new() };
+    candidates_with_inner_steps::<H, K>(system, None)
+}
+
+/// The same with a number of inner steps, or with that of the annotation.
+pub(super) fn candidates_with_inner_steps<H: Hamiltonian, K: Precision>(
+    system: &H,
+    inner_steps: Option<u32>,
+) -> Vec<Candidate<'_, Shaped<H, K>>> {
+    let mut candidates = Candidates::<H, K> { system, inner_steps, with_gradients: None, found: Vec::new() };
     H::visit_compositions(&mut candidates);
     candidates.found
 }
@@ -141,27 +149,51 @@ pub(super) fn in_one_piece<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Cand
 /// Collects what it visits.
 struct Candidates<'s, H: Hamiltonian, K: Precision> {
     system: &'s H,
+    inner_steps: Option<u32>,
     /// Makes the runs of compositions with force gradients, where the system admits them.
     #[expect(clippy::type_complexity, reason = "named once")]
     with_gradients: Option<fn(&'s H, ByTable<WithGradients>) -> Begin<'s, Shaped<H, K>>>,
     found: Vec<Candidate<'s, Shaped<H, K>>>,
 }
 
-impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<'_, H, K> {
-    fn visit<X: Composition<H>>(&mut self, composition: X) {
+/// A composition as data, so that what is made of it is compiled once for a system.
+struct Entry {
+    facts: Facts,
+    class: Class,
+    stages: Stages,
+    processor: Processor,
+    evaluations: usize,
+    gradients: usize,
+}
+
+impl<H: Hamiltonian, K: Precision> Candidates<'_, H, K> {
+    fn add(&mut self, entry: Entry) {
+        let Entry { facts, class, stages, processor, evaluations: each, gradients } = entry;
         let begin = match self.with_gradients {
-            Some(begin) if X::GRADIENT_EVALUATIONS > 0 => begin(self.system, ByTable::of(composition)),
-            _ => begin::<H, K, Plain>(self.system, ByTable::of(composition)),
+            Some(begin) if gradients > 0 => begin(self.system, ByTable::new(facts, stages, processor, None)),
+            _ => begin::<H, K, Plain>(self.system, ByTable::new(facts, stages, processor, self.inner_steps)),
         };
         self.found.push(Candidate {
-            facts: composition.facts(),
-            class: X::CLASS,
-            each: (X::FORCE_EVALUATIONS + X::GRADIENT_EVALUATIONS) as u64,
+            facts,
+            class,
+            each: (each + gradients) as u64,
             counts: false,
             pace: None,
-            once: evaluations(&X::PROCESSOR.before) + evaluations(&X::PROCESSOR.after),
+            once: evaluations(&processor.before) + evaluations(&processor.after),
             begin,
         });
+    }
+}
+
+impl<H: Hamiltonian, K: Precision> Visitor<H> for Candidates<'_, H, K> {
+    fn visit<X: Composition<H>>(&mut self, composition: X) {
+        let (stages, processor) = (X::STAGES, X::PROCESSOR);
+        let (mut facts, mut evaluations) = (composition.facts(), X::FORCE_EVALUATIONS);
+        if const { !H::NESTED.is_empty() } {
+            facts = with_inner_steps::<H, X>(facts, self.inner_steps);
+            evaluations = PartFlows::of::<H, X>(self.inner_steps).of_last_part() as usize;
+        }
+        self.add(Entry { facts, class: X::CLASS, stages, processor, evaluations, gradients: X::GRADIENT_EVALUATIONS });
     }
 
     fn admit_gradients(&mut self)

@@ -9,6 +9,7 @@
 mod adaptive;
 mod candidate;
 mod error;
+mod nested;
 mod pace;
 mod problem;
 mod ranking;
@@ -17,6 +18,7 @@ mod splitting;
 
 pub use candidate::{Candidate, candidates, candidates_with};
 pub use error::ChooseError;
+pub use nested::NestedSteps;
 pub use pace::{LogarithmicSteps, PacedSteps};
 pub use ranking::{Choice, Ranking, Split, Unranked};
 pub use splitting::Splitting;
@@ -67,6 +69,7 @@ impl Goal {
 /// - Compositions that need more than sixteen times the work of the best one are left out.
 /// - If `split = none` leaves `H` unsplit, the implicit methods are ranked instead, by the evaluations of the vector
 ///   field that their runs count.
+/// - If parts take inner steps, their number is chosen as well, from 1 to 32, and processor time on this machine is compared.
 /// - If `#[hamiltonian(taylor)]` generated recurrences, Taylor's method is included, with the loosest tolerance that
 ///   reaches the goal. Its evaluations are a different kind of work: it is placed before the first composition that
 ///   takes longer.
@@ -112,7 +115,12 @@ pub fn choose<H: Hamiltonian, K: Precision>(
     span: f64,
     goal: Goal,
 ) -> Result<Ranking, ChooseError> {
-    rank(&[system], start.into_start(), span, goal)
+    let start = start.into_start();
+    if const { H::NESTED.is_empty() } {
+        return rank(&[system], start, span, goal);
+    }
+    let splittings = nested::TRIED.map(|steps| NestedSteps { system, steps });
+    by_time(&splittings.each_ref().map(|splitting| splitting as &dyn Measured<_>), start, span, goal)
 }
 
 /// Ranks compositions of several splittings of one Hamiltonian by the time that they need to reach `goal`, fastest first.
@@ -173,8 +181,18 @@ pub fn choose_among<C: Coords>(
     goal: Goal,
 ) -> Result<Ranking, ChooseError> {
     let splittings: Vec<&dyn Measured<C>> = splittings.iter().map(|splitting| splitting.measured().0).collect();
-    let mut ranking = rank(&splittings, start.into(), span, goal)?;
-    ranking.among = true;
+    let ranking = by_time(&splittings, start.into(), span, goal)?;
+    Ok(Ranking { among: true, ..ranking })
+}
+
+/// The ranking by processor time.
+fn by_time<C: Coords>(
+    splittings: &[&dyn Measured<C>],
+    start: Start<C>,
+    span: f64,
+    goal: Goal,
+) -> Result<Ranking, ChooseError> {
+    let mut ranking = rank(splittings, start, span, goal)?;
     ranking.choices.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     Ok(ranking)
 }

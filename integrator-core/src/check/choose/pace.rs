@@ -6,7 +6,7 @@
 use super::{
     Split,
     candidate::Candidate,
-    splitting::{Energies, Erased, Measured, Splitting},
+    splitting::{Energies, Erased, Measured, Splitting, of_system},
 };
 use crate::{
     check::{
@@ -95,27 +95,7 @@ macro_rules! steps {
                 };
                 Ok(candidates(self.0, pace))
             }
-            fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error> {
-                Measured::<C>::begin(self.0, start, h)
-            }
-            fn autonomous(&self) -> bool {
-                Measured::<C>::autonomous(self.0)
-            }
-            fn piecewise_in_time(&self) -> bool {
-                Measured::<C>::piecewise_in_time(self.0)
-            }
-            fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64> {
-                Measured::<C>::fewest_steps(self.0, start, points, span)
-            }
-            fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale) {
-                Measured::<C>::path(self.0, start, span, steps)
-            }
-            fn series(&self, start: &Start<C>, span: f64) -> Option<Reference> {
-                Measured::<C>::series(self.0, start, span)
-            }
-            fn energies(&self, length: usize) -> Energies<'_, C> {
-                Measured::<C>::energies(self.0, length)
-            }
+            of_system!(0);
         }
     };
 }

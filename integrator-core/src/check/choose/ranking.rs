@@ -34,9 +34,10 @@ pub struct Choice {
 impl Choice {
     /// The method as it is written, without its path.
     fn name(&self) -> String {
-        match self.tolerance {
-            Some(tolerance) => format!("{}({tolerance:.1e})", self.composition),
-            None => self.composition.to_owned(),
+        match (self.tolerance, self.splitting.inner_steps) {
+            (Some(tolerance), _) => format!("{}({tolerance:.1e})", self.composition),
+            (None, Some(steps)) => format!("{}.nested({steps})", self.composition),
+            (None, None) => self.composition.to_owned(),
         }
     }
 }
@@ -50,12 +51,15 @@ pub struct Split {
     pub system: &'static str,
     /// The names of the parts; empty if `H` is not split.
     pub parts: &'static [&'static str],
+    /// The number of inner steps, if it is not that of the annotation.
+    pub inner_steps: Option<u32>,
 }
 
 impl fmt::Display for Split {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = if self.parts.is_empty() { "in one piece" } else { &self.parts.join(" + ") };
-        f.pad(&format!("{} ({parts})", self.system))
+        let steps = self.inner_steps.map(|steps| format!(", {steps} inner steps")).unwrap_or_default();
+        f.pad(&format!("{} ({parts}{steps})", self.system))
     }
 }
 

@@ -101,6 +101,34 @@ pub(super) trait Measured<C: Coords> {
     fn energies(&self, length: usize) -> Energies<'_, C>;
 }
 
+/// What a splitting takes over from the system in one of its fields.
+macro_rules! of_system {
+    ($system:tt) => {
+        fn begin(&self, start: &Start<C>, h: f64) -> Result<(), Error> {
+            Measured::<C>::begin(self.$system, start, h)
+        }
+        fn autonomous(&self) -> bool {
+            Measured::<C>::autonomous(self.$system)
+        }
+        fn piecewise_in_time(&self) -> bool {
+            Measured::<C>::piecewise_in_time(self.$system)
+        }
+        fn fewest_steps(&self, start: &Start<C>, points: &[Flat], span: f64) -> Result<u64, f64> {
+            Measured::<C>::fewest_steps(self.$system, start, points, span)
+        }
+        fn path(&self, start: &Start<C>, span: f64, steps: u64) -> (Path, Scale) {
+            Measured::<C>::path(self.$system, start, span, steps)
+        }
+        fn series(&self, start: &Start<C>, span: f64) -> Option<Reference> {
+            Measured::<C>::series(self.$system, start, span)
+        }
+        fn energies(&self, length: usize) -> Energies<'_, C> {
+            Measured::<C>::energies(self.$system, length)
+        }
+    };
+}
+pub(super) use of_system;
+
 impl<H: Hamiltonian, C: Coords> Measured<C> for H
 where
     H::Coords: Coords<With<C::Leaf> = C>,
@@ -109,7 +137,7 @@ where
         let name = std::any::type_name::<H>();
         let path = &name[..name.find('<').unwrap_or(name.len())];
         let begin = path.rfind("::").map_or(0, |colons| colons + 2);
-        Split { system: &path[begin..], parts: H::PARTS }
+        Split { system: &path[begin..], parts: H::PARTS, inner_steps: None }
     }
 
     fn candidates(&self, _: &Start<C>, _: f64) -> Result<Vec<Candidate<'_, C>>, &'static str> {

@@ -29,6 +29,7 @@ pub(crate) struct ByTable<G> {
     facts: Facts,
     stages: Stages,
     processor: Processor,
+    inner_steps: Option<u32>,
     gradients: PhantomData<G>,
 }
 
@@ -38,7 +39,12 @@ pub(crate) struct WithGradients;
 impl<G> ByTable<G> {
     /// Creates the method of this composition. It has to be one for the system that it is run with.
     pub(crate) fn of<X: Scheme>(composition: X) -> Self {
-        Self { facts: composition.facts(), stages: X::STAGES, processor: X::PROCESSOR, gradients: PhantomData }
+        Self::new(composition.facts(), X::STAGES, X::PROCESSOR, None)
+    }
+
+    /// Creates the method of these stages, with a number of inner steps or with that of the annotation.
+    pub(crate) fn new(facts: Facts, stages: Stages, processor: Processor, inner_steps: Option<u32>) -> Self {
+        Self { facts, stages, processor, inner_steps, gradients: PhantomData }
     }
 
     /// The same composition with other stages in the middle of a run.
@@ -74,7 +80,10 @@ impl<H: System, G: Kicks<H>> Method<H> for ByTable<G> {
     type Constants = Constants<H::Parameters<f64>>;
     type Motion<R: Real, K: Precision> = Tabled<H::Motion<R, K>>;
 
-    fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
+    fn constants(self, mut parameters: Arc<H::Parameters<f64>>) -> Arc<Self::Constants> {
+        if let Some(steps) = self.inner_steps {
+            H::set_inner_steps(Arc::make_mut(&mut parameters), steps as usize);
+        }
         let table = Table { stages: self.stages, processor: self.processor, between: Between::of::<H>() };
         Arc::new(Constants { parameters, table })
     }

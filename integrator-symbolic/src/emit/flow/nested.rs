@@ -73,8 +73,11 @@ impl Flows {
         let drifts: Vec<_> = (0..=innermost).map(|level| of_level(level, quote!(inner_drift))).collect();
         let backwards = drifts.iter().rev();
         let inner_middle = of_level(innermost, quote!(inner_middle));
-        let last = of_level(innermost, quote!(inner_kick));
+        let (last, steps) = (of_level(innermost, quote!(inner_kick)), &self.nests[0].steps);
         quote! {
+            fn set_inner_steps(parameters: &mut Self::Parameters<f64>, steps: usize) {
+                parameters.#steps = steps;
+            }
             #drift
             #[inline(always)]
             fn middle<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
@@ -126,9 +129,6 @@ impl Flows {
             let items = quote! {
                 type Inner = #compose;
 
-                fn set_steps(parameters: &mut Self::Parameters<f64>, steps: usize) {
-                    parameters.#steps = steps;
-                }
                 #[inline(always)]
                 fn steps<#scalar: #runtime::Real, #leaf: #runtime::Precision>(motion: &Self::Motion<#scalar, #leaf>) -> usize {
                     motion.parameters.#steps

@@ -101,7 +101,7 @@ const _: () = {
             runtime::InnerSteps::of::<BlanesMoan4>(8, &["bonds", "kinetic"]),
         ];
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 16827962501645680894;
+        const FINGERPRINT: u64 = 14634394044610115344;
         fn parameters(&self, _length: usize) -> Parameters<f64> {
             Parameters {
                 depth: self.depth,
@@ -110,6 +110,9 @@ const _: () = {
                 inner_steps_2: 8,
                 prepared_4: 0.5 * self.stiffness,
             }
+        }
+        fn set_inner_steps(parameters: &mut Self::Parameters<f64>, steps: usize) {
+            parameters.inner_steps = steps;
         }
         #[inline(always)]
         fn drift<Scalar: runtime::Real, Leaf: runtime::Precision>(
@@ -255,9 +258,6 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Nested<0> for Nested {
         type Inner = runtime::Verlet;
-        fn set_steps(parameters: &mut Self::Parameters<f64>, steps: usize) {
-            parameters.inner_steps = steps;
-        }
         #[inline(always)]
         fn steps<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
@@ -310,9 +310,6 @@ const _: () = {
     #[automatically_derived]
     impl runtime::Nested<1> for Nested {
         type Inner = BlanesMoan4;
-        fn set_steps(parameters: &mut Self::Parameters<f64>, steps: usize) {
-            parameters.inner_steps_2 = steps;
-        }
         #[inline(always)]
         fn steps<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
