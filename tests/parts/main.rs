@@ -15,6 +15,7 @@ mod inner_steps;
 mod instruction_sets;
 mod many_parts;
 mod pairs;
+mod pairs_in_parts;
 #[path = "../support/slope.rs"]
 mod slope;
 mod time;

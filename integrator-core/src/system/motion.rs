@@ -300,6 +300,10 @@ pub trait Solver<P>: Clone + Default + Send + Sync + 'static {
 
     /// Creates the memory of members with these constants, one per lane; `length` counts the numbers or points of `q`.
     fn of(constants: &[&P], length: usize) -> Self;
+    /// Returns the memory of a motion at rest, from which a force is found. Flows of positions alone need theirs there.
+    fn at_rest(&self) -> Self {
+        Self::default()
+    }
     /// Takes over what belongs to the state of another motion with the same constants.
     fn copy_state(&mut self, _from: &Self) {}
     /// Returns the fault of a lane in which the flow could not be solved.
@@ -320,6 +324,9 @@ impl<P, A: Solver<P>, B: Solver<P>> Solver<P> for (A, B) {
 
     fn of(constants: &[&P], length: usize) -> Self {
         (A::of(constants, length), B::of(constants, length))
+    }
+    fn at_rest(&self) -> Self {
+        (self.0.at_rest(), self.1.at_rest())
     }
     fn copy_state(&mut self, from: &Self) {
         self.0.copy_state(&from.0);
@@ -381,7 +388,7 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
     }
 }
 
-impl<R: Real, C: Coords, P: Clone, S: Default> Solving<R, C, P, S> {
+impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Solving<R, C, P, S> {
     /// Returns a motion with these positions and without momenta, with slots that hold numbers and nothing else.
     #[inline(always)]
     pub fn at_rest(&self) -> Solving<R, C::With<f64>, P, S> {
@@ -390,7 +397,7 @@ impl<R: Real, C: Coords, P: Clone, S: Default> Solving<R, C, P, S> {
             q: C::numbers(&self.q, |slot| slot.value()),
             p: C::numbers(&self.p, |_| zero),
             parameters: self.parameters.clone(),
-            solvers: S::default(),
+            solvers: self.solvers.at_rest(),
         }
     }
     /// Adds a multiple of another motion's momenta.

@@ -73,6 +73,9 @@ where
         let rows = ManyRows::at_origin(H::Parameters::<R>::gather(constants), rows, bodies, acting);
         Self { rows: Some(rows), part: PhantomData }
     }
+    fn at_rest(&self) -> Self {
+        self.clone()
+    }
     fn copy_state(&mut self, from: &Self) {
         if let (Some(rows), Some(from)) = (&mut self.rows, &from.rows) {
             rows.neighbours.share(&from.neighbours);
