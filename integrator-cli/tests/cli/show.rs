@@ -164,14 +164,25 @@ impl Alternating {
 
 #[hamiltonian(split = oscillator + pairs)]
 impl Coupled {
-    fn oscillator(&self, q: &[f64], p: &[f64]) -> f64 {
+    fn oscillator(&self, q: [f64; 12], p: [f64; 12]) -> f64 {
         p.iter().map(|p| p * p).sum::<f64>() + q.iter().map(|q| q * q).sum::<f64>()
     }
+    fn pairs(&self, q: [f64; 12]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..12 { for j in 0..i { energy += (q[i] - q[j]).cos(); } }
+        energy
+    }
+}
+
+#[hamiltonian(split = pairs + 8 * (bonds + kinetic))]
+impl Nested {
     fn pairs(&self, q: &[f64]) -> f64 {
         let mut energy = 0.0;
         for i in 0..q.len() { for j in 0..i { energy += (q[i] - q[j]).cos(); } }
         energy
     }
+    fn bonds(&self, q: &[f64]) -> f64 { (1..q.len()).map(|i| (q[i] - q[i - 1]).powi(2)).sum() }
+    fn kinetic(&self, p: &[f64]) -> f64 { p.iter().map(|p| 0.5 * p * p).sum() }
 }
 ";
 
@@ -182,8 +193,10 @@ fn slow_loops_have_a_reason() {
     let lines = [
         "    kick: plain code\n",
         "\n      not `line`: a condition on the index of a site does not select a range of sites; write a condition such as",
-        "\n    flow of oscillator: an exact flow of its own\n    flow of pairs: innermost loops in SIMD lanes, the rest plain code\n",
-        "\n      not `pairs`: a part that `split` names is summed as written, without tiles or lists of pairs; write",
+        "\n    flow of oscillator: an exact flow of its own\n    flow of pairs: plain code\n",
+        "\n      not `pairs`: a part that `split` names is summed as written if there are fewer than 33 numbers in `q`; write",
+        "\n    H = pairs + 8 * Verlet(bonds + kinetic)\n",
+        "\n    flow of pairs: pair sums in tiles of eight bodies by eight\n",
     ];
     for line in lines {
         assert!(found.contains(line), "lacks `{line}`:\n{found}");
