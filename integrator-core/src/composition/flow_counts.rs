@@ -13,8 +13,7 @@ pub(crate) type FlowCounts = [u64; 3];
 /// The flows of a stage.
 const fn of_stage(stage: &Stage) -> FlowCounts {
     let [within, behind] = stage.middle;
-    let kicks = (stage.kick != 0.0 || stage.gradient != 0.0) as u64 + (stage.gradient != 0.0) as u64;
-    [(stage.drift != 0.0) as u64, (within != 0.0) as u64 + (behind != 0.0) as u64, kicks]
+    [(stage.drift != 0.0) as u64, (within != 0.0) as u64 + (behind != 0.0) as u64, stage.forces()]
 }
 
 impl Stages {

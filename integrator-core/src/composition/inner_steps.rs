@@ -19,7 +19,6 @@ impl InnerSteps {
     /// Returns the facts of parts that take this number of steps with a composition.
     pub const fn of<X: Scheme>(steps: u32, parts: &'static [&'static str]) -> Self {
         Self {
-            composition: X::NAME,
             steps,
             parts,
             order: X::ORDER,

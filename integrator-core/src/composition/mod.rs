@@ -45,6 +45,12 @@ impl Stage {
     pub const NONE: Self =
         Self { drift: 0.0, kick: 0.0, gradient: 0.0, drift_time: 0.0, kick_time: 0.0, middle: [0.0; 2] };
 
+    /// The force evaluations of the kick; one along the gradient of the squared force counts twice.
+    pub(crate) const fn forces(&self) -> u64 {
+        let has_gradient = self.gradient != 0.0;
+        (self.kick != 0.0 || has_gradient) as u64 + has_gradient as u64
+    }
+
     /// The time at which inner steps of this kick begin, as a fraction of the step: the sum of the kicks before it.
     pub(crate) fn inner_time(&self, lead: Lead) -> f64 {
         match lead {
@@ -93,13 +99,11 @@ impl Stages {
         H::PIECEWISE_IN_TIME || (!H::NESTED.is_empty() && self.closing.kick != 0.0)
     }
 
-    /// The number of force evaluations of a step that is not merged with others, with its processor; kicks along the
-    /// gradient of the squared force count twice.
-    pub(crate) fn forces(&self, processor: &Processor) -> usize {
+    /// The number of force evaluations of a step that is not merged with others, with its processor.
+    pub(crate) fn forces(&self, processor: &Processor) -> u64 {
         let step = [&self.opening].into_iter().chain(&self.cycle[1..]).chain([&self.closing]);
         let stages = processor.before.rows.iter().chain(step).chain(processor.after.rows);
-        let forces = |kick, gradient| usize::from(kick || gradient) + usize::from(gradient);
-        stages.map(|stage| forces(stage.kick != 0.0, stage.gradient != 0.0)).sum()
+        stages.map(Stage::forces).sum()
     }
 }
 

@@ -3,8 +3,6 @@
 /// A part of H that takes inner steps, instead of one exact flow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InnerSteps {
-    /// The name of the inner composition.
-    pub composition: &'static str,
     /// The number of inner steps in the annotation.
     pub steps: u32,
     /// The names of all parts in the parentheses.

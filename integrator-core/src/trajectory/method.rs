@@ -156,7 +156,7 @@ impl<H: System, X: Scheme + Composition<H>> Method<H> for X {
         if const { !H::NESTED.is_empty() } {
             return Some(PartFlows::of::<H, X>(None).of_last_part() as usize);
         }
-        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR)) } else { self.facts().forces }
+        if H::PIECEWISE_IN_TIME { Some(X::STAGES.forces(&X::PROCESSOR) as usize) } else { self.facts().forces }
     }
     fn flows(self) -> Option<PartFlows> {
         const { Some(PartFlows::of::<H, X>(None)) }

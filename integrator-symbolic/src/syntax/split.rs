@@ -42,9 +42,6 @@ pub(crate) struct Nest {
 /// The most parentheses within each other.
 const MOST_NESTED: usize = 4;
 
-const TOO_DEEP: &str =
-    "parentheses are nested more than 4 deep\nhelp: move these parts into the parentheses around them";
-
 /// The names of the parts, `symmetric` with its coupling, or `none`.
 pub(super) fn split_of(input: ParseStream<'_>, key: Span) -> syn::Result<Split> {
     if input.fork().parse::<Ident>().is_ok_and(|name| name == "symmetric") && !input.peek2(Token![+]) {
@@ -163,7 +160,10 @@ impl Parts {
         let nest = self.nests.len();
         self.nests.push(Nest { first, steps: steps.unwrap_or(1), compose });
         if nest == MOST_NESTED {
-            return Err(syn::Error::new(span, TOO_DEEP));
+            let message = format!(
+                "parentheses are nested more than {MOST_NESTED} deep\nhelp: move these parts into the parentheses around them"
+            );
+            return Err(syn::Error::new(span, message));
         }
         let is = if has_inner_steps { NO_NAMES_WITH_INNER_STEPS } else { NO_NAMES };
         self.read(&content, is)?;

@@ -2,7 +2,7 @@
 
 use crate::{
     check::{start::Start, statistics::points::run},
-    composition::{Class, Composition, Processor, Rows, Stages, flow_counts::PartFlows, visitor::Visitor},
+    composition::{Class, Composition, Processor, Rows, Stage, Stages, flow_counts::PartFlows, visitor::Visitor},
     error::Error,
     hamiltonian::Hamiltonian,
     methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
@@ -220,7 +220,5 @@ pub(super) fn by_method<H: Hamiltonian, K: Precision, X: Method<H>>(
 
 /// The evaluations of some stages.
 fn evaluations(rows: &Rows) -> u64 {
-    let gradients = rows.rows.iter().filter(|row| row.gradient != 0.0).count();
-    let forces = rows.rows.iter().filter(|row| row.kick != 0.0 || row.gradient != 0.0).count();
-    (forces + gradients) as u64
+    rows.rows.iter().map(Stage::forces).sum()
 }

@@ -77,7 +77,7 @@ fn put_back<R: Real, L: Slot<R::Row<WIDTH>>, const D: usize>(
 }
 
 /// The indices of the bodies of a row, out of this number of bodies.
-fn bodies_of_row(row: usize, bodies: usize) -> Range<usize> {
+pub(crate) fn bodies_of_row(row: usize, bodies: usize) -> Range<usize> {
     row * WIDTH..bodies.min((row + 1) * WIDTH)
 }
 
@@ -183,7 +183,7 @@ where
         self.neighbours.use_found(found, self.acting);
     }
     fn share_among(&mut self, threads: Option<usize>) {
-        self.threads = threads.unwrap_or_else(all_threads).max(1);
+        self.use_threads(threads);
     }
     fn finite(&self) -> bool {
         let lanes = self.bodies * R::LANES;
@@ -198,13 +198,13 @@ impl<R: Real, P, const D: usize, const S: usize> ManyRows<R, f64, P, D, S> {
         let (gradients, neighbours) = (Vec::new(), Neighbours::none());
         Self { q, p, constants, gradients, neighbours, threads: 1, bodies, acting, moving: bodies, parameters }
     }
+}
+
+impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> ManyRows<R, K, P, D, S> {
     /// Lets this number of threads share the pairs, or all that the machine has.
     pub(crate) fn use_threads(&mut self, threads: Option<usize>) {
         self.threads = threads.unwrap_or_else(all_threads).max(1);
     }
-}
-
-impl<R: Real, K: Precision, P: Prepared<R>, const D: usize, const S: usize> ManyRows<R, K, P, D, S> {
     /// The flow of `T`. As that of `V`, inlined for certain only where code is optimised: elsewhere every stage of a
     /// composition would have a copy with stack slots of its own.
     #[cfg_attr(debug_assertions, inline)]

@@ -6,7 +6,7 @@
 use crate::{
     layout::bodies::{
         load_store::{WIDTH, load_constants},
-        many_rows::ManyRows,
+        many_rows::{ManyRows, bodies_of_row},
         pair_sums::{BodyConstants, ManyBody, OfBodies},
     },
     scalar::{real::Real, simd::row::Row},
@@ -65,10 +65,7 @@ where
         let acting = constants.first().map_or(bodies, |constants| H::acting(constants, bodies));
         let of_part: Vec<_> = constants.iter().map(|constants| OfPart::<H>(constants)).collect();
         let of_part: Vec<_> = of_part.iter().collect();
-        let row = |row: usize| {
-            let bodies = row * WIDTH..bodies.min((row + 1) * WIDTH);
-            load_constants::<R, OfPart<'_, H>, WIDTH, S>(&bodies, &of_part)
-        };
+        let row = |row: usize| load_constants::<R, OfPart<'_, H>, WIDTH, S>(&bodies_of_row(row, bodies), &of_part);
         let rows = (0..bodies.div_ceil(WIDTH)).map(row).collect();
         let rows = ManyRows::at_origin(H::Parameters::<R>::gather(constants), rows, bodies, acting);
         Self { rows: Some(rows), part: PhantomData }
