@@ -200,6 +200,7 @@ pub mod __private {
             catalogue::Verlet,
             corrected_durations::corrections,
             inner_steps::{Nested, admits_inner, admits_nested, inner_steps},
+            order_claim::claims_order,
             visitor::{
                 Visitor, visit_many_parts, visit_nested, visit_pairs, visit_quadratic, visit_two_parts,
                 visit_two_parts_quadratic,

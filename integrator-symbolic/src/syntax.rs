@@ -5,12 +5,14 @@
 mod device;
 mod method;
 pub(crate) mod names;
+mod order;
 mod split;
 
 use crate::{errors::Errors, scheme::InPlace};
 use device::gpu_of;
 pub(crate) use device::{DeviceFunctions, Gpu};
 use method::{compose_of, without_tolerance};
+use order::{OrderClaim, order_of};
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 pub(crate) use split::Nest;
 use split::{Parts, Split, split_of};
@@ -65,6 +67,8 @@ pub(crate) struct Input {
     /// Where H stays in one piece, `split = none`.
     pub(crate) unsplit: Option<Span>,
     pub(crate) functions: Functions,
+    /// The order that a step has to have.
+    pub(crate) order: Option<OrderClaim>,
     /// The layout that the kick has to have.
     pub(crate) layout: Option<Ident>,
     /// Whether recurrences for Taylor series are requested, and where.
@@ -123,7 +127,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         // Which functions are the parts of H was to be read from what is wrong.
         return None;
     }
-    let Arguments { compose, split, coordinates, functions, layout, taylor, sensitive, gpu, root } =
+    let Arguments { compose, split, coordinates, functions, order, layout, taylor, sensitive, gpu, root } =
         arguments.unwrap_or_default();
     let (mut parts, mut coupling, mut unsplit) = (Parts::default(), None, None);
     match split {
@@ -149,6 +153,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         coupling,
         unsplit,
         functions,
+        order,
         layout,
         taylor,
         sensitive,
@@ -169,6 +174,7 @@ struct Arguments {
     split: Option<Split>,
     coordinates: Option<Coordinates>,
     functions: Option<Functions>,
+    order: Option<OrderClaim>,
     layout: Option<Ident>,
     taylor: Option<Span>,
     sensitive: Option<Vec<Ident>>,
@@ -219,6 +225,9 @@ impl Arguments {
         } else if key == "functions" {
             equals(input, key.span())?;
             self.functions.replace(functions_of(input, key.span())?).is_some()
+        } else if key == "order" {
+            equals(input, key.span())?;
+            self.order.replace(order_of(input, key.span())?).is_some()
         } else if key == "layout" {
             equals(input, key.span())?;
             self.layout.replace(layout_of(input, key.span())?).is_some()
@@ -239,8 +248,8 @@ impl Arguments {
     }
 }
 
-const EXPECTED: &str = "note: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + \
-                        b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, \
+const EXPECTED: &str = "note: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = \
+                        a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, \
                         `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`";
 
 /// The sign between an argument and its value.

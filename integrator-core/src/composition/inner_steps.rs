@@ -198,6 +198,19 @@ const fn order_over(own: u32, over: [u32; 4], inner: u32, symmetric: bool) -> u3
     }
 }
 
+/// The order of the flows of these levels, and whether they are symmetric. Those of the innermost parts are exact.
+const fn order_of_levels(levels: &[InnerSteps]) -> (u32, bool) {
+    let Some((outer, inner)) = levels.split_first() else { return (u32::MAX, true) };
+    let (order, symmetric) = order_of_levels(inner);
+    (order_over(outer.order, outer.orders_over_inner, order, symmetric), symmetric && outer.symmetric)
+}
+
+/// The order of a step by a composition whose second part takes inner steps at these levels.
+pub(crate) const fn order_of_step<X: Scheme>(levels: &[InnerSteps]) -> u32 {
+    let (order, symmetric) = order_of_levels(levels);
+    order_over(X::ORDER, X::ORDERS_OVER_INNER, order, symmetric)
+}
+
 /// The properties of a step of `H` whose last part takes inner steps.
 pub(crate) struct Composed {
     /// The order of the whole step.
@@ -215,24 +228,18 @@ pub(crate) struct Composed {
 impl Composed {
     /// The properties of a step by a composition, with this number of inner steps in place of that of the annotation.
     pub(crate) fn of<H: System, X: Scheme>(steps: Option<u32>) -> Self {
-        // From the innermost level outwards; the flows of the innermost parts are exact.
-        let stability_limit = H::NESTED.last().map_or(f64::INFINITY, |innermost| innermost.stability_limit);
-        let mut inner = Self { order: u32::MAX, symmetric: true, roundings: 1, innermost: 1.0, stability_limit };
-        for (level, outer) in H::NESTED.iter().enumerate().rev() {
-            let taken = steps.filter(|_| level == 0).unwrap_or(outer.steps);
-            inner = Self {
-                order: order_over(outer.order, outer.orders_over_inner, inner.order, inner.symmetric),
-                symmetric: inner.symmetric && outer.symmetric,
-                roundings: inner.roundings.saturating_mul(taken as usize).saturating_mul(outer.roundings),
-                innermost: inner.innermost * f64::from(taken),
-                stability_limit,
-            };
+        let (mut roundings, mut innermost) = (2 * X::STAGES.cycle.len() + 1, 1.0);
+        for (level, inner) in H::NESTED.iter().enumerate() {
+            let taken = steps.filter(|_| level == 0).unwrap_or(inner.steps);
+            roundings = roundings.saturating_mul(taken as usize).saturating_mul(inner.roundings);
+            innermost *= f64::from(taken);
         }
         Self {
-            order: order_over(X::ORDER, X::ORDERS_OVER_INNER, inner.order, inner.symmetric),
-            symmetric: inner.symmetric && X::SYMMETRIC,
-            roundings: inner.roundings.saturating_mul(2 * X::STAGES.cycle.len() + 1),
-            ..inner
+            order: order_of_step::<X>(H::NESTED),
+            symmetric: X::SYMMETRIC && H::NESTED.iter().all(|inner| inner.symmetric),
+            roundings,
+            innermost,
+            stability_limit: H::NESTED.last().map_or(f64::INFINITY, |innermost| innermost.stability_limit),
         }
     }
 }

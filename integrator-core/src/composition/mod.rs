@@ -15,6 +15,7 @@ pub(crate) mod corrected_durations;
 pub(crate) mod flow_counts;
 mod inner_durations;
 pub(crate) mod inner_steps;
+pub(crate) mod order_claim;
 pub(crate) mod visitor;
 
 use crate::system::{System, flows::Flows};

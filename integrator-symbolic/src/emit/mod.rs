@@ -6,6 +6,7 @@
 
 mod fingerprint;
 mod flow;
+mod order;
 mod other_name;
 mod printer;
 mod read_by_methods;
@@ -76,6 +77,8 @@ struct Stepper<'i> {
     parts: Option<TokenStream>,
     /// The item for the runtime about parts that take inner steps, and the checks of their compositions.
     nested: Option<[TokenStream; 2]>,
+    /// The check of the claimed order.
+    order: Option<TokenStream>,
     /// Shows the compositions that it admits, where the runtime cannot know which.
     visit: Option<TokenStream>,
     autonomous: bool,
@@ -113,6 +116,7 @@ impl<'i> Stepper<'i> {
         let (coordinates, composition) = (coordinates(&model, &names), composition(input, &model, &names));
         let (parts, visit) = (named_parts(&model), visit_compositions(&model, &names));
         let nested = nested::stated(&model, &names);
+        let order = order::check(input, &model, &composition.0, &names);
         let (autonomous, is_quadratic) = (model.autonomous, model.quadratic);
         let stated = user_energies::function(input, &model, &names);
         let pairs = pattern.pairs();
@@ -172,6 +176,7 @@ impl<'i> Stepper<'i> {
             invariants,
             parts,
             nested,
+            order,
             visit,
             autonomous,
             quadratic,
@@ -192,6 +197,7 @@ impl<'i> Stepper<'i> {
         let (root, Names { runtime, scalar, .. }) = (&input.root, names);
         let declaration = constants.declaration(names);
         let is_generic = !input.item.generics.params.is_empty();
+        let order = &self.order;
         let checks = self.nested.as_ref().map(|[_, checks]| checks).filter(|_| !is_generic);
         let implementation = |of, items: &TokenStream| self.implementation(of, items);
         let of_bodies = flows.of_bodies(implementation, &constants.kind(&quote!(f64), names), names);
@@ -226,6 +232,7 @@ impl<'i> Stepper<'i> {
 
                 #composition
                 #checks
+                #order
                 #(#tables)*
                 #declaration
                 #documentation

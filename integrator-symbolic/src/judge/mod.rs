@@ -8,7 +8,12 @@ pub(crate) mod coordinates;
 mod layout;
 mod size;
 
-use crate::{errors::Errors, graph::exact::Exact, model::Model, syntax::Input};
+use crate::{
+    errors::Errors,
+    graph::exact::Exact,
+    model::{Model, Split},
+    syntax::Input,
+};
 pub(crate) use layout::check_layout;
 
 /// Returns the model in the requested coordinates, with loops in place of series that are written out, and reports what the
@@ -16,12 +21,21 @@ pub(crate) use layout::check_layout;
 pub(crate) fn judged(input: &Input, mut model: Model, errors: &mut Errors) -> Model {
     coordinates::check_coordinates(input, &mut model, errors);
     composition::check_composition(input, &model, errors);
+    check_order(input, &model, errors);
     check_taylor(input, &model, errors);
     check_taylor_of_folds(input, &model, errors);
     check_sensitive(input, &model, errors);
     model.replace_series_by_loops();
     size::check_size(input, &mut model, errors);
     model
+}
+
+/// Rejects a claimed order where there is no composition that could have it.
+fn check_order(input: &Input, model: &Model, errors: &mut Errors) {
+    if let (Some(claim), Split::Whole) = (&input.order, &model.split) {
+        let message = "`order` claims the order of a composition, and `split = none` leaves H in one piece\nhelp: leave out `order`";
+        errors.at_span(claim.place, message);
+    }
 }
 
 /// Rejects loops that join items by another operation than addition, which have no recurrence of Taylor coefficients.

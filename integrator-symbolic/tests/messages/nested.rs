@@ -11,6 +11,7 @@ const ROWS: &[Row] = &[
     ("split = slow + 2 * (bonds + 8 * my::Composition(twist + kinetic))", &[]),
     ("split = slow + 8 * (bonds + kinetic), compose = symmetric(1/(2 - cbrt(2)), _; Verlet)", &[]),
     ("split = slow + 8 * (bonds + kinetic), compose = T(1/2) V(1) T(1/2)", &[]),
+    ("split = slow + 8 * (bonds + kinetic), order = 2", &[]),
     (
         "split = slow + 0 * (bonds + kinetic)",
         &[

@@ -10,37 +10,37 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "composition = Verlet",
         &[
-            "1:0 unknown argument `composition`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 unknown argument `composition`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "Verlet",
         &[
-            "1:0 unknown argument `Verlet`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 unknown argument `Verlet`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "4",
         &[
-            "1:0 expected an argument\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 expected an argument\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose =",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = 4",
         &[
-            "1:10 expected the name of a composition or a sequence of stages\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:10 expected the name of a composition or a sequence of stages\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = Verlet compose = Verlet", &["1:17 expected `,`"]),
@@ -72,6 +72,12 @@ pub(crate) const ARGUMENTS: &[Row] = &[
             "1:10 `compose` does not support `Taylor::tolerance(1e-12)`, a method with arguments\nhelp: pass it to the run, `system.run_with(Taylor::tolerance(1e-12), start, h)`",
         ],
     ),
+    ("order = 2", &[]),
+    ("order = 0", &["1:8 the order has to be a positive integer\nhelp: write, for example, `order = 4`"]),
+    ("order = 4.0", &["1:8 the order has to be a positive integer\nhelp: write, for example, `order = 4`"]),
+    ("order = -4", &["1:8 the order has to be a positive integer\nhelp: write, for example, `order = 4`"]),
+    ("order = 99999999999", &["1:8 the order has to be a positive integer\nhelp: write, for example, `order = 4`"]),
+    ("order = 4, order = 4", &["1:11 `order` is given twice"]),
     (
         "compose = Logarithmic(KahanLi8)",
         &[
@@ -129,13 +135,13 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "crate = 4",
         &[
-            "1:8 expected the path of `integrator_core`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:8 expected the path of `integrator_core`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "compose = Verlet, crate",
         &[
-            "1:18 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:18 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     ("compose = V(1/2) T(1) V(1/3)", &["1:10 the coefficients of `V` sum to 0.833333333333, not to 1"]),
@@ -802,6 +808,12 @@ pub(crate) const BODIES: &[Row] = &[
 /// The annotation, ` on `, and the functions of the impl, which begin on line 2.
 pub(crate) const SPLITS: &[Row] = &[
     (
+        "split = none, order = 2 on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
+        &[
+            "1:22 `order` claims the order of a composition, and `split = none` leaves H in one piece\nhelp: leave out `order`",
+        ],
+    ),
+    (
         "split = quadratic + rest on fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] } fn potential(&self, q: [f64; 1]) -> f64 { q[0].powi(4) }",
         &[
             "1:8 `split = quadratic + rest` requires H in one function\nhelp: write `fn hamiltonian(&self, q: [f64; N], p: [f64; N]) -> f64` in place of `kinetic` and `potential`",
@@ -1037,13 +1049,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:0 this argument lacks its value\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (
         "split = 3 on fn a(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
         &[
-            "1:8 expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + interaction`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
+            "1:8 expected the names of functions for the parts of H\nhelp: write, for example, `split = kepler + interaction`\nnote: the arguments are `compose = Yoshida4`, `compose = V(1/2) T(1) V(1/2)`, `order = 4`, `split = a + b`, `coordinates = jacobi(self.mass)`, `functions = fast`, `layout = lists`, `taylor`, `sensitive(mass, length)`, `gpu` and `crate = path::to::integrator_core`",
         ],
     ),
     (

@@ -38,14 +38,23 @@ fn composition(nest: &Nest, Names { runtime, .. }: &Names) -> TokenStream {
     nest.compose.as_ref().map_or_else(|| quote!(#runtime::Verlet), ToTokens::to_token_stream)
 }
 
+/// The facts of each level of inner steps.
+pub(crate) fn facts(model: &Model, names: &Names) -> Vec<TokenStream> {
+    let runtime = &names.runtime;
+    let of = |nest: &Nest| {
+        let (steps, compose) = (Literal::u32_unsuffixed(nest.steps), composition(nest, names));
+        let parts = model.parts[nest.first..].iter().map(ExactPart::name);
+        quote!(#runtime::InnerSteps::of::<#compose>(#steps, &[#(#parts),*]))
+    };
+    model.nests.iter().map(of).collect()
+}
+
 /// The item for the runtime about parts that take inner steps, and the check of each inner composition at its name.
 pub(crate) fn stated(model: &Model, names: &Names) -> Option<[TokenStream; 2]> {
     let runtime = &names.runtime;
-    let (mut nests, mut checks) = (Vec::new(), TokenStream::new());
+    let (nests, mut checks) = (facts(model, names), TokenStream::new());
     for (level, nest) in model.nests.iter().enumerate() {
-        let (steps, compose) = (Literal::u32_unsuffixed(nest.steps), composition(nest, names));
-        let parts = model.parts[nest.first..].iter().map(ExactPart::name);
-        nests.push(quote!(#runtime::InnerSteps::of::<#compose>(#steps, &[#(#parts),*])));
+        let compose = composition(nest, names);
         let (span, parts) = (compose.span(), Literal::usize_unsuffixed(model.parts.len() - nest.first));
         let runtime = names.runtime_at(span);
         let admits = match level + 1 == model.nests.len() {
