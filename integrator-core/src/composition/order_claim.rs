@@ -41,11 +41,12 @@ mod tests {
 
     #[test]
     fn claims_hold_up_to_the_order_of_the_step() {
-        let holds = |check: fn(u32, &[InnerSteps]), order: u32, levels: &[InnerSteps]| {
+        let holds = |check: Check, order: u32, levels: &[InnerSteps]| {
             std::panic::catch_unwind(|| check(order, levels))
                 .map_err(|message| *message.downcast::<String>().expect("a text"))
         };
-        let rows: [(fn(u32, &[InnerSteps]), &[InnerSteps], u32); 6] = [
+        type Check = fn(u32, &[InnerSteps]);
+        let rows: [(Check, &[InnerSteps], u32); 6] = [
             (claims_order::<Verlet>, &[], 2),
             (claims_order::<KahanLi8>, &[], 8),
             (claims_order::<BlanesMoan4>, &[VERLET], 2),
