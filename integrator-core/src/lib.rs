@@ -128,7 +128,7 @@ pub use ensemble::in_lanes::{InLanes, ResumableInLanes};
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
-pub use methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
+pub use methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 pub use methods::taylor;
 pub use methods::taylor::RecurrencesVisitor;
@@ -185,9 +185,9 @@ pub mod prelude {
     // Constants such as `PARTS`.
     pub use crate::System as _;
     pub use crate::{
-        Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre4, GaussLegendre6, Hamiltonian,
-        ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme, Sensitive,
-        composition, hamiltonian, taylor::Taylor,
+        Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre, GaussLegendre4, GaussLegendre6,
+        Hamiltonian, ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme,
+        Sensitive, composition, hamiltonian, taylor::Taylor,
     };
 }
 

@@ -59,19 +59,27 @@ pub(crate) struct Constants<'m, H: System, R: Real> {
 
 /// The field at a point.
 #[inline(always)]
-pub(crate) fn field<H: System, R: Real>(
-    constants: &Constants<'_, H, R>,
-    Pair { q, p }: &Pair<H, R>,
-    time: f64,
-) -> Pair<H, R> {
+pub(crate) fn field<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
+    let Pair { q, p } = point;
     if const { H::SEPARABLE } {
         return of_flows(constants, [q, p], time);
     }
     let mut field = Pair::zero(H::Coords::slots(q).len());
-    let moved = Moved { q: &mut field.q, p: &mut field.p };
-    // What moves nothing by a unit of time is not rounded.
-    H::along_field::<R, f64>(Read { q, p, parameters: constants.gathered }, moved, 1.0, time);
+    add_field::<H, R>(constants.gathered, point, &mut field, time);
     field
+}
+
+/// Adds the field at a point, which is not that of `T + V`.
+#[inline(always)]
+pub(crate) fn add_field<H: System, R: Real>(
+    parameters: &H::Parameters<R>,
+    Pair { q, p }: &Pair<H, R>,
+    field: &mut Pair<H, R>,
+    time: f64,
+) {
+    let moved = Moved { q: &mut field.q, p: &mut field.p };
+    // What moves zeros by a unit of time is not rounded.
+    H::along_field::<R, f64>(Read { q, p, parameters }, moved, 1.0, time);
 }
 
 /// The field of `T + V`: a drift moves positions from zero by the velocities, a kick momenta from zero by the forces.

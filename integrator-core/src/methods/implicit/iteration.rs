@@ -2,15 +2,22 @@
 //!
 //! Steps of a motion that oscillates are accurate where they turn by much less than a radian, and there each iteration
 //! gains digits for the price of the field alone. Where it does not, Newton's iteration takes over.
+//!
+//! The stages are the lanes of a row, so that the field is evaluated once for all of them where such rows are vectors. The
+//! iteration ends where no number comes nearer to its limit any more (Antoñana, Makazaga and Murua 2017), so that no tolerance
+//! biases the rounding errors.
 
 use super::{
-    field::{Constants, Pair, field},
+    field::{Constants, Pair, add_field, field},
     motion::Implicit,
     tableau::{Stages, Tableau},
 };
 use crate::{
     error::Unsolved,
-    scalar::real::{Kernel, Real},
+    scalar::{
+        real::{Kernel, Mask, Real},
+        simd::{lanes::Lanes, row::Row},
+    },
     state::{
         clock::Clock,
         coords::Coords,
@@ -19,6 +26,7 @@ use crate::{
     system::{Shaped, System, motion::Prepared},
 };
 use alloc::vec::Vec;
+use core::{marker::PhantomData, mem::swap};
 
 /// The largest number of iterations. A usable iteration at least halves the distance each time, so that more lead
 /// nowhere.
@@ -26,6 +34,9 @@ const ITERATIONS: u32 = 64;
 
 /// An update that no longer shrinks is rounding if it is as small as this, in ε of the largest coordinate of its kind.
 const STALLED: f64 = 64.0;
+
+/// The most stages, and the lanes of a row.
+pub(super) const MOST: usize = 8;
 
 /// The motion of an implicit step.
 type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as System>::Parameters<R>>;
@@ -42,6 +53,17 @@ pub(super) fn advance<H: System, R: Real, K: Precision, M: Stages<S>, const S: u
     }
 }
 
+/// Whether the field may be evaluated for all stages at once: the stages have the time in common, and there are so many that
+/// eight lanes take less time than the stages one after the other.
+pub(super) const fn may_be_together<H: System>(stages: usize) -> bool {
+    stages > 2 && H::AUTONOMOUS && !H::SEPARABLE
+}
+
+/// Whether it is: rows are vectors.
+const fn are_together<H: System, R: Real, const S: usize>() -> bool {
+    may_be_together::<H>(S) && <R::Row<S> as Row<R>>::PARTS == 0
+}
+
 /// Steps of one motion.
 struct Steps<'m, H: System, R: Real, K: Precision, const S: usize> {
     motion: &'m mut Moved<H, R, K>,
@@ -53,18 +75,36 @@ struct Steps<'m, H: System, R: Real, K: Precision, const S: usize> {
 impl<H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R, K, S> {
     type Out = ();
 
-    /// An end that was not found is remembered, and no step is taken from there.
     #[inline(always)]
     fn call(self) {
+        if const { are_together::<H, R, S>() } {
+            let of_lanes: Vec<_> = (0..<R::Row<S>>::LANES).map(|_| &self.motion.constants[0]).collect();
+            let gathered = H::Parameters::<R::Row<S>>::gather(&of_lanes);
+            return self.take::<R::Row<S>>(Some(gathered));
+        }
+        self.take::<Lanes<R, S>>(None);
+    }
+}
+
+impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
+    /// Takes the steps, with the stages in rows `W`, and the constants in such rows if the stages are computed together.
+    ///
+    /// An end that was not found is remembered, and no step is taken from there.
+    #[inline(always)]
+    fn take<W: Row<R>>(self, mut gathered: Option<H::Parameters<W>>) {
         let Self { motion, clock, steps, tableau } = self;
+        let count = Shaped::<H, K>::slots(&motion.state.q).len();
+        let (mut y, mut rows) = (Pair::zero(count), Rows::<H, R, W>::new(count));
         for step in clock.steps..clock.steps + steps {
             if !motion.unsolved.is_empty() {
                 return;
             }
             let (time, h) = (clock.at(step), clock.h);
-            motion.state.parameters.begin_step(time + h / 2.0);
-            let count = Shaped::<H, K>::slots(&motion.state.q).len();
-            let mut y = Pair::<H, R>::zero(count);
+            let middle = time + h / 2.0;
+            motion.state.parameters.begin_step(middle);
+            if let Some(gathered) = &mut gathered {
+                gathered.begin_step(middle);
+            }
             let [q, p] = [&motion.state.q, &motion.state.p].map(Shaped::<H, K>::slots);
             for (numbers, slots) in y.halves_mut().into_iter().zip([q, p]) {
                 for (number, slot) in numbers.iter_mut().zip(slots) {
@@ -75,23 +115,49 @@ impl<H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R
                 gathered: &motion.state.parameters,
                 of_lanes: &motion.constants,
                 shape: &motion.shape,
-                middle: time + h / 2.0,
+                middle,
             };
             let equation = Equation { constants, y: &y, time, h, epsilon: K::EPSILON, tableau };
-            let Solution { slopes, evaluations, unsolved } = equation.solution();
+            let (evaluations, unsolved) = equation.solve(gathered.as_ref(), &mut rows);
             motion.evaluations += evaluations;
             motion.unsolved = unsolved;
             let [q, p] = [&mut motion.state.q, &mut motion.state.p].map(Shaped::<H, K>::slots_mut);
-            for (half, slots) in [q, p].into_iter().enumerate() {
-                for (k, slot) in slots.iter_mut().enumerate() {
-                    let mut sum = R::of(tableau.b[0] * h) * slopes[0].halves()[half][k];
-                    for (slopes, b) in slopes.iter().zip(&tableau.b).skip(1) {
-                        sum = R::of(b * h).fma(slopes.halves()[half][k], sum);
-                    }
+            for (increments, slots) in rows.increments.halves().into_iter().zip([q, p]) {
+                for (increments, slot) in increments.iter().zip(slots) {
+                    let [mut sum, others @ ..] = stages_of::<R, W, S>(*increments);
+                    others.into_iter().take(S - 1).for_each(|increment| sum += increment);
                     slot.add(sum);
                 }
             }
         }
+    }
+}
+
+/// The numbers of the stages in a row; those after the last stage are of no use.
+#[inline(always)]
+pub(super) fn stages_of<R: Real, W: Row<R>, const S: usize>(row: W) -> [R; MOST] {
+    let mut stages = [R::of(0.0); MOST];
+    row.write(&mut stages);
+    stages
+}
+
+/// Numbers for each coordinate, of all stages.
+struct Rows<H: System, R: Real, W: Row<R>> {
+    /// `L_i = h b_i f(Z_i)`, by which the stages and the end of the step are determined.
+    increments: Pair<H, W>,
+    /// The same after another iteration.
+    found: Pair<H, W>,
+    /// The stages `Z_i`.
+    places: Pair<H, W>,
+    /// The smallest changes of increments in an iteration.
+    least: Pair<H, W>,
+    row_of: PhantomData<fn(R)>,
+}
+
+impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
+    fn new(count: usize) -> Self {
+        let zero = || Pair::zero(count);
+        Self { increments: zero(), found: zero(), places: zero(), least: zero(), row_of: PhantomData }
     }
 }
 
@@ -106,101 +172,116 @@ pub(super) struct Equation<'m, H: System, R: Real, const S: usize> {
     pub(super) tableau: &'m Tableau<S>,
 }
 
-/// The field at the stages.
-struct Solution<H: System, R: Real, const S: usize> {
-    slopes: [Pair<H, R>; S],
-    evaluations: u64,
-    /// The faults of lanes without a solution; empty if all have one.
-    unsolved: Vec<Option<Unsolved>>,
-}
-
 impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
-    /// Converged lanes keep their result, so no lane iterates because of another one.
+    /// Finds the increments, and returns the number of evaluations and the faults of lanes without a solution, an empty list if
+    /// all have one. Lanes that have settled keep their result, so no lane iterates because of another one.
     #[inline(always)]
-    fn solution(&self) -> Solution<H, R, S> {
-        let first = field::<H, R>(&self.constants, self.y, self.time);
-        let mut slopes: [Pair<H, R>; S] = core::array::from_fn(|_| first.clone());
+    fn solve<W: Row<R>>(
+        &self,
+        gathered: Option<&H::Parameters<W>>,
+        rows: &mut Rows<H, R, W>,
+    ) -> (u64, Vec<Option<Unsolved>>) {
+        let Self { tableau: Tableau { mu, b, .. }, y, h, .. } = self;
+        // After the last stage, it is repeated.
+        let of_stage = |of: &dyn Fn(usize) -> f64| W::parameter(&|lane| of((lane / R::LANES).min(S - 1)));
+        let mu: [W; S] = core::array::from_fn(|j| of_stage(&|stage| mu[stage][j]));
+        let weights = of_stage(&|stage| b[stage] * h);
+        for numbers in rows.least.halves_mut() {
+            numbers.fill(W::state(&|_| f64::INFINITY));
+        }
+        self.begin(gathered, rows);
+        scale(&mut rows.found, weights);
+        swap(&mut rows.increments, &mut rows.found);
         let mut evaluations = 1;
-        let (mut update, mut settled) = (R::of(f64::INFINITY), R::of(0.0));
+        let (mut settled, mut update) = (R::of(0.0), R::of(f64::INFINITY));
         for _ in 0..ITERATIONS {
-            let mut found = slopes.clone();
-            for (i, found) in found.iter_mut().enumerate() {
-                let stage = self.stage(&slopes, i);
-                *found = field::<H, R>(&self.constants, &stage, self.time + self.tableau.c[i] * self.h);
+            let halves = rows.places.halves_mut().into_iter().zip(rows.increments.halves()).zip(y.halves());
+            for ((places, increments), y) in halves {
+                for ((place, increments), y) in places.iter_mut().zip(increments).zip(y) {
+                    let stages = stages_of::<R, W, S>(*increments);
+                    let mut sum = W::splat(stages[0]).scale(mu[0]);
+                    for j in 1..S {
+                        sum = W::splat(stages[j]).scale_add(mu[j], sum);
+                    }
+                    *place = W::splat(*y) + sum;
+                }
             }
+            self.fields(gathered, rows);
             evaluations += S as u64;
-            let now = R::state(&|lane| self.moved(&slopes, &found, lane));
-            keep_settled(&settled, &slopes, &mut found);
-            slopes = found;
+            scale(&mut rows.found, weights);
+            let shrinks = if W::PARTS == 0 { rows.shrink_together() } else { rows.shrink::<S>() };
+            keep_settled::<H, R, W, S>(&settled, &rows.increments, &mut rows.found);
+            // Only a lane that does not come nearer may have arrived.
+            update =
+                R::state(&|lane| if shrinks.lane(lane) > 0.0 { update.lane(lane) } else { rows.update::<S>(y, lane) });
+            swap(&mut rows.increments, &mut rows.found);
             settled = R::state(&|lane| {
-                let (now, before) = (now.lane(lane), update.lane(lane));
-                let ends = now == 0.0 || now >= before && now <= STALLED * self.epsilon;
+                let ends = shrinks.lane(lane) == 0.0 && update.lane(lane) <= STALLED * self.epsilon;
                 f64::from(u8::from(ends)).max(settled.lane(lane))
             });
-            update = now;
             if (0..R::LANES).all(|lane| settled.lane(lane) > 0.0) {
-                return Solution { slopes, evaluations, unsolved: Vec::new() };
+                return (evaluations, Vec::new());
             }
         }
-        let unsolved = self.without_contraction(&mut slopes, settled, update, &mut evaluations);
-        Solution { slopes, evaluations, unsolved }
+        let unsolved = self.without_contraction(&mut rows.increments, settled, update, &mut evaluations);
+        (evaluations, unsolved)
     }
 
-    /// The place of a stage.
+    /// The field at the beginning of the step, for all stages.
     #[inline(always)]
-    fn stage(&self, slopes: &[Pair<H, R>; S], i: usize) -> Pair<H, R> {
-        let mut stage = self.y.clone();
-        for (half, numbers) in stage.halves_mut().into_iter().enumerate() {
-            for (k, number) in numbers.iter_mut().enumerate() {
-                for (slopes, a) in slopes.iter().zip(&self.tableau.a[i]) {
-                    *number = R::of(a * self.h).fma(slopes.halves()[half][k], *number);
-                }
+    fn begin<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
+        if W::PARTS == 0 {
+            for (places, y) in rows.places.halves_mut().into_iter().zip(self.y.halves()) {
+                places.iter_mut().zip(y).for_each(|(place, y)| *place = W::splat(*y));
             }
+            return self.fields(gathered, rows);
         }
-        stage
+        let first = field::<H, R>(&self.constants, self.y, self.time);
+        for (found, first) in rows.found.halves_mut().into_iter().zip(first.halves()) {
+            found.iter_mut().zip(first).for_each(|(found, first)| *found = W::splat(*first));
+        }
     }
 
-    /// Returns the largest change of a lane in an iteration, relative to the largest coordinate of the kind that
-    /// changed.
+    /// The field at all stages.
     #[inline(always)]
-    fn moved(&self, slopes: &[Pair<H, R>; S], found: &[Pair<H, R>; S], lane: usize) -> f64 {
-        let mut most = 0.0_f64;
-        for half in 0..2 {
-            let y = self.y.halves()[half];
-            for (before, after) in slopes.iter().zip(found) {
-                let (before, after) = (before.halves()[half], after.halves()[half]);
-                let (mut moved, mut size) = (0.0_f64, 0.0_f64);
-                for k in 0..y.len() {
-                    let after = self.h * after[k].lane(lane);
-                    let step = (after - self.h * before[k].lane(lane)).abs();
-                    moved = larger(moved, step);
-                    size = size.max(y[k].lane(lane).abs()).max(after.abs());
-                }
-                // Nothing in units of nothing is nothing.
-                let relative = if moved == 0.0 { 0.0 } else { moved / size };
-                most = larger(most, relative);
+    fn fields<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
+        let Rows { found, places, .. } = rows;
+        if const { are_together::<H, R, S>() } {
+            let Some(gathered) = gathered else { return };
+            for numbers in found.halves_mut() {
+                numbers.fill(W::of(0.0));
+            }
+            return add_field::<H, W>(gathered, places, found, self.time);
+        }
+        for stage in 0..S {
+            let mut place = Pair::<H, R>::zero(self.y.halves()[0].len());
+            for (place, places) in place.halves_mut().into_iter().zip(places.halves()) {
+                place.iter_mut().zip(places).for_each(|(place, places)| *place = places.part(stage));
+            }
+            let field = field::<H, R>(&self.constants, &place, self.time + self.tableau.c[stage] * self.h);
+            for (found, field) in found.halves_mut().into_iter().zip(field.halves()) {
+                found.iter_mut().zip(field).for_each(|(found, field)| found.set_part(stage, *field));
             }
         }
-        most
     }
 
     /// Solves the lanes that are not settled by Newton's method.
     #[cfg(feature = "check")]
-    fn without_contraction(
+    fn without_contraction<W: Row<R>>(
         &self,
-        slopes: &mut [Pair<H, R>; S],
+        increments: &mut Pair<H, W>,
         settled: R,
         _: R,
         evaluations: &mut u64,
     ) -> Vec<Option<Unsolved>> {
-        super::newton::solve(self, slopes, settled, evaluations)
+        super::newton::solve(self, increments, settled, evaluations)
     }
 
     /// Returns an error for the lanes that are not settled, since there are no matrices without the feature `check`.
     #[cfg(not(feature = "check"))]
-    fn without_contraction(
+    fn without_contraction<W: Row<R>>(
         &self,
-        _: &mut [Pair<H, R>; S],
+        _: &mut Pair<H, W>,
         settled: R,
         update: R,
         _: &mut u64,
@@ -213,28 +294,105 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
     }
 }
 
+impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
+    /// The rows of both lists, before and after, and the smallest changes.
+    #[inline(always)]
+    fn changes(&mut self) -> impl Iterator<Item = (&W, &W, &mut W)> {
+        let halves = self.increments.halves().into_iter().zip(self.found.halves()).zip(self.least.halves_mut());
+        halves.flat_map(|((before, after), least)| {
+            before.iter().zip(after).zip(least).map(|((before, after), least)| (before, after, least))
+        })
+    }
+
+    /// Returns one if any change of a number is smaller than all before it, and updates the smallest ones: of one number in
+    /// each stage.
+    #[inline(always)]
+    fn shrink_together(&mut self) -> R {
+        let mut any = false;
+        for (before, after, least) in self.changes() {
+            let change = Real::abs(*after - *before);
+            let is_less = change.less(*least);
+            any |= is_less.and(W::of(0.0).less(change)).any();
+            *least = W::select(is_less, change, *least);
+        }
+        R::of(f64::from(u8::from(any)))
+    }
+
+    /// The same of each lane.
+    #[inline(always)]
+    fn shrink<const S: usize>(&mut self) -> R {
+        let mut shrinks = R::of(0.0);
+        for (before, after, least) in self.changes() {
+            for stage in 0..S {
+                let (before, after, before_least) = (before.part(stage), after.part(stage), least.part(stage));
+                let change = R::state(&|lane| (after.lane(lane) - before.lane(lane)).abs());
+                shrinks = R::state(&|lane| {
+                    let is_less = change.lane(lane) < before_least.lane(lane) && change.lane(lane) > 0.0;
+                    f64::from(u8::from(is_less)).max(shrinks.lane(lane))
+                });
+                least.set_part(stage, R::state(&|lane| change.lane(lane).min(before_least.lane(lane))));
+            }
+        }
+        shrinks
+    }
+
+    /// Returns the largest change of a lane in an iteration, relative to the largest coordinate of the kind that
+    /// changed.
+    #[inline(always)]
+    fn update<const S: usize>(&self, y: &Pair<H, R>, lane: usize) -> f64 {
+        let mut most = 0.0_f64;
+        for half in 0..2 {
+            let (before, after) = (self.increments.halves()[half], self.found.halves()[half]);
+            let (mut moved, mut size) = (0.0_f64, 0.0_f64);
+            for ((before, after), y) in before.iter().zip(after).zip(y.halves()[half]) {
+                size = size.max(y.lane(lane).abs());
+                for stage in 0..S {
+                    let at = stage * R::LANES + lane;
+                    moved = larger(moved, (after.lane(at) - before.lane(at)).abs());
+                    size = size.max(after.lane(at).abs());
+                }
+            }
+            // Nothing in units of nothing is nothing.
+            let relative = if moved == 0.0 { 0.0 } else { moved / size };
+            most = larger(most, relative);
+        }
+        most
+    }
+}
+
 /// The larger of two numbers, or what is no number: then nothing has settled, whatever the other coordinates do.
 #[inline(always)]
 fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other <= one { one } else { other }
 }
 
-/// Restores the previous slopes in the lanes that are settled.
+/// Multiplies all numbers by those of a row.
 #[inline(always)]
-pub(super) fn keep_settled<H: System, R: Real, const S: usize>(
+fn scale<H: System, W: Real>(numbers: &mut Pair<H, W>, by: W) {
+    for numbers in numbers.halves_mut() {
+        numbers.iter_mut().for_each(|number| *number = number.scale(by));
+    }
+}
+
+/// Restores the previous increments in the lanes that are settled.
+#[inline(always)]
+pub(super) fn keep_settled<H: System, R: Real, W: Row<R>, const S: usize>(
     settled: &R,
-    slopes: &[Pair<H, R>; S],
-    found: &mut [Pair<H, R>; S],
+    increments: &Pair<H, W>,
+    found: &mut Pair<H, W>,
 ) {
     if (0..R::LANES).all(|lane| settled.lane(lane) == 0.0) {
         return;
     }
-    for (slopes, found) in slopes.iter().zip(found) {
-        for (before, after) in slopes.halves().into_iter().zip(found.halves_mut()) {
-            for (before, after) in before.iter().zip(after) {
-                let now = *after;
-                *after = R::state(&|lane| if settled.lane(lane) > 0.0 { before.lane(lane) } else { now.lane(lane) });
-            }
+    for (before, after) in increments.halves().into_iter().zip(found.halves_mut()) {
+        for (before, after) in before.iter().zip(after) {
+            let (before, now) = (stages_of::<R, W, S>(*before), stages_of::<R, W, S>(*after));
+            let kept: [R; MOST] = core::array::from_fn(|stage| {
+                R::state(&|lane| {
+                    if settled.lane(lane) > 0.0 { before[stage].lane(lane) } else { now[stage].lane(lane) }
+                })
+            });
+            *after = W::read(&kept);
         }
     }
 }

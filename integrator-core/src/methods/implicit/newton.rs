@@ -3,13 +3,14 @@
 
 use super::{
     field::{Constants, Pair, field},
-    iteration::{Equation, keep_settled},
+    iteration::{Equation, stages_of},
 };
 use crate::{
     error::Unsolved,
     scalar::{
         dual::Dual,
         real::Real,
+        simd::row::Row,
         tolerance::{largest, ratio},
     },
     system::{System, motion::Prepared},
@@ -28,10 +29,10 @@ const SETTLED: f64 = 4.0;
 /// conditioned than the state is precise.
 const STALLED: f64 = 1e6;
 
-/// The field at the stages, of all lanes that are not settled.
-pub(super) fn solve<H: System, R: Real, const S: usize>(
+/// The increments of all lanes that are not settled.
+pub(super) fn solve<H: System, R: Real, W: Row<R>, const S: usize>(
     equation: &Equation<'_, H, R, S>,
-    slopes: &mut [Pair<H, R>; S],
+    increments: &mut Pair<H, W>,
     mut settled: R,
     evaluations: &mut u64,
 ) -> Vec<Option<Unsolved>> {
@@ -44,16 +45,31 @@ pub(super) fn solve<H: System, R: Real, const S: usize>(
             continue;
         }
         match member(equation, own, evaluations) {
-            Ok(mut found) => {
-                let others = R::state(&|lane| f64::from(u8::from(!lanes.contains(&lane))));
-                keep_settled(&others, slopes, &mut found);
-                *slopes = found;
-            }
+            Ok(slopes) => store::<H, R, W, S>(equation, &slopes, &lanes, increments),
             Err(update) => unsolved[own] = Some(Unsolved::Newton { iterations: ITERATIONS, update }),
         }
         settled = R::state(&|lane| if lanes.contains(&lane) { 1.0 } else { settled.lane(lane) });
     }
     if unsolved.iter().all(Option::is_none) { Vec::new() } else { unsolved }
+}
+
+/// Replaces the increments of some lanes by those of these slopes.
+fn store<H: System, R: Real, W: Row<R>, const S: usize>(
+    Equation { h, tableau, .. }: &Equation<'_, H, R, S>,
+    slopes: &[Pair<H, R>; S],
+    lanes: &Range<usize>,
+    increments: &mut Pair<H, W>,
+) {
+    for (half, increments) in increments.halves_mut().into_iter().enumerate() {
+        for (k, increments) in increments.iter_mut().enumerate() {
+            let mut stages = stages_of::<R, W, S>(*increments);
+            for ((stage, slopes), b) in stages.iter_mut().zip(slopes).zip(&tableau.b) {
+                let (before, now) = (*stage, slopes.halves()[half][k].scale(R::of(b * h)));
+                *stage = R::state(&|lane| if lanes.contains(&lane) { now.lane(lane) } else { before.lane(lane) });
+            }
+            *increments = W::read(&stages);
+        }
+    }
 }
 
 /// The field at the stages by the matrix of one member, or how far the last iteration moved.
@@ -75,7 +91,7 @@ fn member<H: System, R: Real, const S: usize>(
             array::from_fn(|j| field::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h));
         let slopes: [Vec<R>; S] = array::from_fn(|j| listed(&fields[j]));
         let residual = |i: usize, k: usize| {
-            (0..S).fold(z[i][k] - y[k], |residual, j| residual - R::of(tableau.a[i][j] * h) * slopes[j][k])
+            (0..S).fold(z[i][k] - y[k], |residual, j| residual - R::of(tableau.a(i, j) * h) * slopes[j][k])
         };
         let residuals: Vec<R> = (0..S * size).map(|row| residual(row / size, row % size)).collect();
         let jacobians = array::from_fn::<_, S, _>(|j| {
@@ -83,7 +99,8 @@ fn member<H: System, R: Real, const S: usize>(
             jacobian::<H, R>(constants, own, &values, time + tableau.c[j] * h)
         });
         *evaluations += (S * (1 + size)) as u64;
-        let weights = array::from_fn::<_, S, _>(|i| &tableau.a[i][..]);
+        let weights = array::from_fn::<_, S, _>(|i| array::from_fn::<_, S, _>(|j| tableau.a(i, j)));
+        let weights = array::from_fn::<_, S, _>(|i| &weights[i][..]);
         let of_lane = |numbers: &[R], lane: usize| numbers.iter().map(|number| number.lane(lane)).collect::<Vec<_>>();
         let residuals: Vec<_> = together.clone().map(|lane| of_lane(&residuals, lane)).collect();
         // A matrix that is singular, or no number, leads nowhere: the last update says how far the iteration was.
