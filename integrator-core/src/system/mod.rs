@@ -80,6 +80,8 @@ pub trait System: Sized {
     const NESTED: &'static [InnerSteps] = &[];
     /// Whether `H = T(p) + V(q)`, so that a drift changes positions only and a kick momenta only.
     const SEPARABLE: bool = true;
+    /// Whether [`System::along_field`] is there: for all H that are not `T(p) + V(q)`, and for small ones that are.
+    const HAS_FIELD: bool = !Self::SEPARABLE;
     /// The error of flow derivatives relative to exact dual-number derivatives, which have 1.
     ///
     /// A flow that the user wrote is differentiated by extrapolated differences, which lose one or two digits.
@@ -164,7 +166,7 @@ pub trait System: Sized {
     }
     /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
     ///
-    /// Empty if `H = T(p) + V(q)` in the user's own coordinates: the flows of `T` and `V` give the field there.
+    /// Empty without [`System::HAS_FIELD`]: the flows of `T` and `V` give the field.
     fn along_field<R: Real, K: Precision>(
         _motion: ReadBy<'_, Self, R, K>,
         _moved: MovedBy<'_, Self, R, K>,

@@ -65,8 +65,8 @@ struct Stepper<'i> {
     /// The text of methods that are called as they are.
     called: Option<TokenStream>,
     flows: Flows,
-    /// The vector field of H, where flows of `T` and of `V` do not determine it.
-    field: Option<TokenStream>,
+    /// The vector field of H, and whether it is more than the flows of `T` and of `V`.
+    field: (Option<TokenStream>, bool),
     /// The functions of energies, and the item for the runtime about their form.
     energies: (TokenStream, Option<TokenStream>),
     /// The user's own energies.
@@ -108,7 +108,8 @@ impl<'i> Stepper<'i> {
         let equations = equations(&mut model, &kinetic, &potential);
         let (documentation, equations) = (motion_documentation(&model, &equations), stated(&model, &equations));
         let pattern = recognise(&mut model, [&kinetic, &potential]);
-        if pattern.restate(&mut model, &mut stated_energies[1]) {
+        let is_restated = pattern.restate(&mut model, &mut stated_energies[1]);
+        if is_restated {
             [kinetic, potential] = gradients(&mut model);
         }
 
@@ -133,8 +134,8 @@ impl<'i> Stepper<'i> {
             _ => Flows::of_parts(&mut emitter),
         };
         let quadratic = is_quadratic.then(|| force_gradient::functions(&mut emitter, flows.are_of_bodies()));
-        let has_field = !emitter.model.is_separable() || emitter.model.jacobi().is_some();
-        let field = has_field.then(|| field::function(&mut emitter));
+        let is_field_of_flows = emitter.model.is_separable() && emitter.model.jacobi().is_none();
+        let field = (field::items(&mut emitter, is_restated), !is_field_of_flows);
         let energies = ["kinetic", "potential"].into_iter().zip(stated_energies);
         let energies = energies.map(|(name, energy)| flows.energy(&mut emitter, name, energy, &stated_parts));
         let (energies, in_lanes): (TokenStream, Vec<bool>) = energies.unzip();
@@ -300,7 +301,10 @@ impl<'i> Stepper<'i> {
         let prepare = with_count(constants.prepare(names), self.count.as_ref());
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
         let is_listed = flows.is_listed(self.count.as_ref());
-        let fingerprint = fingerprint(quote!(#prepare #moves #field #energies #others #called));
+        // What only implicit methods use says nothing about the flows.
+        let (field, is_own) = field;
+        let own_field = field.as_ref().filter(|_| *is_own);
+        let fingerprint = fingerprint(quote!(#prepare #moves #own_field #energies #others #called));
         quote! {
             type Coords = #coordinates;
             type Parameters<#scalar: #runtime::Real> = #parameters;

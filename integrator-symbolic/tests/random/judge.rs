@@ -97,6 +97,13 @@ impl System {
             for (number, (part, reference)) in PARTS.into_iter().zip(references).enumerate() {
                 let generated = Evaluation::of_generated(&methods, expansion, case, number, part);
                 verdict.add(&reference, generated, part.0);
+                // The field of both parts at once, which implicit methods use.
+                if expansion.function("along_field").is_some() {
+                    let (name, _, duration) = part;
+                    let part = (name, "along_field", duration);
+                    let generated = Evaluation::of_generated(&methods, expansion, case, number, part);
+                    verdict.add(&reference, generated, "field");
+                }
             }
         }
         Ok(verdict)
@@ -187,8 +194,12 @@ impl Evaluation {
             if energy.kind == Kind::Scalar { Ok(energy.main) } else { Err(Stop::Foreign("an energy in f64".into())) }
         });
         let gradient = function(flow).and_then(|flow| {
-            let arguments = vec![motion(moved), Value::plain(duration), time.clone()];
-            let (_, after) = machine.run(flow, arguments, Some(0))?;
+            let (arguments, changed) = match flow.sig.inputs.len() {
+                3 => (vec![motion(moved), Value::plain(duration), time.clone()], 0),
+                // The field is read at one point, and moves another.
+                _ => (vec![motion(2), motion(moved), Value::plain(duration), time.clone()], 1),
+            };
+            let (_, after) = machine.run(flow, arguments, Some(changed))?;
             let mut numbers = Vec::new();
             // A flow without a gradient has no motion to name.
             if let Value::Struct(_) = after {

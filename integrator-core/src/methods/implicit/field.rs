@@ -57,7 +57,22 @@ pub(crate) struct Constants<'m, H: System, R: Real> {
     pub(crate) middle: f64,
 }
 
-/// The field at a point.
+/// The field at a point, as implicit methods evaluate it.
+#[inline(always)]
+pub(super) fn field_of_step<H: System, R: Real>(
+    constants: &Constants<'_, H, R>,
+    point: &Pair<H, R>,
+    time: f64,
+) -> Pair<H, R> {
+    if const { !H::HAS_FIELD } {
+        return field(constants, point, time);
+    }
+    let mut field = Pair::zero(H::Coords::slots(&point.q).len());
+    add_field::<H, R>(constants.gathered, point, &mut field, time);
+    field
+}
+
+/// The field at a point: that of the flows where H is `T + V`.
 #[inline(always)]
 pub(crate) fn field<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
     let Pair { q, p } = point;

@@ -8,7 +8,7 @@
 //! biases the rounding errors.
 
 use super::{
-    field::{Constants, Pair, add_field, field},
+    field::{Constants, Pair, add_field, field_of_step},
     motion::Implicit,
     tableau::{Stages, Tableau},
 };
@@ -56,7 +56,7 @@ pub(super) fn advance<H: System, R: Real, K: Precision, M: Stages<S>, const S: u
 /// Whether the field may be evaluated for all stages at once: the stages have the time in common, and there are so many that
 /// eight lanes take less time than the stages one after the other.
 pub(super) const fn may_be_together<H: System>(stages: usize) -> bool {
-    stages > 2 && H::AUTONOMOUS && !H::SEPARABLE
+    stages > 2 && H::AUTONOMOUS && H::HAS_FIELD
 }
 
 /// Whether it is: rows are vectors.
@@ -236,7 +236,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             }
             return self.fields(gathered, rows);
         }
-        let first = field::<H, R>(&self.constants, self.y, self.time);
+        let first = field_of_step::<H, R>(&self.constants, self.y, self.time);
         for (found, first) in rows.found.halves_mut().into_iter().zip(first.halves()) {
             found.iter_mut().zip(first).for_each(|(found, first)| *found = W::splat(*first));
         }
@@ -258,7 +258,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             for (place, places) in place.halves_mut().into_iter().zip(places.halves()) {
                 place.iter_mut().zip(places).for_each(|(place, places)| *place = places.part(stage));
             }
-            let field = field::<H, R>(&self.constants, &place, self.time + self.tableau.c[stage] * self.h);
+            let field = field_of_step::<H, R>(&self.constants, &place, self.time + self.tableau.c[stage] * self.h);
             for (found, field) in found.halves_mut().into_iter().zip(field.halves()) {
                 found.iter_mut().zip(field).for_each(|(found, field)| found.set_part(stage, *field));
             }

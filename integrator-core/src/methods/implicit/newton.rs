@@ -2,7 +2,7 @@
 //! compared with the fastest motion.
 
 use super::{
-    field::{Constants, Pair, field},
+    field::{Constants, Pair, field_of_step},
     iteration::{Equation, stages_of},
 };
 use crate::{
@@ -80,7 +80,7 @@ fn member<H: System, R: Real, const S: usize>(
 ) -> Result<[Pair<H, R>; S], f64> {
     let Equation { constants, y, time, h, epsilon, tableau } = equation;
     let together = own..own + R::LANES / R::MEMBERS.max(1);
-    let start = listed(&field::<H, R>(constants, y, *time));
+    let start = listed(&field_of_step::<H, R>(constants, y, *time));
     let y = listed(y);
     let size = y.len();
     let mut z: [Vec<R>; S] =
@@ -88,7 +88,7 @@ fn member<H: System, R: Real, const S: usize>(
     let mut update = f64::INFINITY;
     for _ in 0..ITERATIONS {
         let fields: [Pair<H, R>; S] =
-            array::from_fn(|j| field::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h));
+            array::from_fn(|j| field_of_step::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h));
         let slopes: [Vec<R>; S] = array::from_fn(|j| listed(&fields[j]));
         let residual = |i: usize, k: usize| {
             (0..S).fold(z[i][k] - y[k], |residual, j| residual - R::of(tableau.a(i, j) * h) * slopes[j][k])
@@ -121,7 +121,7 @@ fn member<H: System, R: Real, const S: usize>(
         }
         let stalled = relative >= update / 2.0 && relative <= STALLED * epsilon;
         if relative <= SETTLED * epsilon || stalled {
-            return Ok(array::from_fn(|j| field::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h)));
+            return Ok(array::from_fn(|j| field_of_step::<H, R>(constants, &paired(&z[j]), time + tableau.c[j] * h)));
         }
         update = relative;
     }
@@ -177,7 +177,7 @@ fn jacobian<H: System, R: Real>(
     for column in 0..y.len() {
         let along = |i: usize| <Dual>::state(&|lane| if lane == 0 { y[i] } else { f64::from(u8::from(i == column)) });
         let y: Vec<Dual> = (0..y.len()).map(along).collect();
-        let field = field::<H, Dual>(&constants, &paired(&y), time);
+        let field = field_of_step::<H, Dual>(&constants, &paired(&y), time);
         for (row, derivative) in listed(&field).into_iter().enumerate() {
             jacobian[(row, column)] = derivative.lane(1);
         }

@@ -187,6 +187,33 @@ const _: () = {
                     motion.parameters.prepared_3.scale_add(q0.sin(), -sum_0),
                 );
         }
+        const HAS_FIELD: bool = true;
+        #[inline(always)]
+        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                sum_0 = motion
+                    .parameters
+                    .prepared_1[k]
+                    .scale_add(Scalar::of(k as f64).scale(q0).sin(), sum_0);
+            }
+            moved
+                .p[0]
+                .scale_add(
+                    -step,
+                    motion.parameters.prepared_3.scale_add(q0.sin(), -sum_0),
+                );
+            moved
+                .q[0]
+                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: &Self::Motion<Scalar, Leaf>,
