@@ -53,7 +53,7 @@
 //! Further items:
 //!
 //! - [`choose_among`] finds the fastest of several splittings, with its composition and step.
-//! - [`GaussLegendre4`], [`GaussLegendre6`], [`ImplicitMidpoint`] and [`taylor::Taylor`] integrate a Hamiltonian without
+//! - [`GaussLegendre`] (orders 2 to 16, [`ImplicitMidpoint`] the lowest) and [`taylor::Taylor`] integrate a Hamiltonian without
 //!   splitting it.
 //! - [`checkpoint`] and [`resume`] save a run and continue it in another program.
 //! - [`Error`] lists what can fail.

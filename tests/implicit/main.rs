@@ -3,13 +3,14 @@
 mod geodesic;
 
 use integrator_core::{
-    Compensated, Coords, Ensemble, Error, GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint, Method, Phase,
-    Run, Unsolved,
+    Compensated, Coords, Ensemble, Error, GaussLegendre, GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint,
+    InLanes, Method, Phase, Run, Unsolved,
     check::{certify, observed_order, reversibility, symplectic_defect},
     hamiltonian,
 };
 
 /// Two rods that hang one from the other: the mass matrix depends on the angle between them.
+#[derive(Clone)]
 struct DoublePendulum;
 
 #[hamiltonian(split = none, compose = GaussLegendre4)]
@@ -25,6 +26,7 @@ const HUNG: Phase<[f64; 2]> = Phase { q: [1.0, -0.5], p: [0.2, 0.3] };
 /// The same H in one split or another.
 macro_rules! henon_heiles {
     ($name:ident, $($split:tt)*) => {
+        #[derive(Clone)]
         struct $name;
 
         #[hamiltonian($($split)*)]
@@ -131,6 +133,70 @@ fn members_have_the_bits_of_their_runs() {
         run.advance(50).expect("an end");
         assert_eq!(ensemble.state(member), Some(run.state()), "{member}");
     }
+}
+
+/// A run has its stages in vector lanes, and members of an ensemble have these themselves.
+fn stages_have_the_bits_of_members<H, X>(system: &H, method: X, starts: &[Phase<[f64; 2]>], h: f64)
+where
+    H: Hamiltonian<Coords = [f64; 2]> + Clone + Send + Sync + 'static,
+    X: Method<H> + InLanes<H>,
+{
+    let members = starts.iter().map(|start| (system.clone(), *start));
+    let mut ensemble = Ensemble::new(method, members, h).expect("starts");
+    ensemble.advance(40).expect("an end");
+    for (member, start) in starts.iter().enumerate() {
+        let mut run = system.run_with::<f64, X>(method, *start, h).expect("a start");
+        run.advance(40).expect("an end");
+        assert_eq!(ensemble.state(member), Some(run.state()), "{member} by {}", method.facts().name);
+    }
+}
+
+#[test]
+fn stages_in_lanes_have_the_bits_of_members() {
+    let hung: Vec<_> = (0..9).map(|k| Phase::new([0.3 * f64::from(k), -0.5], [0.2, 0.3])).collect();
+    let bound: Vec<_> = (0..9).map(|k| Phase::new([0.1, 0.02 * f64::from(k)], [0.3, -0.1])).collect();
+    stages_have_the_bits_of_members(&DoublePendulum, GaussLegendre6, &hung, 0.1);
+    stages_have_the_bits_of_members(&DoublePendulum, GaussLegendre::<5>, &hung, 0.15);
+    stages_have_the_bits_of_members(&DoublePendulum, GaussLegendre::<8>, &hung, 0.25);
+    stages_have_the_bits_of_members(&Separate, GaussLegendre::<8>, &bound, 0.5);
+    stages_have_the_bits_of_members(&InParts, GaussLegendre::<4>, &bound, 0.3);
+}
+
+#[test]
+fn each_stage_adds_two_orders() {
+    // A method of the same family, whose coefficients a unit test compares with their definition.
+    let start = Phase { q: [0.6, -0.3], p: [0.1, 0.2] };
+    let reference = end(&DoublePendulum, GaussLegendre::<8>, &start, 0.05, 80);
+    macro_rules! slopes {
+        ($($stages:literal with $steps:literal),*) => {$({
+            let method = GaussLegendre::<$stages>;
+            let errors = [1_u32, 2].map(|times| {
+                let steps = $steps * times;
+                apart(&end(&DoublePendulum, method, &start, 4.0 / f64::from(steps), steps.into()), &reference)
+            });
+            // The next order is two higher.
+            let (slope, order) = ((errors[0] / errors[1]).log2(), f64::from(2 * $stages));
+            assert!((slope - order).abs() < 1.0, "{} stages: slope {slope}, errors {errors:?}", $stages);
+            // Far above the rounding of the reference.
+            assert!(errors[1] > 1e-13, "{} stages: errors {errors:?}", $stages);
+        })*};
+    }
+    slopes!(1 with 80, 2 with 40, 3 with 20, 4 with 10, 5 with 10, 6 with 10, 7 with 10);
+}
+
+/// Energies of steps that are symplectic to the bit, and whose iteration no tolerance ends, do not drift: their error is a random
+/// walk.
+#[test]
+fn rounding_errors_of_the_energy_are_a_walk() {
+    let mut run = DoublePendulum.run_with(GaussLegendre::<8>, HUNG, 0.1).expect("a start");
+    let energy = run.energy();
+    let mut largest = 0.0_f64;
+    for _ in 0..20 {
+        run.advance(1_000).expect("an end");
+        largest = largest.max((run.energy() - energy).abs());
+    }
+    // 20,000 roundings of numbers of about 2, half of ε each at most: √20000 ε 2 / √3 = 3.6e-14, and three times this.
+    assert!(largest < 1.1e-13, "{largest:e}");
 }
 
 #[test]

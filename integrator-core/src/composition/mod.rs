@@ -252,8 +252,8 @@ const fn lower_orders(order: u32) -> [u32; 4] {
 pub const fn admits<X: Scheme>(parts: usize) {
     assert!(
         parts > 0,
-        "a composition composes exact flows, and `split = none` leaves H in one piece; `ImplicitMidpoint`, \
-         `GaussLegendre4` and `GaussLegendre6` integrate it"
+        "a composition composes exact flows, and `split = none` leaves H in one piece; `ImplicitMidpoint` and \
+         `GaussLegendre<1>` to `GaussLegendre<8>` integrate it"
     );
     if parts > 2 {
         assert!(

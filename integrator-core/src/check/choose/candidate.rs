@@ -5,7 +5,7 @@ use crate::{
     composition::{Class, Composition, Processor, Rows, Stage, Stages, flow_counts::PartFlows, visitor::Visitor},
     error::Error,
     hamiltonian::Hamiltonian,
-    methods::implicit::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
+    methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint},
     state::{coords::Coords, precision::Precision},
     system::{QuadraticKinetic, Shaped},
     trajectory::{
@@ -143,6 +143,8 @@ pub(super) fn in_one_piece<H: Hamiltonian, K: Precision>(system: &H) -> Vec<Cand
         stages(by_method::<H, K, _>(system, ImplicitMidpoint, Class::General), 1),
         stages(by_method::<H, K, _>(system, GaussLegendre4, Class::General), 2),
         stages(by_method::<H, K, _>(system, GaussLegendre6, Class::General), 3),
+        stages(by_method::<H, K, _>(system, GaussLegendre::<4>, Class::General), 4),
+        stages(by_method::<H, K, _>(system, GaussLegendre::<8>, Class::General), 8),
     ]
 }
 

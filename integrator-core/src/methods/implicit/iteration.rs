@@ -107,8 +107,8 @@ impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
             }
             let [q, p] = [&motion.state.q, &motion.state.p].map(Shaped::<H, K>::slots);
             for (numbers, slots) in y.halves_mut().into_iter().zip([q, p]) {
-                for (number, slot) in numbers.iter_mut().zip(slots) {
-                    *number = slot.value();
+                for k in 0..slots.len() {
+                    numbers[k] = slots[k].value();
                 }
             }
             let constants = Constants {
@@ -123,10 +123,13 @@ impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
             motion.unsolved = unsolved;
             let [q, p] = [&mut motion.state.q, &mut motion.state.p].map(Shaped::<H, K>::slots_mut);
             for (increments, slots) in rows.increments.halves().into_iter().zip([q, p]) {
-                for (increments, slot) in increments.iter().zip(slots) {
-                    let [mut sum, others @ ..] = stages_of::<R, W, S>(*increments);
-                    others.into_iter().take(S - 1).for_each(|increment| sum += increment);
-                    slot.add(sum);
+                for k in 0..slots.len() {
+                    let stages = stages_of::<R, W, S>(increments[k]);
+                    let mut sum = stages[0];
+                    for increment in &stages[1..S] {
+                        sum += *increment;
+                    }
+                    slots[k].add(sum);
                 }
             }
         }
@@ -184,7 +187,10 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         let Self { tableau: Tableau { mu, b, .. }, y, h, .. } = self;
         // After the last stage, it is repeated.
         let of_stage = |of: &dyn Fn(usize) -> f64| W::parameter(&|lane| of((lane / R::LANES).min(S - 1)));
-        let mu: [W; S] = core::array::from_fn(|j| of_stage(&|stage| mu[stage][j]));
+        let mut columns = [W::of(0.0); S];
+        for (j, column) in columns.iter_mut().enumerate() {
+            *column = of_stage(&|stage| mu[stage][j]);
+        }
         let weights = of_stage(&|stage| b[stage] * h);
         for numbers in rows.least.halves_mut() {
             numbers.fill(W::state(&|_| f64::INFINITY));
@@ -195,21 +201,22 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         let mut evaluations = 1;
         let (mut settled, mut update) = (R::of(0.0), R::of(f64::INFINITY));
         for _ in 0..ITERATIONS {
-            let halves = rows.places.halves_mut().into_iter().zip(rows.increments.halves()).zip(y.halves());
-            for ((places, increments), y) in halves {
-                for ((place, increments), y) in places.iter_mut().zip(increments).zip(y) {
-                    let stages = stages_of::<R, W, S>(*increments);
-                    let mut sum = W::splat(stages[0]).scale(mu[0]);
+            for half in 0..2 {
+                let (y, increments) = (y.halves()[half], rows.increments.halves()[half]);
+                let places = &mut *rows.places.halves_mut()[half];
+                for k in 0..y.len() {
+                    let stages = stages_of::<R, W, S>(increments[k]);
+                    let mut sum = W::splat(stages[0]).scale(columns[0]);
                     for j in 1..S {
-                        sum = W::splat(stages[j]).scale_add(mu[j], sum);
+                        sum = W::splat(stages[j]).scale_add(columns[j], sum);
                     }
-                    *place = W::splat(*y) + sum;
+                    places[k] = W::splat(y[k]) + sum;
                 }
             }
             self.fields(gathered, rows);
             evaluations += S as u64;
             scale(&mut rows.found, weights);
-            let shrinks = if W::PARTS == 0 { rows.shrink_together() } else { rows.shrink::<S>() };
+            let shrinks = if const { W::PARTS == 0 } { rows.shrink_together() } else { rows.shrink::<S>() };
             keep_settled::<H, R, W, S>(&settled, &rows.increments, &mut rows.found);
             // Only a lane that does not come nearer may have arrived.
             update =
@@ -230,15 +237,15 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
     /// The field at the beginning of the step, for all stages.
     #[inline(always)]
     fn begin<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
-        if W::PARTS == 0 {
+        if const { W::PARTS == 0 } {
             for (places, y) in rows.places.halves_mut().into_iter().zip(self.y.halves()) {
-                places.iter_mut().zip(y).for_each(|(place, y)| *place = W::splat(*y));
+                spread(y, places);
             }
             return self.fields(gathered, rows);
         }
         let first = field_of_step::<H, R>(&self.constants, self.y, self.time);
         for (found, first) in rows.found.halves_mut().into_iter().zip(first.halves()) {
-            found.iter_mut().zip(first).for_each(|(found, first)| *found = W::splat(*first));
+            spread(first, found);
         }
     }
 
@@ -253,14 +260,18 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             }
             return add_field::<H, W>(gathered, places, found, self.time);
         }
+        let mut place = self.y.clone();
         for stage in 0..S {
-            let mut place = Pair::<H, R>::zero(self.y.halves()[0].len());
             for (place, places) in place.halves_mut().into_iter().zip(places.halves()) {
-                place.iter_mut().zip(places).for_each(|(place, places)| *place = places.part(stage));
+                for k in 0..place.len() {
+                    place[k] = places[k].part(stage);
+                }
             }
             let field = field_of_step::<H, R>(&self.constants, &place, self.time + self.tableau.c[stage] * self.h);
             for (found, field) in found.halves_mut().into_iter().zip(field.halves()) {
-                found.iter_mut().zip(field).for_each(|(found, field)| found.set_part(stage, *field));
+                for k in 0..field.len() {
+                    found[k].set_part(stage, field[k]);
+                }
             }
         }
     }
@@ -295,25 +306,20 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
 }
 
 impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
-    /// The rows of both lists, before and after, and the smallest changes.
-    #[inline(always)]
-    fn changes(&mut self) -> impl Iterator<Item = (&W, &W, &mut W)> {
-        let halves = self.increments.halves().into_iter().zip(self.found.halves()).zip(self.least.halves_mut());
-        halves.flat_map(|((before, after), least)| {
-            before.iter().zip(after).zip(least).map(|((before, after), least)| (before, after, least))
-        })
-    }
-
     /// Returns one if any change of a number is smaller than all before it, and updates the smallest ones: of one number in
     /// each stage.
     #[inline(always)]
     fn shrink_together(&mut self) -> R {
         let mut any = false;
-        for (before, after, least) in self.changes() {
-            let change = Real::abs(*after - *before);
-            let is_less = change.less(*least);
-            any |= is_less.and(W::of(0.0).less(change)).any();
-            *least = W::select(is_less, change, *least);
+        for half in 0..2 {
+            let (before, after) = (self.increments.halves()[half], self.found.halves()[half]);
+            let least = &mut *self.least.halves_mut()[half];
+            for k in 0..least.len() {
+                let change = Real::abs(after[k] - before[k]);
+                let is_less = change.less(least[k]);
+                any |= is_less.and(W::of(0.0).less(change)).any();
+                least[k] = W::select(is_less, change, least[k]);
+            }
         }
         R::of(f64::from(u8::from(any)))
     }
@@ -322,15 +328,19 @@ impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
     #[inline(always)]
     fn shrink<const S: usize>(&mut self) -> R {
         let mut shrinks = R::of(0.0);
-        for (before, after, least) in self.changes() {
-            for stage in 0..S {
-                let (before, after, before_least) = (before.part(stage), after.part(stage), least.part(stage));
-                let change = R::state(&|lane| (after.lane(lane) - before.lane(lane)).abs());
-                shrinks = R::state(&|lane| {
-                    let is_less = change.lane(lane) < before_least.lane(lane) && change.lane(lane) > 0.0;
-                    f64::from(u8::from(is_less)).max(shrinks.lane(lane))
-                });
-                least.set_part(stage, R::state(&|lane| change.lane(lane).min(before_least.lane(lane))));
+        for half in 0..2 {
+            let (before, after) = (self.increments.halves()[half], self.found.halves()[half]);
+            let least = &mut *self.least.halves_mut()[half];
+            for k in 0..least.len() {
+                for stage in 0..S {
+                    let (before, after, smallest) = (before[k].part(stage), after[k].part(stage), least[k].part(stage));
+                    let change = R::state(&|lane| (after.lane(lane) - before.lane(lane)).abs());
+                    shrinks = R::state(&|lane| {
+                        let is_less = change.lane(lane) < smallest.lane(lane) && change.lane(lane) > 0.0;
+                        f64::from(u8::from(is_less)).max(shrinks.lane(lane))
+                    });
+                    least[k].set_part(stage, R::state(&|lane| change.lane(lane).min(smallest.lane(lane))));
+                }
             }
         }
         shrinks
@@ -344,12 +354,13 @@ impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
         for half in 0..2 {
             let (before, after) = (self.increments.halves()[half], self.found.halves()[half]);
             let (mut moved, mut size) = (0.0_f64, 0.0_f64);
-            for ((before, after), y) in before.iter().zip(after).zip(y.halves()[half]) {
-                size = size.max(y.lane(lane).abs());
+            let y = y.halves()[half];
+            for k in 0..y.len() {
+                size = size.max(y[k].lane(lane).abs());
                 for stage in 0..S {
                     let at = stage * R::LANES + lane;
-                    moved = larger(moved, (after.lane(at) - before.lane(at)).abs());
-                    size = size.max(after.lane(at).abs());
+                    moved = larger(moved, (after[k].lane(at) - before[k].lane(at)).abs());
+                    size = size.max(after[k].lane(at).abs());
                 }
             }
             // Nothing in units of nothing is nothing.
@@ -366,11 +377,21 @@ fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || other <= one { one } else { other }
 }
 
+/// Writes numbers to all lanes of rows.
+#[inline(always)]
+fn spread<R: Real, W: Row<R>>(numbers: &[R], rows: &mut [W]) {
+    for k in 0..numbers.len() {
+        rows[k] = W::splat(numbers[k]);
+    }
+}
+
 /// Multiplies all numbers by those of a row.
 #[inline(always)]
 fn scale<H: System, W: Real>(numbers: &mut Pair<H, W>, by: W) {
     for numbers in numbers.halves_mut() {
-        numbers.iter_mut().for_each(|number| *number = number.scale(by));
+        for number in numbers {
+            *number = number.scale(by);
+        }
     }
 }
 
@@ -381,7 +402,7 @@ pub(super) fn keep_settled<H: System, R: Real, W: Row<R>, const S: usize>(
     increments: &Pair<H, W>,
     found: &mut Pair<H, W>,
 ) {
-    if (0..R::LANES).all(|lane| settled.lane(lane) == 0.0) {
+    if const { R::LANES == 1 } || (0..R::LANES).all(|lane| settled.lane(lane) == 0.0) {
         return;
     }
     for (before, after) in increments.halves().into_iter().zip(found.halves_mut()) {
