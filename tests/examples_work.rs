@@ -19,6 +19,8 @@ mod halley;
 mod penning_trap;
 #[path = "../examples/wisdom_holman/planets.rs"]
 mod planets;
+#[path = "../examples/spring_pendulum/pendulum.rs"]
+mod spring_pendulum;
 #[path = "../examples/coupled_oscillators/star.rs"]
 mod star;
 #[path = "../examples/storage_ring/ring.rs"]
@@ -221,4 +223,34 @@ fn positions(path: &Path) -> Vec<u8> {
     let mut bytes = Vec::new();
     archive.by_name("q.npy").expect("an array").read_to_end(&mut bytes).expect("bytes");
     bytes
+}
+
+/// Small swings have the frequency of a rod that is as long as the loaded spring; swings of 90 degrees have the period of Gauss,
+/// and an excess of first order. The step resonates with a force that varies with the length of the spring at half its period.
+#[test]
+fn a_stiff_spring_swings_like_a_rod_and_resonates_with_outer_steps() {
+    use spring_pendulum::{Pendulum, error_at, excess_of_a_right_angle, period, rigid_period};
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    // Γ(1/4)² / √π, with Γ(1/4) = 3.625609908221908.
+    assert!((rigid_period(right_angle) - 7.416_298_709_205_487).abs() < 1e-14, "{}", rigid_period(right_angle));
+    let spring = |frequency| Pendulum { frequency, band: 0.0 };
+    let (angle, frequency) = (0.01_f64, 10.0_f64);
+    let small = period(&spring(frequency), angle, 0.01, 3).expect("finite states");
+    let loaded = std::f64::consts::TAU * (1.0 + frequency.powi(-2)).sqrt();
+    // A rod takes longer by θ²/16 at an angle θ, and steps of the frequency 1 are off by h²/24.
+    let later = angle.powi(2) / 16.0 + 1e-4 / 24.0;
+    assert!((small / loaded - 1.0).abs() < 2.0 * later, "{small} and {loaded}");
+    let frequency = 40.0_f64;
+    let found = period(&spring(frequency), right_angle, 0.1 / frequency, 2).expect("finite states");
+    let excess = (found - rigid_period(right_angle)) * frequency.powi(2);
+    // The next order is smaller by about 1/ω², and the step is off by 0.01/24 of the excess: twenty times both together.
+    assert!((excess / excess_of_a_right_angle() - 1.0).abs() < 0.02, "{excess}");
+    let error =
+        |band, halves| error_at(&Pendulum { frequency: 30.0, band }, 0.5, halves, 200.0).expect("finite states");
+    let [beside, at_half_a_period] = [0.9, 0.995].map(|halves| error(4.0, halves));
+    assert!(at_half_a_period > 100.0 * beside, "{at_half_a_period} and {beside}");
+    let [beside, at_half_a_period] = [0.9, 0.995].map(|halves| error(0.0, halves));
+    assert!(at_half_a_period < 2.0 * beside, "{at_half_a_period} and {beside}");
+    let [beside, at_a_period] = [0.9, 2.0].map(|halves| error(0.0, halves));
+    assert!(at_a_period > 100.0 * beside, "{at_a_period} and {beside}");
 }

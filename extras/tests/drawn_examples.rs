@@ -20,6 +20,11 @@ mod ring_picture;
 mod section;
 #[path = "../../examples/henon_heiles_section/picture.rs"]
 mod section_picture;
+#[path = "../../examples/spring_pendulum/pendulum.rs"]
+#[allow(dead_code, reason = "the example also measures periods")]
+mod spring;
+#[path = "../../examples/spring_pendulum/picture.rs"]
+mod spring_picture;
 #[path = "../../examples/ensemble_separatrix/swarm.rs"]
 mod swarm;
 #[path = "../../examples/ensemble_separatrix/picture.rs"]
@@ -228,4 +233,19 @@ fn argon_has_no_walls_and_no_jumps() {
     // The second derivative is all that is left: about 0.5 · 0.5 K/Å² · (3e-3 Å)².
     assert!(pair(8.497).abs() < 1e-4, "{:e}", pair(8.497));
     assert!((pair(3.8) + 120.0).abs() < 12.0, "the depth of the well is about 120 K, not {}", pair(3.8));
+}
+
+/// Gravity resonates at a whole period of the spring, and the rubber band also at half of it.
+#[test]
+fn the_resonance_of_a_spring_is_drawn() {
+    let curve = |band: f64| -> spring_picture::Curve {
+        let pendulum = spring::Pendulum { frequency: 30.0, band };
+        let error = |halves: f64| spring::error_at(&pendulum, 0.5, halves, 100.0).expect("finite states");
+        [0.5, 0.995, 1.5, 2.0, 2.6].map(|halves| (halves, error(halves))).to_vec()
+    };
+    let [gravity, with_band] = [0.0, 4.0].map(curve);
+    assert!(gravity[3].1 == spring::LARGEST && gravity[1].1 < gravity[2].1, "{gravity:?}");
+    assert!(with_band[3].1 == spring::LARGEST && with_band[1].1 > 10.0 * with_band[2].1, "{with_band:?}");
+    let words = ["Resonance of outer steps with a stiff spring", "gravity and rubber band", "gravity alone"];
+    drawn("spring", &spring_picture::picture([gravity, with_band]), &words);
 }
