@@ -12,6 +12,11 @@ mod liquid;
 mod liquid_observables;
 #[path = "../../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
+#[path = "../../examples/polymer_melt/melt.rs"]
+#[allow(dead_code, reason = "the example melts the crystal and compares times")]
+mod melt;
+#[path = "../../examples/polymer_melt/picture.rs"]
+mod melt_picture;
 #[path = "../../examples/toda_soliton/ring.rs"]
 mod ring;
 #[path = "../../examples/toda_soliton/picture.rs"]
@@ -233,6 +238,24 @@ fn argon_has_no_walls_and_no_jumps() {
     // The second derivative is all that is left: about 0.5 · 0.5 K/Å² · (3e-3 Å)².
     assert!(pair(8.497).abs() < 1e-4, "{:e}", pair(8.497));
     assert!((pair(3.8) + 120.0).abs() < 12.0, "the depth of the well is about 120 K, not {}", pair(3.8));
+}
+
+/// Eight inner steps have a larger error at the same innermost step, but not by much: they save most of the time.
+#[test]
+fn the_cost_of_a_melt_is_drawn() {
+    let (chains, start) = melt::crystal(6, 200);
+    let (plain, nested) = (melt::Melt(chains.clone()), melt::NestedMelt(chains));
+    let point = |cost: melt::Cost| (1e3 * cost.seconds, cost.error);
+    let verlet = [2.5e-4, 5e-4].map(|h| point(melt::cost(&plain, Verlet, &start, h, 0.04).expect("finite states")));
+    let eight =
+        [2e-3, 4e-3].map(|h| point(melt::cost(&nested, Verlet.nested(8), &start, h, 0.04).expect("finite states")));
+    for [(_, fine), (_, coarse)] in [verlet, eight] {
+        // Both are of second order.
+        assert!((2.0..8.0).contains(&(coarse / fine)), "{coarse} and {fine}");
+    }
+    let words =
+        ["A polymer melt with stiff bonds", "eight inner steps take 2.5 times less time", "milliseconds on one core"];
+    drawn("melt", &melt_picture::picture(verlet.to_vec(), eight.to_vec(), 2.5), &words);
 }
 
 /// Gravity resonates at a whole period of the spring, and the rubber band also at half of it.
