@@ -15,6 +15,9 @@ mod grid;
 #[path = "../examples/halley/comet.rs"]
 #[allow(dead_code, reason = "the pictures of the example read more of it")]
 mod halley;
+#[path = "../examples/jupiter_moons/moons.rs"]
+#[allow(dead_code, reason = "the example compares methods")]
+mod jupiter_moons;
 #[path = "../examples/polymer_melt/melt.rs"]
 #[allow(dead_code, reason = "the example melts the crystal and compares times")]
 mod melt;
@@ -285,4 +288,19 @@ fn bonds_of_a_melt_are_as_fast_as_a_chain_and_take_inner_steps() {
     let mut run = nested.run(start, 4e-3).expect("a start");
     run.advance(3).expect("finite states");
     assert_eq!(run.evaluations_of_parts()[..2], [("pairs", 3), ("bonds", 27)]);
+}
+
+/// The moons of Jupiter have their observed periods, and Laplace's angle stays at 180 degrees.
+#[test]
+fn moons_of_jupiter_have_their_periods_and_the_resonance_of_laplace() {
+    let (masses, start) = jupiter_moons::start().expect("the table of the examples");
+    let moons = jupiter_moons::Moons(masses);
+    let jupiter_moons::Course { periods, laplace: [least, _, largest] } =
+        jupiter_moons::course(&moons, start, 0.25, 500.0).expect("finite states");
+    for (found, observed) in periods.into_iter().zip(jupiter_moons::PERIODS) {
+        // Osculating longitudes swing by half a degree, and each moon moves by more than 29 × 360 degrees.
+        assert!((found / observed - 1.0).abs() < 5e-5, "{found} and {observed}");
+    }
+    // The free libration has an amplitude of 0.07 degrees (Lieske 1998); three osculating longitudes swing by less than a degree.
+    assert!(least > 179.0 && largest < 181.0, "{least} to {largest}");
 }
