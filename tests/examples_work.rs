@@ -15,10 +15,18 @@ mod grid;
 #[path = "../examples/halley/comet.rs"]
 #[allow(dead_code, reason = "the pictures of the example read more of it")]
 mod halley;
+#[path = "../examples/jupiter_moons/moons.rs"]
+#[allow(dead_code, reason = "the example compares methods")]
+mod jupiter_moons;
+#[path = "../examples/polymer_melt/melt.rs"]
+#[allow(dead_code, reason = "the example melts the crystal and compares times")]
+mod melt;
 #[path = "../examples/penning_trap/trap.rs"]
 mod penning_trap;
 #[path = "../examples/wisdom_holman/planets.rs"]
 mod planets;
+#[path = "../examples/spring_pendulum/pendulum.rs"]
+mod spring_pendulum;
 #[path = "../examples/coupled_oscillators/star.rs"]
 mod star;
 #[path = "../examples/storage_ring/ring.rs"]
@@ -221,4 +229,78 @@ fn positions(path: &Path) -> Vec<u8> {
     let mut bytes = Vec::new();
     archive.by_name("q.npy").expect("an array").read_to_end(&mut bytes).expect("bytes");
     bytes
+}
+
+/// Small swings have the frequency of a rod that is as long as the loaded spring; swings of 90 degrees have the period of Gauss,
+/// and an excess of first order. The step resonates with a force that varies with the length of the spring at half its period.
+#[test]
+fn a_stiff_spring_swings_like_a_rod_and_resonates_with_outer_steps() {
+    use spring_pendulum::{Pendulum, error_at, excess_of_a_right_angle, period, rigid_period};
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    // Γ(1/4)² / √π, with Γ(1/4) = 3.625609908221908.
+    assert!((rigid_period(right_angle) - 7.416_298_709_205_487).abs() < 1e-14, "{}", rigid_period(right_angle));
+    let spring = |frequency| Pendulum { frequency, band: 0.0 };
+    let (angle, frequency) = (0.01_f64, 10.0_f64);
+    let small = period(&spring(frequency), angle, 0.01, 3).expect("finite states");
+    let loaded = std::f64::consts::TAU * (1.0 + frequency.powi(-2)).sqrt();
+    // A rod takes longer by θ²/16 at an angle θ, and steps of the frequency 1 are off by h²/24.
+    let later = angle.powi(2) / 16.0 + 1e-4 / 24.0;
+    assert!((small / loaded - 1.0).abs() < 2.0 * later, "{small} and {loaded}");
+    let frequency = 40.0_f64;
+    let found = period(&spring(frequency), right_angle, 0.1 / frequency, 2).expect("finite states");
+    let excess = (found - rigid_period(right_angle)) * frequency.powi(2);
+    // The next order is smaller by about 1/ω², and the step is off by 0.01/24 of the excess: twenty times both together.
+    assert!((excess / excess_of_a_right_angle() - 1.0).abs() < 0.02, "{excess}");
+    let error =
+        |band, halves| error_at(&Pendulum { frequency: 30.0, band }, 0.5, halves, 200.0).expect("finite states");
+    let [beside, at_half_a_period] = [0.9, 0.995].map(|halves| error(4.0, halves));
+    assert!(at_half_a_period > 100.0 * beside, "{at_half_a_period} and {beside}");
+    let [beside, at_half_a_period] = [0.9, 0.995].map(|halves| error(0.0, halves));
+    assert!(at_half_a_period < 2.0 * beside, "{at_half_a_period} and {beside}");
+    let [beside, at_a_period] = [0.9, 2.0].map(|halves| error(0.0, halves));
+    assert!(at_a_period > 100.0 * beside, "{at_a_period} and {beside}");
+}
+
+/// The fastest mode of a straight chain with free ends has a known frequency. In many chains, inner steps save 7/8 of the evaluations
+/// of pairs at nearly the error of Verlet's method.
+#[test]
+fn bonds_of_a_melt_are_as_fast_as_a_chain_and_take_inner_steps() {
+    use std::f64::consts::PI;
+    let (chain, mut start) = melt::crystal(10, 10);
+    let mode: [f64; 10] = std::array::from_fn(|bead| (0.9 * PI * (bead as f64 + 0.5)).cos());
+    start.p = mode.map(|along| [10.0 * along, 0.0, 0.0]).to_vec();
+    let amplitude = |q: &[[f64; 3]]| mode.iter().zip(q).map(|(along, q)| along * q[0]).sum::<f64>();
+    let begin = amplitude(&start.q);
+    let run = melt::Melt(chain).run(start, 1e-4).expect("a start");
+    let passages = run.crossings(10_000, Direction::Rising, |state, _| amplitude(&state.q) - begin).take(11);
+    let times: Vec<f64> = passages.map(|passage| passage.expect("finite states").time).collect();
+    let frequency = 20.0 * PI / (times[10] - times[0]);
+    // ω = 2 √k cos(π/2n). Lennard-Jones forces of neighbours at rest add 313 to the stiffness of 1e5, and steps of h ω = 0.06 add
+    // (h ω)²/24: together 0.17 % of ω. Two times that.
+    let known = 2.0 * melt::STIFFNESS.sqrt() * (PI / 20.0).cos();
+    assert!((frequency / known - 1.0).abs() < 3.5e-3, "{frequency} and {known}");
+
+    let (chains, start) = melt::crystal(6, 200);
+    let (plain, nested) = (melt::Melt(chains.clone()), melt::NestedMelt(chains));
+    let verlet = melt::cost(&plain, Verlet, &start, 5e-4, 0.02).expect("finite states");
+    let with_inner_steps = melt::cost(&nested, Verlet.nested(8), &start, 4e-3, 0.02).expect("finite states");
+    assert!(with_inner_steps.error < 3.0 * verlet.error, "{} and {}", with_inner_steps.error, verlet.error);
+    let mut run = nested.run(start, 4e-3).expect("a start");
+    run.advance(3).expect("finite states");
+    assert_eq!(run.evaluations_of_parts()[..2], [("pairs", 3), ("bonds", 27)]);
+}
+
+/// The moons of Jupiter have their observed periods, and Laplace's angle stays at 180 degrees.
+#[test]
+fn moons_of_jupiter_have_their_periods_and_the_resonance_of_laplace() {
+    let (masses, start) = jupiter_moons::start().expect("the table of the examples");
+    let moons = jupiter_moons::Moons(masses);
+    let jupiter_moons::Course { periods, laplace: [least, _, largest] } =
+        jupiter_moons::course(&moons, start, 0.25, 500.0).expect("finite states");
+    for (found, observed) in periods.into_iter().zip(jupiter_moons::PERIODS) {
+        // Osculating longitudes swing by half a degree, and each moon moves by more than 29 × 360 degrees.
+        assert!((found / observed - 1.0).abs() < 5e-5, "{found} and {observed}");
+    }
+    // The free libration has an amplitude of 0.07 degrees (Lieske 1998); three osculating longitudes swing by less than a degree.
+    assert!(least > 179.0 && largest < 181.0, "{least} to {largest}");
 }

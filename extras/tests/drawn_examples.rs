@@ -12,6 +12,11 @@ mod liquid;
 mod liquid_observables;
 #[path = "../../examples/lennard_jones/picture.rs"]
 mod liquid_picture;
+#[path = "../../examples/polymer_melt/melt.rs"]
+#[allow(dead_code, reason = "the example melts the crystal and compares times")]
+mod melt;
+#[path = "../../examples/polymer_melt/picture.rs"]
+mod melt_picture;
 #[path = "../../examples/toda_soliton/ring.rs"]
 mod ring;
 #[path = "../../examples/toda_soliton/picture.rs"]
@@ -20,6 +25,11 @@ mod ring_picture;
 mod section;
 #[path = "../../examples/henon_heiles_section/picture.rs"]
 mod section_picture;
+#[path = "../../examples/spring_pendulum/pendulum.rs"]
+#[allow(dead_code, reason = "the example also measures periods")]
+mod spring;
+#[path = "../../examples/spring_pendulum/picture.rs"]
+mod spring_picture;
 #[path = "../../examples/ensemble_separatrix/swarm.rs"]
 mod swarm;
 #[path = "../../examples/ensemble_separatrix/picture.rs"]
@@ -228,4 +238,37 @@ fn argon_has_no_walls_and_no_jumps() {
     // The second derivative is all that is left: about 0.5 · 0.5 K/Å² · (3e-3 Å)².
     assert!(pair(8.497).abs() < 1e-4, "{:e}", pair(8.497));
     assert!((pair(3.8) + 120.0).abs() < 12.0, "the depth of the well is about 120 K, not {}", pair(3.8));
+}
+
+/// Eight inner steps have a larger error at the same innermost step, but not by much: they save most of the time.
+#[test]
+fn the_cost_of_a_melt_is_drawn() {
+    let (chains, start) = melt::crystal(6, 200);
+    let (plain, nested) = (melt::Melt(chains.clone()), melt::NestedMelt(chains));
+    let point = |cost: melt::Cost| (1e3 * cost.seconds, cost.error);
+    let verlet = [2.5e-4, 5e-4].map(|h| point(melt::cost(&plain, Verlet, &start, h, 0.04).expect("finite states")));
+    let eight =
+        [2e-3, 4e-3].map(|h| point(melt::cost(&nested, Verlet.nested(8), &start, h, 0.04).expect("finite states")));
+    for [(_, fine), (_, coarse)] in [verlet, eight] {
+        // Both are of second order.
+        assert!((2.0..8.0).contains(&(coarse / fine)), "{coarse} and {fine}");
+    }
+    let words =
+        ["A polymer melt with stiff bonds", "eight inner steps take 2.5 times less time", "milliseconds on one core"];
+    drawn("melt", &melt_picture::picture(verlet.to_vec(), eight.to_vec(), 2.5), &words);
+}
+
+/// Gravity resonates at a whole period of the spring, and the rubber band also at half of it.
+#[test]
+fn the_resonance_of_a_spring_is_drawn() {
+    let curve = |band: f64| -> spring_picture::Curve {
+        let pendulum = spring::Pendulum { frequency: 30.0, band };
+        let error = |halves: f64| spring::error_at(&pendulum, 0.5, halves, 100.0).expect("finite states");
+        [0.5, 0.995, 1.5, 2.0, 2.6].map(|halves| (halves, error(halves))).to_vec()
+    };
+    let [gravity, with_band] = [0.0, 4.0].map(curve);
+    assert!(gravity[3].1 == spring::LARGEST && gravity[1].1 < gravity[2].1, "{gravity:?}");
+    assert!(with_band[3].1 == spring::LARGEST && with_band[1].1 > 10.0 * with_band[2].1, "{with_band:?}");
+    let words = ["Resonance of outer steps with a stiff spring", "gravity and rubber band", "gravity alone"];
+    drawn("spring", &spring_picture::picture([gravity, with_band]), &words);
 }
