@@ -1,6 +1,7 @@
 //! Choosing a composition: what is ranked keeps what it promises, and what cannot be ranked says why.
 
 use integrator_core::{
+    GaussLegendre,
     check::{
         CheckError, ChooseError, Goal, LogarithmicSteps, NestedSteps, PacedSteps, Splitting, candidates,
         candidates_with, certify, choose, choose_among,
@@ -371,10 +372,14 @@ fn implicit_methods_are_ranked_where_h_stays_in_one_piece() {
     let (start, span, goal) = (Phase::new([1.0], [0.0]), 20.0, Goal::Energy(1e-6));
     let ranking = choose(&OnePiece, start, span, goal).expect("a ranking");
     let names: Vec<_> = ranking.choices().iter().map(|choice| choice.composition).collect();
-    assert_eq!(names, ["GaussLegendre6", "GaussLegendre4", "ImplicitMidpoint"], "{ranking}");
+    assert_eq!(
+        names,
+        ["GaussLegendre<8>", "GaussLegendre<4>", "GaussLegendre6", "GaussLegendre4", "ImplicitMidpoint"],
+        "{ranking}"
+    );
     // The work is what a run counts.
     let best = ranking.best();
-    let mut run = OnePiece.run_with(GaussLegendre6, start, span / best.steps as f64).expect("a start");
+    let mut run = OnePiece.run_with(GaussLegendre::<8>, start, span / best.steps as f64).expect("a start");
     run.advance(best.steps).expect("solved steps");
     assert_eq!(run.evaluations(), best.evaluations);
     // Two copies follow the same motion by compositions.

@@ -59,9 +59,9 @@ pub(super) const fn may_be_together<H: System>(stages: usize) -> bool {
     stages > 2 && H::AUTONOMOUS && H::HAS_FIELD
 }
 
-/// Whether it is: rows are vectors.
+/// Whether it is: the lanes of rows are those of one number, not of a dual, whose derivatives settle later than its value.
 const fn are_together<H: System, R: Real, const S: usize>() -> bool {
-    may_be_together::<H>(S) && <R::Row<S> as Row<R>>::PARTS == 0
+    may_be_together::<H>(S) && R::LANES == 1 && <R::Row<S> as Row<R>>::PARTS == 0
 }
 
 /// Steps of one motion.
