@@ -115,6 +115,7 @@ impl<X: Scheme> Described for X {
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition",
     note = "`Verlet.nested(8)` requires parts that take inner steps, `split = slow + 8 * (bonds + kinetic)`",
+    note = "`GaussLegendre::<S>` requires `S` from 1 to 8",
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
     note = "`Paced` and `Logarithmic` require H = T(p) + V(q) without explicit time; `Paced` also requires `fn \
             rate(&self, q: ...) -> f64`",
