@@ -6,6 +6,7 @@
 
 mod bodies;
 mod line;
+mod nested;
 
 use super::constants::extents;
 use crate::{
@@ -41,6 +42,8 @@ pub(crate) struct DeviceText {
     constants: u64,
     /// What adds these to a list, in their order.
     pushes: TokenStream,
+    /// How many levels of inner steps there are.
+    levels: usize,
 }
 
 impl DeviceText {
@@ -54,11 +57,13 @@ impl DeviceText {
         let shape = Shape::of(emitter.model)?;
         check_parts(emitter.model)?;
         let (mut reads, count) = (Reads::of(functions), emitter.model.flows());
-        let mut flows = match emitter.model.is_separable() {
-            true => separable(emitter, &mut reads, &shape, gradients, pattern)?,
-            false => of_parts(emitter, &mut reads, &shape)?,
+        let mut flows = match emitter.model.split {
+            Split::Nested => nested::flows(emitter, &mut reads, &shape)?,
+            _ if emitter.model.is_separable() => {
+                separable(emitter, &mut reads, &shape, gradients, pattern)? + &middle(count)
+            }
+            _ => of_parts(emitter, &mut reads, &shape, 0)? + &middle(count),
         };
-        flows += &middle(count);
         let bends = emitter.model.quadratic && emitter.model.is_separable();
         if bends {
             flows += &hessian(emitter, &mut reads, &shape)?;
@@ -103,7 +108,13 @@ impl DeviceText {
             constants += lengths.iter().product::<u64>();
         }
         let (count, brackets, at) = (shape.count(), shape.brackets(), shape.at("i"));
-        let (parts, paired) = (emitter.model.flows(), matches!(emitter.model.split, Split::Pair));
+        let (levels, paired) = (emitter.model.nests.len(), matches!(emitter.model.split, Split::Pair));
+        let parts = if levels == 0 { emitter.model.flows() } else { 2 };
+        if levels > 0 {
+            let (field, line) = nested::STAGES;
+            fields += field;
+            loads += line;
+        }
         let mut text = format!(
             "struct System {{\n\
              static constexpr int COORDINATES = {count};\n\
@@ -130,22 +141,24 @@ impl DeviceText {
         if constants == 0 {
             text = text.replace("const Source& number", "const Source&");
         }
-        Ok(Self { text: indented(&text), constants, pushes })
+        Ok(Self { text: indented(&text), constants, pushes, levels })
     }
 
     /// The items of the runtime's `DeviceText`.
     pub(crate) fn items(&self, names: &Names) -> TokenStream {
-        let Self { text, constants, pushes } = self;
+        let Self { text, constants, pushes, levels } = self;
         let (runtime, constants) = (&names.runtime, Literal::u64_unsuffixed(*constants));
         let (parameters, numbers) = match pushes.is_empty() {
             true => (quote!(_parameters), quote!(_numbers)),
             false => (quote!(parameters), quote!(numbers)),
         };
+        let push_inner_stages = nested::push_stages(*levels, names);
         quote! {
             const TEXT: &'static str = #text;
             const CONSTANTS: usize = #constants;
 
             fn push_constants(#parameters: &Self::Parameters<f64>, #numbers: &mut #runtime::Vec<f64>) { #pushes }
+            #push_inner_stages
         }
     }
 }
@@ -223,8 +236,7 @@ fn check_parts(model: &Model) -> Result<(), String> {
         Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
         Split::Whole => return refused("H in one piece, `split = none`"),
         Split::Jacobi(_) => return refused("Jacobi coordinates"),
-        Split::Nested => return refused("inner steps"),
-        Split::Energies | Split::Parts | Split::Pair => {}
+        Split::Energies | Split::Parts | Split::Pair | Split::Nested => {}
     }
     for part in &model.parts {
         match part.form {
@@ -267,19 +279,30 @@ fn separable(
     written.collect()
 }
 
-/// The flows of parts with names.
-fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
-    let count = emitter.model.flows();
-    let flow_of = |part: usize| {
-        let (gradient, by) = part_gradient(emitter.model, part);
-        let name = match part {
+/// The flows of parts with names, from one on.
+fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape, first: usize) -> Result<String, String> {
+    let count = emitter.model.flows() - first;
+    let flow_of = |number: usize| {
+        let name = match number {
             0 => "drift".to_owned(),
             last if last + 1 == count => "kick".to_owned(),
             number => format!("middle_{number}"),
         };
-        flow(emitter, reads, shape, &name, &gradient, by)
+        of_part(emitter, reads, shape, first + number, &name)
     };
     (0..count).map(flow_of).collect()
+}
+
+/// The flow of one of them as a function of this name.
+fn of_part(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    part: usize,
+    name: &str,
+) -> Result<String, String> {
+    let (gradient, by) = part_gradient(emitter.model, part);
+    flow(emitter, reads, shape, name, &gradient, by)
 }
 
 /// The gradient whose flow a part is, and what it is taken by.
