@@ -142,13 +142,13 @@ impl Stiff {
     }
 }
 
-/// Three parts in the inner steps of another composition, the first and the last of which read the time.
+/// Four parts in the inner steps of another composition, all but one of which read the time.
 #[derive(Clone)]
 pub(crate) struct Turned {
     pub(crate) rate: f64,
 }
 
-#[hamiltonian(split = well + 3 * BlanesMoan4(spring + turn + kinetic), compose = Verlet, gpu)]
+#[hamiltonian(split = well + 3 * BlanesMoan4(spring + turn + twist + kinetic), compose = Verlet, gpu)]
 impl Turned {
     fn well(&self, q: [f64; 2]) -> f64 {
         0.3 * (q[0] + q[1]).sin()
@@ -156,8 +156,11 @@ impl Turned {
     fn spring(&self, q: [f64; 2], t: f64) -> f64 {
         (2.0 + t.sin()) * (q[0] * q[0] + q[1] * q[1])
     }
-    fn turn(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        self.rate * q[0] * q[0] * p[1]
+    fn turn(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        self.rate * t.sin() * q[0] * q[0] * p[1]
+    }
+    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        self.rate * q[1].cos() * p[0]
     }
     fn kinetic(&self, p: [f64; 2], t: f64) -> f64 {
         (0.5 + 0.1 * t.cos()) * (p[0] * p[0] + p[1] * p[1])
@@ -188,8 +191,8 @@ impl Deep {
     fn bond(&self, q: [f64; 2], t: f64) -> f64 {
         self.stiffness[2] * (1.0 + 0.1 * t.cos()) * (q[0] - q[1]).powi(2)
     }
-    fn turn(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
-        0.1 * q[0] * q[0] * p[1]
+    fn turn(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        0.1 * t.cos() * q[0] * q[0] * p[1]
     }
     fn kinetic(&self, p: [f64; 2]) -> f64 {
         0.5 * (p[0] * p[0] + p[1] * p[1])
