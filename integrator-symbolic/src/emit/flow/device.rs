@@ -7,6 +7,7 @@
 mod bodies;
 mod line;
 mod nested;
+mod parts;
 
 use super::constants::extents;
 use crate::{
@@ -15,7 +16,7 @@ use crate::{
         block::Emitter,
         cuda::{Lines, Read, Reads, Within, evaluate},
     },
-    graph::{Part, exact::Exact},
+    graph::Part,
     model::{Length, Model, Split},
     pattern::{
         Pattern, lowered,
@@ -55,14 +56,14 @@ impl DeviceText {
         functions: DeviceFunctions,
     ) -> Result<Self, String> {
         let shape = Shape::of(emitter.model)?;
-        check_parts(emitter.model)?;
-        let (mut reads, count) = (Reads::of(functions), emitter.model.flows());
+        parts::check(emitter.model)?;
+        let mut reads = Reads::of(functions);
         let mut flows = match emitter.model.split {
             Split::Nested => nested::flows(emitter, &mut reads, &shape)?,
             _ if emitter.model.is_separable() => {
-                separable(emitter, &mut reads, &shape, gradients, pattern)? + &middle(count)
+                separable(emitter, &mut reads, &shape, gradients, pattern)? + &parts::middle(2)
             }
-            _ => of_parts(emitter, &mut reads, &shape, 0)? + &middle(count),
+            _ => parts::flows(emitter, &mut reads, &shape, 0)?,
         };
         let bends = emitter.model.quadratic && emitter.model.is_separable();
         if bends {
@@ -228,31 +229,6 @@ impl Shape {
     }
 }
 
-/// Parts that are no sums of shears are solved by the runtime, in Rust.
-fn check_parts(model: &Model) -> Result<(), String> {
-    let refused =
-        |what: &str| Err(format!("`gpu` does not support {what}\nnote: devices integrate drifts, kicks and shears"));
-    match model.split {
-        Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
-        Split::Whole => return refused("H in one piece, `split = none`"),
-        Split::Jacobi(_) => return refused("Jacobi coordinates"),
-        Split::Energies | Split::Parts | Split::Pair | Split::Nested => {}
-    }
-    for part in &model.parts {
-        match part.form {
-            Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
-            Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name())),
-            Exact::Quadratic(_) => {
-                return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name()));
-            }
-            Exact::Kepler(_) => {
-                return refused(&format!("`{}`, a Kepler motion whose flow solves Kepler's equation", part.name()));
-            }
-        }
-    }
-    Ok(())
-}
-
 /// The flows of `T` and of `V`.
 fn separable(
     emitter: &mut Emitter<'_>,
@@ -277,43 +253,6 @@ fn separable(
         }
     });
     written.collect()
-}
-
-/// The flows of parts with names, from one on.
-fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape, first: usize) -> Result<String, String> {
-    let count = emitter.model.flows() - first;
-    let flow_of = |number: usize| {
-        let name = match number {
-            0 => "drift".to_owned(),
-            last if last + 1 == count => "kick".to_owned(),
-            number => format!("middle_{number}"),
-        };
-        of_part(emitter, reads, shape, first + number, &name)
-    };
-    (0..count).map(flow_of).collect()
-}
-
-/// The flow of one of them as a function of this name.
-fn of_part(
-    emitter: &mut Emitter<'_>,
-    reads: &mut Reads,
-    shape: &Shape,
-    part: usize,
-    name: &str,
-) -> Result<String, String> {
-    let (gradient, by) = part_gradient(emitter.model, part);
-    flow(emitter, reads, shape, name, &gradient, by)
-}
-
-/// The gradient whose flow a part is, and what it is taken by.
-fn part_gradient(model: &mut Model, part: usize) -> (Vec<Contribution>, Part) {
-    let energy = model.parts[part].energy;
-    let graph = &mut model.graph;
-    match model.parts[part].form {
-        Exact::OfMomenta => (gradient(graph, energy, Part::Momentum), Part::Momentum),
-        Exact::OfPositions => (gradient(graph, energy, Part::Position), Part::Position),
-        _ => (super::sheared(graph, energy), Part::Momentum),
-    }
 }
 
 /// The function of a flow.
@@ -362,23 +301,6 @@ fn function(name: &str, slot: &str, duration: &str, step: &str, lines: &str, rea
     format!(
         "\ntemplate <class R{slots}> DEVICE static void {name}(Motion<R, {slot}>& motion, {duration}double at) \
          {{\n{step}{time}{lines}}}\n"
-    )
-}
-
-/// The flows between the first and the last, in their order or backwards.
-fn middle(count: usize) -> String {
-    let call = |part: usize| format!("middle_{part}(motion, duration, at);\n");
-    let between = 1..count.saturating_sub(1);
-    let (forwards, backwards): (String, String) =
-        (between.clone().map(call).collect(), between.rev().map(call).collect());
-    let lines = match count {
-        ..=2 => String::new(),
-        3 => forwards,
-        _ => format!("if (backwards) {{\n{backwards}}} else {{\n{forwards}}}\n"),
-    };
-    format!(
-        "\ntemplate <class R, class K> DEVICE static void middle(Motion<R, K>& motion, double duration, double at, bool \
-         backwards) {{\n{lines}}}\n"
     )
 }
 

@@ -1,7 +1,10 @@
 //! Device code for parts that take inner steps: one struct for each level, whose flows are called by the loop over inner steps of
 //! the device runtime.
 
-use super::{Shape, middle, of_part, of_parts};
+use super::{
+    Shape,
+    parts::{self, middle},
+};
 use crate::{
     emit::printer::{
         block::Emitter,
@@ -20,18 +23,18 @@ pub(super) const STAGES: (&str, &str) = ("const Stage* INNER;\n", "INNER = numbe
 /// The flows of the first part and of the part that takes inner steps, after the structs of its levels.
 pub(super) fn flows(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
     let firsts: Vec<usize> = emitter.model.nests.iter().map(|nest| nest.first).collect();
-    let (count, innermost) = (emitter.model.flows(), firsts.last().copied().unwrap_or_default());
-    let mut flows = of_parts(emitter, reads, shape, innermost)? + &middle(count - innermost);
+    let (all, innermost) = (emitter.model.flows(), firsts.last().copied().unwrap_or_default());
+    let mut flows = parts::flows(emitter, reads, shape, innermost)?;
     for (level, first) in firsts.into_iter().enumerate().rev() {
-        let parts = if first == innermost { count - first } else { 2 };
+        let count = if first == innermost { all - first } else { 2 };
         let field = emitter.fields.inner_steps(level);
         let read = Read::Field(Content::InnerSteps(level));
         let steps = read.name(&field);
         reads.note(read, field, LoopSet::EMPTY);
-        let drift = of_part(emitter, reads, shape, first - 1, "drift")?;
+        let drift = parts::flow_of(emitter, reads, shape, first - 1, "drift")?;
         flows = format!(
             "struct Inner{level} {{\n\
-             static constexpr int PARTS = {parts};\n\
+             static constexpr int PARTS = {count};\n\
              template <class R, class K> using Motion = System::Motion<R, K>;\n\
              {flows}}};\n\
              {drift}\n\
