@@ -201,6 +201,7 @@ pub mod __private {
             corrected_durations::corrections,
             inner_steps::{Nested, admits_inner, admits_nested, inner_steps},
             order_claim::claims_order,
+            stage_rows::{push_inner_stages, push_stages, takes_whole_steps},
             visitor::{
                 Visitor, visit_many_parts, visit_nested, visit_pairs, visit_quadratic, visit_two_parts,
                 visit_two_parts_quadratic,
@@ -270,7 +271,7 @@ pub mod __private {
             by_value::by_value,
             classes::{ByClass, classes, numbers_of_values, padded},
             counts::Counts,
-            device_text::{DeviceText, push_constants, push_lists},
+            device_text::{DeviceText, StageRow, push_constants, push_lists},
             elements::Elements,
             entries::{distinct_pairs, entries, weights},
             equal_values::{Both, SmallInteger},

@@ -1,7 +1,8 @@
 //! Device code as a program of this machine, built by any available C++ compiler, which integrates members one after
 //! the other. It tests the code on machines without a device.
 
-use super::launch::{Launch, Row};
+use super::launch::Launch;
+use integrator_core::__private::StageRow;
 use std::{
     env, fs, io,
     io::{Read, Write},
@@ -9,9 +10,13 @@ use std::{
     process::{Command, Stdio},
 };
 
-/// The elementary functions, the loop over steps, and the kicks of bodies.
-pub(crate) const RUNTIME: [&str; 3] =
-    [include_str!("cuda/functions.h"), include_str!("cuda/stepper.h"), include_str!("cuda/pairs.h")];
+/// The elementary functions, the loop over steps, inner steps, and the kicks of bodies.
+pub(crate) const RUNTIME: [&str; 4] = [
+    include_str!("cuda/functions.h"),
+    include_str!("cuda/stepper.h"),
+    include_str!("cuda/inner_steps.h"),
+    include_str!("cuda/pairs.h"),
+];
 /// What the host's compiler needs before these, and after them.
 const HOST: [&str; 2] = [include_str!("cuda/host.h"), include_str!("cuda/serve.h")];
 
@@ -64,7 +69,7 @@ pub(crate) fn compile(compiler: &str, text: &str, folder: &Path) -> io::Result<P
 /// the last finite step of those that failed, with whether there are any.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
-    pub(crate) stages: Vec<Row>,
+    pub(crate) stages: Vec<StageRow>,
     pub(crate) constants: Vec<f64>,
     pub(crate) state: Vec<f64>,
     pub(crate) shown: Vec<f64>,

@@ -1,12 +1,11 @@
 //! The arguments of a launch: the clock and the stages of a composition, in the layout of the device.
 
-use integrator_core::__private::{Composition, Lead, Precision, Rows, Stage, System, corrections};
+use integrator_core::__private::{
+    Composition, DeviceText, Lead, Precision, Rows, StageRow, corrections, push_stages, takes_whole_steps,
+};
 
 /// What kernels of any composition know of it: what a launch says.
 pub(crate) const ANY_COMPOSITION: &str = "typedef AnyComposition Composed;\n";
-
-/// One stage as the device reads it.
-pub(crate) type Row = [f64; 7];
 
 /// By how much the first flow of a kind is longer in some cycles of a compensated run.
 #[repr(C)]
@@ -30,15 +29,18 @@ pub(crate) struct Launch {
     /// The number of stages, below zero if they lead with a kick.
     pub(crate) before: i32,
     pub(crate) after: i32,
+    /// Whether steps are completed one by one.
+    pub(crate) is_whole: i32,
+    /// The number of rows of inner compositions.
+    pub(crate) inner: i32,
     pub(crate) drift: Correction,
     pub(crate) kick: Correction,
     pub(crate) middle: Correction,
 }
 
 impl Launch {
-    /// A launch from the start, and the stages of its composition: opening, closing, those of a cycle, and those before and
-    /// after a processed one.
-    pub(crate) fn new<H: System, X: Composition<H>, K: Precision>(h: f64, members: usize) -> (Self, Vec<Row>) {
+    /// A launch from the start, and the stages of its composition, then those of inner compositions.
+    pub(crate) fn new<H: DeviceText, X: Composition<H>, K: Precision>(h: f64, members: usize) -> (Self, Vec<StageRow>) {
         let (stages, processor) = (X::STAGES, X::PROCESSOR);
         let of = |rows: &Rows| {
             let count = rows.rows.len() as i32;
@@ -46,6 +48,10 @@ impl Launch {
         };
         let corrections = if K::COMPENSATED { corrections::<H, X>(h) } else { [(0.0, 0); 3] };
         let [drift, kick, middle] = corrections.map(|(longer, frequency)| Correction { longer, frequency });
+        let mut rows = Vec::new();
+        push_stages::<H, X>(&mut rows);
+        let own = rows.len();
+        H::push_inner_stages(&mut rows);
         let launch = Self {
             t0: 0.0,
             h,
@@ -56,19 +62,21 @@ impl Launch {
             cycle: stages.cycle.len() as i32,
             before: of(&processor.before),
             after: of(&processor.after),
+            is_whole: i32::from(takes_whole_steps::<H, X>()),
+            inner: (rows.len() - own) as i32,
             drift,
             kick,
             middle,
         };
-        let rows = [&stages.opening, &stages.closing].into_iter().chain(stages.cycle);
-        (launch, rows.chain(processor.before.rows).chain(processor.after.rows).map(row).collect())
+        (launch, rows)
     }
 
     /// The bytes of the fields, in their order.
     pub(crate) fn bytes(&self) -> Vec<u8> {
-        let Self { t0, h, members, done, steps, leads_with_kick, cycle, before, after, drift, kick, middle } = *self;
-        let counts = [leads_with_kick, cycle, before, after];
-        let corrections = [drift, kick, middle].map(|Correction { longer, frequency }| [longer.to_bits(), frequency]);
+        let Self { t0, h, members, done, steps, leads_with_kick, cycle, before, after, is_whole, inner, .. } = *self;
+        let counts = [leads_with_kick, cycle, before, after, is_whole, inner];
+        let corrections =
+            [self.drift, self.kick, self.middle].map(|Correction { longer, frequency }| [longer.to_bits(), frequency]);
         [t0.to_bits(), h.to_bits(), members as u64, done, steps]
             .into_iter()
             .flat_map(u64::to_ne_bytes)
@@ -76,9 +84,4 @@ impl Launch {
             .chain(corrections.into_iter().flatten().flat_map(u64::to_ne_bytes))
             .collect()
     }
-}
-
-fn row(stage: &Stage) -> Row {
-    let Stage { drift, kick, gradient, drift_time, kick_time, middle: [within, behind] } = *stage;
-    [drift, kick, gradient, drift_time, kick_time, within, behind]
 }

@@ -1,7 +1,7 @@
 //! What holds of ensembles on devices where no device is: the text as a program of this machine, the fallback, the errors,
 //! and kernels that NVRTC compiles.
 
-use integrator_core::{Ensemble as OnProcessor, InstructionSet, prelude::*};
+use integrator_core::{Ensemble as OnProcessor, InLanes, InstructionSet, prelude::*};
 use integrator_gpu::{Device, Ensemble, Error as GpuError, compile};
 
 struct Pendulum {
@@ -88,6 +88,30 @@ impl Regression {
     }
 }
 
+/// A bond in a soft field, both of which change with time.
+struct Molecule {
+    stiffness: f64,
+}
+
+#[hamiltonian(split = field + 2 * (bend + 3 * Yoshida4(bond + turn + kinetic)), gpu)]
+impl Molecule {
+    fn field(&self, q: [f64; 2], t: f64) -> f64 {
+        t.cos() * (q[0] + q[1])
+    }
+    fn bend(&self, q: [f64; 2]) -> f64 {
+        (q[0] * q[1]).sin()
+    }
+    fn bond(&self, q: [f64; 2], t: f64) -> f64 {
+        self.stiffness * (1.0 + 0.1 * t.sin()) * (q[0] - q[1]).powi(2)
+    }
+    fn turn(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        0.1 * q[0] * q[0] * p[1]
+    }
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+}
+
 /// An outer solar system.
 struct Planets {
     gravity: f64,
@@ -158,6 +182,31 @@ fn the_device_code_has_states_and_energies_of_the_processor() {
     }
     assert_eq!((ensemble.steps(), ensemble.time(), ensemble.len()), (100, processor.time(), 5));
     assert!(ensemble.lost().is_empty() && ensemble.fallback().is_none());
+}
+
+/// With `Verlet`, whose steps merge, and with `VelocityVerlet`, whose steps begin and end with inner steps and do not.
+#[test]
+fn inner_steps_have_the_states_of_the_processor() {
+    fn compare<X: Composition<Molecule> + InLanes<Molecule>>(composition: X) {
+        let start = |i: u32| Phase::compensated([0.3, 0.1 * f64::from(i)], [0.2, 0.0]);
+        let members = || (0..3).map(|i| (Molecule { stiffness: 10.0 + f64::from(i) }, start(i)));
+        let made = Ensemble::on(Device::Text, composition, members(), 0.05);
+        if !can_compare(&made) {
+            return;
+        }
+        let (mut ensemble, mut processor) =
+            (made.expect("an ensemble"), OnProcessor::new(composition, members(), 0.05).expect("an ensemble"));
+        for steps in [1, 99] {
+            ensemble.advance(steps).expect("finite");
+            processor.advance(steps).expect("finite");
+            assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>(), "{}", X::NAME);
+        }
+        let time = processor.time() + 0.02;
+        assert_eq!((ensemble.advance_to(time), processor.advance_to(time)), (Ok(()), Ok(())));
+        assert_eq!(ensemble.states().expect("states"), processor.states().collect::<Vec<_>>(), "{}", X::NAME);
+    }
+    compare(Verlet);
+    compare(VelocityVerlet);
 }
 
 #[test]
@@ -238,7 +287,8 @@ fn members_and_steps_are_judged_before_any_device() {
 
 #[test]
 fn kernels_compile_where_nvrtc_is() {
-    for compiled in [compile::<Pendulum>(), compile::<Runaway>(), compile::<Native>(), compile::<Planets>()] {
+    let kernels = [compile::<Pendulum>(), compile::<Runaway>(), compile::<Native>(), compile::<Planets>()];
+    for compiled in kernels.into_iter().chain([compile::<Molecule>()]) {
         match compiled {
             Ok(assembly) => {
                 assert!(assembly.contains(".entry advance") && assembly.contains(".entry show"), "{assembly}")

@@ -38,6 +38,9 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("wells", Wells::TEXT),
     ("twisted", Twisted::TEXT),
     ("paired", Paired::TEXT),
+    ("stiff", Stiff::TEXT),
+    ("turned", Turned::TEXT),
+    ("deep", Deep::TEXT),
     ("runaway", Runaway::TEXT),
     ("native", Native::TEXT),
     ("picked", Picked::TEXT),
@@ -138,10 +141,11 @@ fn program() -> Option<PathBuf> {
     };
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("device_text");
     fs::create_dir_all(&folder).expect("a folder");
-    // The one with a mistake comes last.
+    // Those with a mistake come last.
     let rounded =
         Pendulum::TEXT.replacen("motion.p[0].fma(", "motion.p[0].add(1.0 * ", 1).replacen(", sin(", " * sin(", 1);
-    let systems = SYSTEMS.iter().copied().chain([("rounded", rounded.as_str())]);
+    let late = Turned::TEXT.replacen("inner_steps, duration, at)", "inner_steps, duration, at + duration)", 1);
+    let systems = SYSTEMS.iter().copied().chain([("rounded", rounded.as_str()), ("late", late.as_str())]);
     let systems: Vec<_> = systems.map(|(name, text)| (name, ANY_COMPOSITION.to_owned() + text)).collect();
     let systems: Vec<_> = systems.iter().map(|(name, text)| (*name, text.as_str())).collect();
     let names: Vec<_> = systems.iter().map(|(name, _)| *name).collect();
@@ -154,6 +158,30 @@ fn program() -> Option<PathBuf> {
 /// Members with other parameters and other starts each.
 fn members<H, C: Clone>(count: usize, of: impl Fn(f64) -> (H, C)) -> Vec<(H, C)> {
     (0..count).map(|member| of(member as f64)).collect()
+}
+
+/// Adds a system of two coordinates in each precision.
+fn add_in_all<H, X>(cases: &mut Cases, name: &str, composition: X, system: impl Fn(f64) -> H)
+where
+    H: DeviceText<Coords = [f64; 2]> + Clone + Send + Sync + 'static,
+    X: Composition<H> + InLanes<H>,
+{
+    let start = |k: f64| ([0.3 - 0.1 * k, 0.2], [0.1, 0.1 * k]);
+    let of = |k: f64| {
+        let (q, p) = start(k);
+        (system(k), Phase::new(q, p))
+    };
+    cases.add(name, composition, members(3, of), 0.03);
+    let of = |k: f64| {
+        let (q, p) = start(k);
+        (system(k), Phase::new(q.map(|q| q as f32), p.map(|p| p as f32)))
+    };
+    cases.add(name, composition, members(3, of), -0.02);
+    let of = |k: f64| {
+        let (q, p) = start(k);
+        (system(k), Phase::compensated(q, p))
+    };
+    cases.add(name, composition, members(3, of), 0.03);
 }
 
 /// The test runs in a process of its own, whose ensembles use fused multiply-add.
@@ -224,6 +252,19 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         members(3, |k| (Paired { rate: 0.1 * k }, Phase::new([0.3, 0.1], [0.2, 0.1 * k]))),
         0.05,
     );
+    let stiff = |k: f64| Stiff { inner_steps: 1.0 + 0.1 * k };
+    add_in_all(&mut cases, "stiff", Verlet, stiff);
+    add_in_all(&mut cases, "stiff", VelocityVerlet, stiff);
+    add_in_all(&mut cases, "stiff", Yoshida4, stiff);
+    add_in_all(&mut cases, "stiff", KahanLi8, stiff);
+    let turned = |k: f64| Turned { rate: 0.1 * k };
+    add_in_all(&mut cases, "turned", Verlet, turned);
+    add_in_all(&mut cases, "turned", VelocityVerlet, turned);
+    add_in_all(&mut cases, "turned", BlanesMoan4, turned);
+    let deep = |k: f64| Deep { stiffness: [1.0 + 0.1 * k, 2.0, 5.0] };
+    add_in_all(&mut cases, "deep", Verlet, deep);
+    add_in_all(&mut cases, "deep", VelocityVerlet, deep);
+    add_in_all(&mut cases, "deep", BlanesMoan4, deep);
     cases.add("runaway", Verlet, members(3, |k| (Runaway { strength: k - 1.0 }, Phase::new([1.0], [1.0]))), 0.01);
     let picked = |k: f64| {
         let system = Picked { site: k as usize, count: 3 - k as usize, partner: [0, 1 + k as usize] };
@@ -312,4 +353,10 @@ fn states_and_functions_have_the_bits_of_a_processor() {
     wrong.jobs[0].0 = 3 * (SYSTEMS.len() as u64);
     let found = wrong.compare(&program).expect_err("a text in which one product is rounded before it is added");
     assert!(found.contains("pendulum with Verlet"), "{found}");
+
+    let mut wrong = Cases::default();
+    wrong.add("turned", Verlet, members(3, |k| (turned(k), Phase::new([0.3, 0.2], [0.1, 0.1 * k]))), 0.03);
+    wrong.jobs[0].0 = 3 * (SYSTEMS.len() as u64 + 1);
+    let found = wrong.compare(&program).expect_err("a text whose inner steps begin too late");
+    assert!(found.contains("turned with Verlet"), "{found}");
 }

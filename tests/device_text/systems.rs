@@ -123,6 +123,82 @@ impl Paired {
     }
 }
 
+/// A soft field that reads the time, with inner steps for the stiff rest; a field has the name of their number.
+#[derive(Clone)]
+pub(crate) struct Stiff {
+    pub(crate) inner_steps: f64,
+}
+
+#[hamiltonian(split = well + 8 * (spring + kinetic), compose = Verlet, gpu)]
+impl Stiff {
+    fn well(&self, q: [f64; 2], t: f64) -> f64 {
+        -self.inner_steps * (1.0 + 0.5 * t.cos()) * (q[0] - q[1]).cos()
+    }
+    fn spring(&self, q: [f64; 2]) -> f64 {
+        20.0 * self.inner_steps * (q[0] * q[0] + q[1].powi(4))
+    }
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+}
+
+/// Four parts in the inner steps of another composition, all but one of which read the time.
+#[derive(Clone)]
+pub(crate) struct Turned {
+    pub(crate) rate: f64,
+}
+
+#[hamiltonian(split = well + 3 * BlanesMoan4(spring + turn + twist + kinetic), compose = Verlet, gpu)]
+impl Turned {
+    fn well(&self, q: [f64; 2]) -> f64 {
+        0.3 * (q[0] + q[1]).sin()
+    }
+    fn spring(&self, q: [f64; 2], t: f64) -> f64 {
+        (2.0 + t.sin()) * (q[0] * q[0] + q[1] * q[1])
+    }
+    fn turn(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        self.rate * t.sin() * q[0] * q[0] * p[1]
+    }
+    fn twist(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        self.rate * q[1].cos() * p[0]
+    }
+    fn kinetic(&self, p: [f64; 2], t: f64) -> f64 {
+        (0.5 + 0.1 * t.cos()) * (p[0] * p[0] + p[1] * p[1])
+    }
+}
+
+/// Inner steps within inner steps within others; the outermost of these compositions begins and ends with those within.
+#[derive(Clone)]
+pub(crate) struct Deep {
+    pub(crate) stiffness: [f64; 3],
+}
+
+#[hamiltonian(
+    split = tide + 3 * VelocityVerlet(well + 2 * Yoshida4(spring + 3 * VelocityVerlet(bond + turn + kinetic))),
+    compose = Verlet,
+    gpu
+)]
+impl Deep {
+    fn tide(&self, q: [f64; 2], t: f64) -> f64 {
+        (0.1 * t).cos() * (q[0] - q[1])
+    }
+    fn well(&self, q: [f64; 2]) -> f64 {
+        self.stiffness[0] * (1.0 + q[0] * q[0]).sqrt()
+    }
+    fn spring(&self, q: [f64; 2], t: f64) -> f64 {
+        self.stiffness[1] * (1.0 + 0.1 * t.sin()) * q[1] * q[1]
+    }
+    fn bond(&self, q: [f64; 2], t: f64) -> f64 {
+        self.stiffness[2] * (1.0 + 0.1 * t.cos()) * (q[0] - q[1]).powi(2)
+    }
+    fn turn(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        0.1 * t.cos() * q[0] * q[0] * p[1]
+    }
+    fn kinetic(&self, p: [f64; 2]) -> f64 {
+        0.5 * (p[0] * p[0] + p[1] * p[1])
+    }
+}
+
 /// A motion that leaves the finite numbers.
 #[derive(Clone)]
 pub(crate) struct Runaway {

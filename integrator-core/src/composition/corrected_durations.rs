@@ -143,7 +143,11 @@ impl Corrections {
 /// Returns the corrections of the durations of drifts, kicks and the flows between them in a compensated run with step
 /// `h`, each with the fraction of cycles that it applies to, in units of 2^-64: for executors that loop elsewhere.
 pub fn corrections<H: System, X: Scheme>(h: f64) -> [(f64, u64); 3] {
-    let Corrections { drift, kick, middle } = Corrections::new(&X::STAGES, h, Between::of::<H>());
+    let between = Between::of::<H>();
+    let Corrections { drift, kick, middle } = match X::STAGES.are_whole::<H>() {
+        true => Corrections::of_whole_steps(&X::STAGES, &X::PROCESSOR, h, between),
+        false => Corrections::new(&X::STAGES, h, between),
+    };
     [drift, kick, middle].map(|Correction { longer, frequency }| (longer, frequency))
 }
 

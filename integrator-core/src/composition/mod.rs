@@ -16,6 +16,7 @@ pub(crate) mod flow_counts;
 mod inner_durations;
 pub(crate) mod inner_steps;
 pub(crate) mod order_claim;
+pub(crate) mod stage_rows;
 pub(crate) mod visitor;
 
 use crate::system::{System, flows::Flows};

@@ -3,6 +3,9 @@
 use crate::system::{System, shared_table::SharedTable};
 use alloc::vec::Vec;
 
+/// A stage of a composition as devices read it.
+pub type StageRow = [f64; 7];
+
 /// A Hamiltonian whose flows are also text for devices. Written by `#[hamiltonian(gpu)]`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no device code",
@@ -18,6 +21,8 @@ pub trait DeviceText: System {
     /// Adds the prepared constants of one member to a list, in the order in which the text reads them: as many as
     /// [`DeviceText::CONSTANTS`], or more, where one of its lists is longer than the text has room for.
     fn push_constants(parameters: &Self::Parameters<f64>, numbers: &mut Vec<f64>);
+    /// Adds the stages of all inner compositions, the outermost first.
+    fn push_inner_stages(_rows: &mut Vec<StageRow>) {}
 }
 
 /// A prepared number, or a table of prepared numbers.

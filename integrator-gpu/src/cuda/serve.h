@@ -37,7 +37,7 @@ static int serve(const std::vector<Kernels>& all) {
         if (number >= all.size() || std::fread(&launch, sizeof launch, 1, stdin) != 1) return 1;
         const Kernels& of = all[number];
         const size_t members = size_t(launch.members);
-        std::vector<Stage> stages(2 + launch.cycle + std::abs(launch.before) + std::abs(launch.after));
+        std::vector<Stage> stages(2 + launch.cycle + std::abs(launch.before) + std::abs(launch.after) + launch.inner);
         std::vector<double> constants(of.constants * members), state(of.coordinates * members), shown(state.size());
         std::vector<unsigned long long> lost(members + 1);
         if (!read_numbers(stages) || !read_numbers(constants) || !read_numbers(state) || !read_numbers(lost)) return 1;

@@ -59,12 +59,12 @@ struct Correction {
 };
 
 // A launch: from `done` steps on so many more, with the stages of a composition behind each other: opening, closing,
-// those of a cycle, and those before and behind a processed one.
+// those of a cycle, those before and behind a processed one, and `inner` rows of inner compositions.
 struct Launch {
     double t0, h;
     long long members;
     unsigned long long done, steps;
-    int leads_with_kick, cycle, before, after;
+    int leads_with_kick, cycle, before, after, is_whole, inner;
     Correction drift, kick, middle;
 };
 
@@ -72,7 +72,7 @@ struct Launch {
 // step behind each other, without a question which flow leads, and computes before the first step what is the same in all.
 struct AnyComposition {
     static constexpr int CYCLE = 0;
-    static constexpr bool LEADS_WITH_KICK = false, HAS_GRADIENTS = true, HAS_PROCESSOR = true;
+    static constexpr bool LEADS_WITH_KICK = false, HAS_GRADIENTS = true, HAS_PROCESSOR = true, MAY_BE_WHOLE = true;
 };
 
 template <class System, class Composition, class R, class K> struct Stepper {
@@ -189,22 +189,41 @@ template <class System, class Composition, class R, class K> struct Stepper {
     }
     // Steps from `done` to `end`; between steps the state stays just before the end of the last one.
     DEVICE void steps(unsigned long long done, unsigned long long end) {
+        if constexpr (Composition::MAY_BE_WHOLE) {
+            if (launch.is_whole) return whole_steps(done, end);
+        }
         if (done == 0 && end > 0) {
-            processor(before(), launch.before, at(0));
-            stage(stages[0], at(0));
-            for (int row = 1; row < cycle_length(); ++row) stage(cycle()[row], at(0));
+            open(0);
             done = 1;
         }
         for (; done < end; ++done) {
-            if (K::COMPENSATED) {
-                longer_drift = passes(launch.drift, done);
-                longer_kick = passes(launch.kick, done);
-                longer_middle = passes(launch.middle, done);
-            }
+            lengthen(done);
 #pragma unroll STAGES_AT_A_TIME
             for (int row = 0; row < cycle_length(); ++row) stage(cycle()[row], at(done));
             longer_drift = longer_kick = longer_middle = 0.0;
         }
+    }
+    // Steps that are completed one by one.
+    DEVICE void whole_steps(unsigned long long done, unsigned long long end) {
+        for (; done < end; ++done) {
+            close(done);
+            lengthen(done);
+            open(done);
+            longer_drift = longer_kick = longer_middle = 0.0;
+        }
+    }
+    DEVICE void lengthen(unsigned long long cycle) {
+        if (K::COMPENSATED) {
+            longer_drift = passes(launch.drift, cycle);
+            longer_kick = passes(launch.kick, cycle);
+            longer_middle = passes(launch.middle, cycle);
+        }
+    }
+    // From a completed step to just before the end of the next one.
+    DEVICE void open(unsigned long long step) {
+        processor(before(), launch.before, at(step));
+        stage(stages[0], at(step));
+        for (int row = 1; row < cycle_length(); ++row) stage(cycle()[row], at(step));
     }
     // Completes the step under way, and undoes the processor.
     DEVICE void close(unsigned long long done) {
@@ -224,6 +243,8 @@ template <class System, class Composition, class R, class K> struct Stepper {
 struct Column {
     const double* first;
     long long members;
+    // The stages of inner compositions, which are the same for all members.
+    const Stage* inner;
     DEVICE double operator()(int row) const { return first[row * members]; }
 };
 
@@ -231,6 +252,8 @@ template <class System, class Composition, class R, class K> struct Member {
     typedef typename System::template Motion<R, K> Motion;
     typedef typename System::template Parameters<R> Parameters;
 
+    // Compositions over inner steps have no processor.
+    DEVICE static const Stage* inner(const Launch& launch, const Stage* stages) { return stages + 2 + launch.cycle; }
     DEVICE static void load(Motion& motion, const double* from, long long members) {
         for (int part = 0; part < K::PARTS; ++part) {
             for (int i = 0; i < System::COORDINATES; ++i) {
@@ -262,7 +285,7 @@ template <class System, class Composition, class R, class K> struct Member {
                                double* to, unsigned long long* lost) {
         const long long member = blockIdx.x * (long long)blockDim.x + threadIdx.x;
         if (member >= launch.members) return;
-        Motion motion(Parameters(Column{constants + member, launch.members}));
+        Motion motion(Parameters(Column{constants + member, launch.members, inner(launch, stages)}));
         load(motion, from + member, launch.members);
         if (lost[member] == 0) {
             const unsigned long long end = launch.done + launch.steps;
@@ -289,7 +312,7 @@ template <class System, class Composition, class R, class K> struct Member {
                             double* to, const unsigned long long* lost) {
         const long long member = blockIdx.x * (long long)blockDim.x + threadIdx.x;
         if (member >= launch.members) return;
-        Motion motion(Parameters(Column{constants + member, launch.members}));
+        Motion motion(Parameters(Column{constants + member, launch.members, inner(launch, stages)}));
         load(motion, from + member, launch.members);
         Stepper<System, Composition, R, K>(launch, stages, motion).close(lost[member] == 0 ? launch.done : lost[member] - 1);
         store(motion, to + member, launch.members);

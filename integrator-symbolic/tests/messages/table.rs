@@ -1376,6 +1376,16 @@ pub(crate) const SPLITS: &[Row] = &[
         ],
     ),
     (
+        "split = b + 4 * (a + c), gpu on fn b(&self, q: [f64; 3]) -> f64 { q[0].cos() } fn a(&self, q: [f64; 3], p: [f64; 3]) -> f64 { let mut t = 0.0; let mut r2 = 0.0; for d in 0..3 { t += p[d] * p[d] / 2.0; r2 += q[d] * q[d]; } t - 1.0 / r2.sqrt() } fn c(&self, q: [f64; 3]) -> f64 { q[1].cos() }",
+        &[
+            "1:25 `gpu` does not support `a`, a Kepler motion whose flow solves Kepler's equation\nnote: devices integrate drifts, kicks and shears",
+        ],
+    ),
+    (
+        "split = c + 4 * BlanesMoan4(a + b), gpu on fn c(&self, q: [f64; 1]) -> f64 { q[0].cos() } fn a(&self, q: [f64; 1], t: f64) -> f64 { q[0] * t.cos() } fn b(&self, p: [f64; 1]) -> f64 { p[0] * p[0] }",
+        &[],
+    ),
+    (
         "split = none, gpu on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
         &[
             "1:14 `gpu` does not support H in one piece, `split = none`\nnote: devices integrate drifts, kicks and shears",

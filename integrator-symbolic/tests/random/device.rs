@@ -36,6 +36,7 @@ const DURATION: f64 = 0.37;
 /// What a host's compiler and the loop over steps need, as the crate for devices has them.
 const HOST: &str = include_str!("../../../integrator-gpu/src/cuda/host.h");
 const STEPPER: &str = include_str!("../../../integrator-gpu/src/cuda/stepper.h");
+const INNER_STEPS: &str = include_str!("../../../integrator-gpu/src/cuda/inner_steps.h");
 const PAIRS: &str = include_str!("../../../integrator-gpu/src/cuda/pairs.h");
 const FUNCTIONS: &str = include_str!("functions.h");
 const MAIN: &str = include_str!("device.cpp");
@@ -98,7 +99,7 @@ impl Systems {
 
     /// The text of a program of all systems.
     fn program(&self) -> String {
-        let mut text = format!("{HOST}{FUNCTIONS}{STEPPER}{PAIRS}{MAIN}");
+        let mut text = format!("{HOST}{FUNCTIONS}{STEPPER}{INNER_STEPS}{PAIRS}{MAIN}");
         for (number, system) in self.texts.iter().enumerate() {
             let _ = writeln!(text, "namespace integrator {{ namespace system_{number} {{\n{system}}} }}");
         }
@@ -291,7 +292,7 @@ const NAMES: &str = "alignas and asm auto bool class default delete double float
     signed sizeof template this_ typename union unsigned void volatile while_ xor fma sin sin_cos powf fast_exp infinity \
     not_a_number motion step time gradient duration at parameters position momentum number Parameters Source System R K i0 \
     i0_ i0__ path_0 path_0_ DEVICE NAN errno stdin M_PI HUGE_VAL __CUDACC__ _Bool linux unix threadIdx blockIdx warpSize \
-    integrator Plain drift kick middle \u{3b1} U3b1_ u3b1 double_ double__ Double";
+    integrator Plain drift kick middle INNER inner_steps \u{3b1} U3b1_ u3b1 double_ double__ Double";
 
 /// A system whose fields and indices have them.
 fn named() -> System {

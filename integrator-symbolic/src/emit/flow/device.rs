@@ -6,6 +6,8 @@
 
 mod bodies;
 mod line;
+mod nested;
+mod parts;
 
 use super::constants::extents;
 use crate::{
@@ -14,7 +16,7 @@ use crate::{
         block::Emitter,
         cuda::{Lines, Read, Reads, Within, evaluate},
     },
-    graph::{Part, exact::Exact},
+    graph::Part,
     model::{Length, Model, Split},
     pattern::{
         Pattern, lowered,
@@ -41,6 +43,8 @@ pub(crate) struct DeviceText {
     constants: u64,
     /// What adds these to a list, in their order.
     pushes: TokenStream,
+    /// How many levels of inner steps there are.
+    levels: usize,
 }
 
 impl DeviceText {
@@ -52,13 +56,15 @@ impl DeviceText {
         functions: DeviceFunctions,
     ) -> Result<Self, String> {
         let shape = Shape::of(emitter.model)?;
-        check_parts(emitter.model)?;
-        let (mut reads, count) = (Reads::of(functions), emitter.model.flows());
-        let mut flows = match emitter.model.is_separable() {
-            true => separable(emitter, &mut reads, &shape, gradients, pattern)?,
-            false => of_parts(emitter, &mut reads, &shape)?,
+        parts::check(emitter.model)?;
+        let mut reads = Reads::of(functions);
+        let mut flows = match emitter.model.split {
+            Split::Nested => nested::flows(emitter, &mut reads, &shape)?,
+            _ if emitter.model.is_separable() => {
+                separable(emitter, &mut reads, &shape, gradients, pattern)? + &parts::middle(2)
+            }
+            _ => parts::flows(emitter, &mut reads, &shape, 0)?,
         };
-        flows += &middle(count);
         let bends = emitter.model.quadratic && emitter.model.is_separable();
         if bends {
             flows += &hessian(emitter, &mut reads, &shape)?;
@@ -103,7 +109,13 @@ impl DeviceText {
             constants += lengths.iter().product::<u64>();
         }
         let (count, brackets, at) = (shape.count(), shape.brackets(), shape.at("i"));
-        let (parts, paired) = (emitter.model.flows(), matches!(emitter.model.split, Split::Pair));
+        let (levels, paired) = (emitter.model.nests.len(), matches!(emitter.model.split, Split::Pair));
+        let parts = if levels == 0 { emitter.model.flows() } else { 2 };
+        if levels > 0 {
+            let (field, line) = nested::STAGES;
+            fields += field;
+            loads += line;
+        }
         let mut text = format!(
             "struct System {{\n\
              static constexpr int COORDINATES = {count};\n\
@@ -130,22 +142,24 @@ impl DeviceText {
         if constants == 0 {
             text = text.replace("const Source& number", "const Source&");
         }
-        Ok(Self { text: indented(&text), constants, pushes })
+        Ok(Self { text: indented(&text), constants, pushes, levels })
     }
 
     /// The items of the runtime's `DeviceText`.
     pub(crate) fn items(&self, names: &Names) -> TokenStream {
-        let Self { text, constants, pushes } = self;
+        let Self { text, constants, pushes, levels } = self;
         let (runtime, constants) = (&names.runtime, Literal::u64_unsuffixed(*constants));
         let (parameters, numbers) = match pushes.is_empty() {
             true => (quote!(_parameters), quote!(_numbers)),
             false => (quote!(parameters), quote!(numbers)),
         };
+        let push_inner_stages = nested::push_stages(*levels, names);
         quote! {
             const TEXT: &'static str = #text;
             const CONSTANTS: usize = #constants;
 
             fn push_constants(#parameters: &Self::Parameters<f64>, #numbers: &mut #runtime::Vec<f64>) { #pushes }
+            #push_inner_stages
         }
     }
 }
@@ -215,32 +229,6 @@ impl Shape {
     }
 }
 
-/// Parts that are no sums of shears are solved by the runtime, in Rust.
-fn check_parts(model: &Model) -> Result<(), String> {
-    let refused =
-        |what: &str| Err(format!("`gpu` does not support {what}\nnote: devices integrate drifts, kicks and shears"));
-    match model.split {
-        Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
-        Split::Whole => return refused("H in one piece, `split = none`"),
-        Split::Jacobi(_) => return refused("Jacobi coordinates"),
-        Split::Nested => return refused("inner steps"),
-        Split::Energies | Split::Parts | Split::Pair => {}
-    }
-    for part in &model.parts {
-        match part.form {
-            Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
-            Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name())),
-            Exact::Quadratic(_) => {
-                return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name()));
-            }
-            Exact::Kepler(_) => {
-                return refused(&format!("`{}`, a Kepler motion whose flow solves Kepler's equation", part.name()));
-            }
-        }
-    }
-    Ok(())
-}
-
 /// The flows of `T` and of `V`.
 fn separable(
     emitter: &mut Emitter<'_>,
@@ -265,32 +253,6 @@ fn separable(
         }
     });
     written.collect()
-}
-
-/// The flows of parts with names.
-fn of_parts(emitter: &mut Emitter<'_>, reads: &mut Reads, shape: &Shape) -> Result<String, String> {
-    let count = emitter.model.flows();
-    let flow_of = |part: usize| {
-        let (gradient, by) = part_gradient(emitter.model, part);
-        let name = match part {
-            0 => "drift".to_owned(),
-            last if last + 1 == count => "kick".to_owned(),
-            number => format!("middle_{number}"),
-        };
-        flow(emitter, reads, shape, &name, &gradient, by)
-    };
-    (0..count).map(flow_of).collect()
-}
-
-/// The gradient whose flow a part is, and what it is taken by.
-fn part_gradient(model: &mut Model, part: usize) -> (Vec<Contribution>, Part) {
-    let energy = model.parts[part].energy;
-    let graph = &mut model.graph;
-    match model.parts[part].form {
-        Exact::OfMomenta => (gradient(graph, energy, Part::Momentum), Part::Momentum),
-        Exact::OfPositions => (gradient(graph, energy, Part::Position), Part::Position),
-        _ => (super::sheared(graph, energy), Part::Momentum),
-    }
 }
 
 /// The function of a flow.
@@ -339,23 +301,6 @@ fn function(name: &str, slot: &str, duration: &str, step: &str, lines: &str, rea
     format!(
         "\ntemplate <class R{slots}> DEVICE static void {name}(Motion<R, {slot}>& motion, {duration}double at) \
          {{\n{step}{time}{lines}}}\n"
-    )
-}
-
-/// The flows between the first and the last, in their order or backwards.
-fn middle(count: usize) -> String {
-    let call = |part: usize| format!("middle_{part}(motion, duration, at);\n");
-    let between = 1..count.saturating_sub(1);
-    let (forwards, backwards): (String, String) =
-        (between.clone().map(call).collect(), between.rev().map(call).collect());
-    let lines = match count {
-        ..=2 => String::new(),
-        3 => forwards,
-        _ => format!("if (backwards) {{\n{backwards}}} else {{\n{forwards}}}\n"),
-    };
-    format!(
-        "\ntemplate <class R, class K> DEVICE static void middle(Motion<R, K>& motion, double duration, double at, bool \
-         backwards) {{\n{lines}}}\n"
     )
 }
 

@@ -30,7 +30,7 @@ impl Read {
 
     /// Whether it is an integer.
     pub(crate) fn is_integer(self) -> bool {
-        matches!(self, Self::IntegerPath(_) | Self::Field(Content::Integer(_)))
+        matches!(self, Self::IntegerPath(_) | Self::Field(Content::Integer(_) | Content::InnerSteps(_)))
     }
 }
 
@@ -46,7 +46,7 @@ impl Reads {
         Self { functions, found: Vec::new() }
     }
 
-    pub(super) fn note(&mut self, read: Read, name: Ident, loops: LoopSet) {
+    pub(crate) fn note(&mut self, read: Read, name: Ident, loops: LoopSet) {
         if self.found.iter().all(|(known, ..)| *known != read) {
             self.found.push((read, name, loops));
         }
