@@ -106,6 +106,7 @@ const EMIT: MayKnow = (
         ("printer", &[]),
         ("read_by_methods", &["printer"]),
         ("flow", &["printer", "read_by_methods"]),
+        ("order", &["flow"]),
         ("taylor", &["printer"]),
     ],
 );

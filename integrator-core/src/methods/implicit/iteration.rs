@@ -53,8 +53,8 @@ pub(super) fn advance<H: System, R: Real, K: Precision, M: Stages<S>, const S: u
     }
 }
 
-/// Whether the field may be evaluated for all stages at once: the stages have the time in common, and there are so many that
-/// eight lanes take less time than the stages one after the other.
+/// Whether the field may be evaluated for all stages at once: they have the time in common, and eight lanes take less time than
+/// these stages one after the other.
 pub(super) const fn may_be_together<H: System>(stages: usize) -> bool {
     stages > 2 && H::AUTONOMOUS && H::HAS_FIELD
 }
