@@ -285,7 +285,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         _: R,
         evaluations: &mut u64,
     ) -> Vec<Option<Unsolved>> {
-        super::newton::solve(self, increments, settled, evaluations)
+        super::without_contraction::solve(self, increments, settled, evaluations)
     }
 
     /// Returns an error for the lanes that are not settled, since there are no matrices without the feature `check`.

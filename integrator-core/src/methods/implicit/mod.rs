@@ -49,6 +49,8 @@ mod motion;
 #[cfg(feature = "check")]
 mod newton;
 mod tableau;
+#[cfg(feature = "check")]
+mod without_contraction;
 
 pub use backward::BackwardEuler;
 pub use gauss_legendre::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
