@@ -48,6 +48,7 @@ mod iteration;
 mod motion;
 #[cfg(feature = "check")]
 mod newton;
+mod rows;
 mod tableau;
 #[cfg(feature = "check")]
 mod without_contraction;

@@ -2,8 +2,9 @@
 
 use super::{
     field::{Constants, Pair, field_of_step},
-    iteration::{Equation, stages_of},
+    iteration::Equation,
     newton::{self, by_columns},
+    rows::stages_of,
 };
 use crate::{
     error::Unsolved,
