@@ -169,7 +169,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         scale(&mut rows.found, weights);
         swap(&mut rows.increments, &mut rows.found);
         let mut evaluations = 1;
-        let (mut settled, mut update) = (R::of(0.0), R::of(f64::INFINITY));
+        let mut settled = R::of(0.0);
         for _ in 0..ITERATIONS {
             for half in 0..2 {
                 let (y, increments) = (y.halves()[half], rows.increments.halves()[half]);
@@ -188,18 +188,18 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             scale(&mut rows.found, weights);
             let shrinks = if const { W::PARTS == 0 } { rows.shrink_together() } else { rows.shrink::<S>() };
             keep_settled::<H, R, W, S>(&settled, &rows.increments, &mut rows.found);
-            // Only a lane that does not come nearer may have arrived.
-            update =
-                R::state(&|lane| if shrinks.lane(lane) > 0.0 { update.lane(lane) } else { rows.update::<S>(y, lane) });
-            swap(&mut rows.increments, &mut rows.found);
             settled = R::state(&|lane| {
-                let ends = shrinks.lane(lane) == 0.0 && update.lane(lane) <= STALLED * self.epsilon;
-                f64::from(u8::from(ends)).max(settled.lane(lane))
+                // Only a lane that does not come nearer may have arrived.
+                let has_arrived = || rows.update::<S>(y, lane) <= STALLED * self.epsilon;
+                let ends = settled.lane(lane) > 0.0 || shrinks.lane(lane) == 0.0 && has_arrived();
+                f64::from(u8::from(ends))
             });
+            swap(&mut rows.increments, &mut rows.found);
             if (0..R::LANES).all(|lane| settled.lane(lane) > 0.0) {
                 return (evaluations, Vec::new());
             }
         }
+        let update = R::state(&|lane| rows.update::<S>(y, lane));
         let unsolved = self.without_contraction(&mut rows.increments, settled, update, &mut evaluations);
         (evaluations, unsolved)
     }
