@@ -1,20 +1,10 @@
 //! The implicit method of Euler, to compare with.
 
 use super::{
-    TakesWhole, iteration,
-    motion::Implicit,
+    TakesWhole,
     tableau::{EULER, Stages, Tableau},
 };
-use crate::{
-    scalar::real::Real,
-    state::precision::Precision,
-    system::{Shaped, System},
-    trajectory::{
-        method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
-        step_functions::{Executor, StepFunctions},
-    },
-};
-use alloc::sync::Arc;
+use crate::trajectory::method::{Described, Facts};
 
 /// The solution of `z = y + h f(z)`. A harmonic oscillator keeps the share `1/(1 + (h·ω)²)` of its energy in each
 /// step. Stable for every step where the motion oscillates.
@@ -35,8 +25,6 @@ impl Described for BackwardEuler {
 
 #[diagnostic::do_not_recommend]
 impl TakesWhole for BackwardEuler {}
-
-implicit!([] BackwardEuler, 1 stages);
 
 impl Stages<1> for BackwardEuler {
     const TABLEAU: Tableau<1> = EULER;

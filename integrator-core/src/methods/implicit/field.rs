@@ -64,27 +64,25 @@ pub(super) fn field_of_step<H: System, R: Real>(
     point: &Pair<H, R>,
     time: f64,
 ) -> Pair<H, R> {
-    if const { !H::HAS_FIELD } {
-        return field(constants, point, time);
-    }
+    if const { H::HAS_FIELD } { written(constants, point, time) } else { of_flows(constants, point, time) }
+}
+
+/// The field at a point: that of the flows where H is `T + V`.
+#[cfg(feature = "check")]
+#[inline(always)]
+pub(crate) fn field<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
+    if const { H::SEPARABLE } { of_flows(constants, point, time) } else { written(constants, point, time) }
+}
+
+/// The field as written.
+#[inline(always)]
+fn written<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
     let mut field = Pair::zero(H::Coords::slots(&point.q).len());
     add_field::<H, R>(constants.gathered, point, &mut field, time);
     field
 }
 
-/// The field at a point: that of the flows where H is `T + V`.
-#[inline(always)]
-pub(crate) fn field<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
-    let Pair { q, p } = point;
-    if const { H::SEPARABLE } {
-        return of_flows(constants, [q, p], time);
-    }
-    let mut field = Pair::zero(H::Coords::slots(q).len());
-    add_field::<H, R>(constants.gathered, point, &mut field, time);
-    field
-}
-
-/// Adds the field at a point, which is not that of `T + V`.
+/// Adds the field as written, at a point.
 #[inline(always)]
 pub(crate) fn add_field<H: System, R: Real>(
     parameters: &H::Parameters<R>,
@@ -99,7 +97,7 @@ pub(crate) fn add_field<H: System, R: Real>(
 
 /// The field of `T + V`: a drift moves positions from zero by the velocities, a kick momenta from zero by the forces.
 #[inline(always)]
-fn of_flows<H: System, R: Real>(constants: &Constants<'_, H, R>, [q, p]: [&Half<H, R>; 2], time: f64) -> Pair<H, R> {
+fn of_flows<H: System, R: Real>(constants: &Constants<'_, H, R>, Pair { q, p }: &Pair<H, R>, time: f64) -> Pair<H, R> {
     let mut drifted = loaded::<H, R>(constants, [None, Some(p)]);
     H::drift::<R, f64>(&mut drifted, 1.0, time);
     let mut kicked = loaded::<H, R>(constants, [Some(q), None]);

@@ -1,20 +1,10 @@
 //! The methods of Gauss and Legendre.
 
 use super::{
-    TakesWhole, gauss_legendre_table as table, iteration,
-    motion::Implicit,
+    TakesWhole, gauss_legendre_table as table,
     tableau::{Stages, Tableau, gauss_legendre},
 };
-use crate::{
-    scalar::real::Real,
-    state::precision::Precision,
-    system::{Shaped, System},
-    trajectory::{
-        method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
-        step_functions::{Executor, StepFunctions},
-    },
-};
-use alloc::sync::Arc;
+use crate::trajectory::method::{Described, Facts};
 
 /// The Gauss–Legendre method with `S` stages, of order `2 S`, for `S` from 1 to 8.
 ///
@@ -97,8 +87,6 @@ impl<const S: usize> Described for GaussLegendre<S> {
 
 #[diagnostic::do_not_recommend]
 impl<const S: usize> TakesWhole for GaussLegendre<S> where Self: Stages<S> {}
-
-implicit!([const S: usize] GaussLegendre<S>, S stages);
 
 macro_rules! tables {
     ($($stages:literal $table:ident;)*) => {$(

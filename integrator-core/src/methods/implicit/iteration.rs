@@ -122,7 +122,7 @@ impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
             let [q, p] = [&mut motion.state.q, &mut motion.state.p].map(Shaped::<H, K>::slots_mut);
             for (increments, slots) in rows.increments.halves().into_iter().zip([q, p]) {
                 for k in 0..slots.len() {
-                    let stages = stages_of::<R, W, S>(increments[k]);
+                    let stages = stages_of::<R, W>(increments[k]);
                     let mut sum = stages[0];
                     for increment in &stages[1..S] {
                         sum += *increment;
@@ -175,7 +175,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
                 let (y, increments) = (y.halves()[half], rows.increments.halves()[half]);
                 let places = &mut *rows.places.halves_mut()[half];
                 for k in 0..y.len() {
-                    let stages = stages_of::<R, W, S>(increments[k]);
+                    let stages = stages_of::<R, W>(increments[k]);
                     let mut sum = W::splat(stages[0]).scale(columns[0]);
                     for j in 1..S {
                         sum = W::splat(stages[j]).scale_add(columns[j], sum);
@@ -187,7 +187,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             evaluations += S as u64;
             scale(&mut rows.found, weights);
             let shrinks = if const { W::PARTS == 0 } { rows.shrink_together() } else { rows.shrink::<S>() };
-            keep_settled::<H, R, W, S>(&settled, &rows.increments, &mut rows.found);
+            keep_settled::<H, R, W>(&settled, &rows.increments, &mut rows.found);
             settled = R::state(&|lane| {
                 // Only a lane that does not come nearer may have arrived.
                 let has_arrived = || rows.update::<S>(y, lane) <= STALLED * self.epsilon;

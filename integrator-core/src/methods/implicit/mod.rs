@@ -4,6 +4,47 @@
 //! whose equation is solved to the rounding, or a typed error. Always true: a lane computes nothing of what stands in
 //! another one, so that a member of an ensemble has the bits of its run alone.
 
+mod backward;
+pub(crate) mod field;
+mod gauss_legendre;
+mod gauss_legendre_table;
+#[cfg(feature = "std")]
+mod in_lanes;
+mod iteration;
+mod motion;
+#[cfg(feature = "check")]
+mod newton;
+mod rows;
+mod tableau;
+#[cfg(feature = "check")]
+mod without_contraction;
+
+pub use backward::BackwardEuler;
+pub use gauss_legendre::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
+
+use crate::{
+    scalar::real::Real,
+    state::precision::Precision,
+    system::{Shaped, System},
+    trajectory::{
+        method::{Described, Differentiable, Memoryless, Method, Resumable},
+        step_functions::{Executor, StepFunctions},
+    },
+};
+use alloc::sync::Arc;
+use motion::Implicit;
+use tableau::Stages;
+
+/// A method that uses the whole vector field of `H` instead of the flows of parts.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` composes exact flows, and `split = none` leaves H in one piece",
+    label = "not a method for H in one piece",
+    note = "`ImplicitMidpoint` and `GaussLegendre<1>` to `GaussLegendre<8>` integrate H in one piece; compositions require \
+            `split = a + b` or `split = symmetric(omega = 20.0)`"
+)]
+pub trait TakesWhole: Described + Default {}
+
+/// The methods of Runge and Kutta with these stages, for every system.
 macro_rules! implicit {
     ([$($generics:tt)*] $method:ty, $stages:tt stages) => {
         impl<H: System, $($generics)*> Resumable<H> for $method where Self: Stages<$stages> {}
@@ -38,31 +79,5 @@ macro_rules! implicit {
     };
 }
 
-mod backward;
-pub(crate) mod field;
-mod gauss_legendre;
-mod gauss_legendre_table;
-#[cfg(feature = "std")]
-mod in_lanes;
-mod iteration;
-mod motion;
-#[cfg(feature = "check")]
-mod newton;
-mod rows;
-mod tableau;
-#[cfg(feature = "check")]
-mod without_contraction;
-
-pub use backward::BackwardEuler;
-pub use gauss_legendre::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
-
-use crate::trajectory::method::Described;
-
-/// A method that uses the whole vector field of `H` instead of the flows of parts.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` composes exact flows, and `split = none` leaves H in one piece",
-    label = "not a method for H in one piece",
-    note = "`ImplicitMidpoint` and `GaussLegendre<1>` to `GaussLegendre<8>` integrate H in one piece; compositions require \
-            `split = a + b` or `split = symmetric(omega = 20.0)`"
-)]
-pub trait TakesWhole: Described + Default {}
+implicit!([const S: usize] GaussLegendre<S>, S stages);
+implicit!([] BackwardEuler, 1 stages);

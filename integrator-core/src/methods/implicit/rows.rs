@@ -15,7 +15,7 @@ pub(super) const MOST: usize = 8;
 
 /// The numbers of the stages in a row; those after the last stage are of no use.
 #[inline(always)]
-pub(super) fn stages_of<R: Real, W: Row<R>, const S: usize>(row: W) -> [R; MOST] {
+pub(super) fn stages_of<R: Real, W: Row<R>>(row: W) -> [R; MOST] {
     let mut stages = [R::of(0.0); MOST];
     row.write(&mut stages);
     stages
@@ -39,9 +39,7 @@ impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
         let zero = || Pair::zero(count);
         Self { increments: zero(), found: zero(), places: zero(), least: zero(), row_of: PhantomData }
     }
-}
 
-impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
     /// Returns one if any change of a number is smaller than all before it, and updates the smallest ones: of one number in
     /// each stage.
     #[inline(always)]
@@ -133,7 +131,7 @@ pub(super) fn scale<H: System, W: Real>(numbers: &mut Pair<H, W>, by: W) {
 
 /// Restores the previous increments in the lanes that are settled.
 #[inline(always)]
-pub(super) fn keep_settled<H: System, R: Real, W: Row<R>, const S: usize>(
+pub(super) fn keep_settled<H: System, R: Real, W: Row<R>>(
     settled: &R,
     increments: &Pair<H, W>,
     found: &mut Pair<H, W>,
@@ -143,7 +141,7 @@ pub(super) fn keep_settled<H: System, R: Real, W: Row<R>, const S: usize>(
     }
     for (before, after) in increments.halves().into_iter().zip(found.halves_mut()) {
         for (before, after) in before.iter().zip(after) {
-            let (before, now) = (stages_of::<R, W, S>(*before), stages_of::<R, W, S>(*after));
+            let (before, now) = (stages_of::<R, W>(*before), stages_of::<R, W>(*after));
             let kept: [R; MOST] = core::array::from_fn(|stage| {
                 R::state(&|lane| {
                     if settled.lane(lane) > 0.0 { before[stage].lane(lane) } else { now[stage].lane(lane) }

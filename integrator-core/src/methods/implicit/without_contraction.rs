@@ -82,7 +82,7 @@ fn store<H: System, R: Real, W: Row<R>, const S: usize>(
     for (half, increments) in increments.halves_mut().into_iter().enumerate() {
         let size = increments.len();
         for k in 0..size {
-            let mut stages = stages_of::<R, W, S>(increments[k]);
+            let mut stages = stages_of::<R, W>(increments[k]);
             for stage in 0..S {
                 let (before, factor) = (stages[stage], tableau.b[stage] * h);
                 stages[stage] = R::state(&|lane| match lanes.contains(&lane) {
