@@ -128,7 +128,7 @@ pub use ensemble::in_lanes::{InLanes, ResumableInLanes};
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
-pub use methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
+pub use methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, RatedField};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 pub use methods::taylor;
 pub use methods::taylor::RecurrencesVisitor;
@@ -235,7 +235,7 @@ pub mod __private {
             products::{add_multiples_of_rows, inner_products},
         },
         methods::{
-            implicit::{BackwardEuler, ImplicitMidpoint, TakesWhole},
+            implicit::{BackwardEuler, ImplicitMidpoint, RatedField, TakesWhole},
             pace::{PlainMotion, Rated, TimeTransformed},
             taylor::{
                 Recurrences, RecurrencesVisitor,

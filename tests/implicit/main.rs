@@ -1,6 +1,7 @@
 //! Implicit methods on systems of every kind of split, and on those that have none.
 
 mod geodesic;
+mod rated;
 
 use integrator_core::{
     Compensated, Coords, Ensemble, Error, GaussLegendre, GaussLegendre4, GaussLegendre6, Hamiltonian, ImplicitMidpoint,
@@ -242,6 +243,20 @@ fn long_steps_take_newtons_iteration_or_are_a_typed_error() {
     let error = run.advance(10).expect_err("no end");
     assert!(matches!(error, Error::NotSolved { reason: Unsolved::Newton { .. }, .. }), "{error:?}");
     assert_eq!(run.state(), HUNG);
+}
+
+#[test]
+fn a_member_without_a_step_leaves_the_others_alone() {
+    // The second pendulum turns 1e6 times in a step.
+    let wild = Phase::new([1.0, -0.5], [1e8, 3e8]);
+    let members = [HUNG, wild, HUNG].map(|start| (DoublePendulum, start));
+    let mut swarm = Ensemble::new(GaussLegendre6, members, 0.1).expect("starts");
+    let error = swarm.advance(50).expect_err("no end of one of them");
+    assert!(matches!(error, Error::Lost(_)), "{error:?}");
+    let mut run = DoublePendulum.run_with(GaussLegendre6, HUNG, 0.1).expect("a start");
+    run.advance(50).expect("an end");
+    assert_eq!([0, 1, 2].map(|member| swarm.steps_of(member)), [Some(50), Some(0), Some(50)]);
+    assert_eq!([0, 1, 2].map(|member| swarm.state(member)), [Some(run.state()), Some(wild), Some(run.state())]);
 }
 
 #[test]

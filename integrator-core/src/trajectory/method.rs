@@ -119,6 +119,7 @@ impl<X: Scheme> Described for X {
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
     note = "`Paced` and `Logarithmic` require H = T(p) + V(q) without explicit time; `Paced` also requires `fn \
             rate(&self, q: ...) -> f64`",
+    note = "`Paced(GaussLegendre::<8>)` is for other H without explicit time, with `fn rate`",
     note = "`Stoermer4` and `StoermerCowell4` require a T that is quadratic in p with constant masses"
 )]
 pub trait Method<H: System>: Described {

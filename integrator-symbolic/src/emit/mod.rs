@@ -29,7 +29,7 @@ use flow::{
     device::DeviceText,
     field, force_gradient, invariants, jacobi, nested,
     pieces::Pieces,
-    transformed, user_energies,
+    rated_field, transformed, user_energies,
 };
 pub(crate) use printer::cuda::device_functions;
 use printer::{block::Emitter, fields::Fields};
@@ -87,8 +87,8 @@ struct Stepper<'i> {
     taylor: Option<Orders>,
     /// Flows whose durations are numbers of each lane.
     transformed: Option<TokenStream>,
-    /// The pace that the user gives.
-    rated: Option<TokenStream>,
+    /// The trait of the pace that the user gives, and its items.
+    rated: Option<(TokenStream, TokenStream)>,
     /// What Jacobi coordinates require of the prepared constants.
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
@@ -146,11 +146,13 @@ impl<'i> Stepper<'i> {
         });
         let invariants = invariants::items(&flows, &mut emitter);
         let taylor = input.taylor.map(|_| series(&mut emitter, stated_energies, [&kinetic, &potential], &pattern));
-        let is_plain = autonomous && emitter.model.is_separable() && emitter.model.jacobi().is_none();
-        let transformed =
-            is_plain.then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
-        let rate = emitter.model.rate.take().filter(|_| is_plain);
-        let rated = rate.map(|(rate, arguments)| transformed::rated(&mut emitter, rate, &arguments, is_quadratic));
+        let transformed = (autonomous && is_field_of_flows)
+            .then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
+        let rated = emitter.model.rate.take().and_then(|(rate, arguments)| match (autonomous, is_field_of_flows) {
+            (false, _) => None,
+            (true, false) => Some((quote!(RatedField), rated_field::items(&mut emitter, rate, &arguments))),
+            (true, true) => Some((quote!(Rated), transformed::rated(&mut emitter, rate, &arguments, is_quadratic))),
+        });
         let of_jacobi = emitter.model.jacobi().map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions);
         let (device, obstacle) = match input.gpu.as_ref().map(text) {
@@ -217,7 +219,7 @@ impl<'i> Stepper<'i> {
         });
         let transformed =
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
-        let rated = self.rated.as_ref().map(|items| implementation(quote!(#runtime::Rated), items));
+        let rated = self.rated.as_ref().map(|(of, items)| implementation(quote!(#runtime::#of), items));
         let sensitive = constants.sensitive(&input.sensitive, self.count.as_ref(), names);
         let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);

@@ -189,6 +189,11 @@ impl Model {
         self.places.get(&id).or_else(of_parameter)
     }
 
+    /// The energy of all parts.
+    pub(crate) fn energy(&mut self) -> NodeId {
+        self.graph.add(self.kinetic, self.potential)
+    }
+
     /// Replaces the energies of the first part and of all others together by equal ones.
     pub(crate) fn set_energies(&mut self, energies: [NodeId; 2]) {
         [self.kinetic, self.potential] = energies;

@@ -1,4 +1,5 @@
-//! The vector field of a Hamiltonian at a point: as written, or from its flows of `T` and `V`.
+//! The vector fields that implicit methods integrate: that of a Hamiltonian, as written or from its flows of `T` and `V`, or
+//! [another one](Field) of its system.
 
 use crate::{
     scalar::real::Real,
@@ -11,10 +12,10 @@ use crate::{
 use alloc::vec::Vec;
 
 /// Numbers in the shape of the positions or the momenta of `H`.
-pub(crate) type Half<H, R> = <<H as System>::Coords as Coords>::Slots<R>;
+pub type Half<H, R> = <<H as System>::Coords as Coords>::Slots<R>;
 
 /// Positions and momenta, or what the field is there: velocities and forces.
-pub(crate) struct Pair<H: System, R: Real> {
+pub struct Pair<H: System, R: Real> {
     pub(crate) q: Half<H, R>,
     pub(crate) p: Half<H, R>,
 }
@@ -48,7 +49,7 @@ impl<H: System, R: Real> Pair<H, R> {
 }
 
 /// The constants that the field has, for all lanes and for each.
-pub(crate) struct Constants<'m, H: System, R: Real> {
+pub struct Constants<'m, H: System, R: Real> {
     pub(crate) gathered: &'m H::Parameters<R>,
     pub(crate) of_lanes: &'m [H::Parameters<f64>],
     /// A point in the shape of the coordinates.
@@ -57,14 +58,53 @@ pub(crate) struct Constants<'m, H: System, R: Real> {
     pub(crate) middle: f64,
 }
 
-/// The field at a point, as implicit methods evaluate it.
-#[inline(always)]
-pub(super) fn field_of_step<H: System, R: Real>(
-    constants: &Constants<'_, H, R>,
-    point: &Pair<H, R>,
-    time: f64,
-) -> Pair<H, R> {
-    if const { H::HAS_FIELD } { written(constants, point, time) } else { of_flows(constants, point, time) }
+/// The independent variable of a vector field.
+pub trait Variable: Copy + Send + Sync + 'static {
+    /// Whether it is a fictitious time, so that the time is part of the motion.
+    const IS_FICTITIOUS: bool;
+}
+
+/// A vector field that implicit methods integrate.
+pub trait Field<H: System>: Variable {
+    /// Whether it may be evaluated for all stages of a step at once.
+    const MAY_BE_TOGETHER: bool;
+    /// The field at a point. In a fictitious time, it depends on the momentum that is conjugate to the time.
+    fn at<R: Real>(constants: &Constants<'_, H, R>, conjugate: R, point: &Pair<H, R>, time: f64) -> Pair<H, R>;
+    /// Adds the field as written, at a point.
+    fn add<R: Real>(parameters: &H::Parameters<R>, conjugate: R, point: &Pair<H, R>, field: &mut Pair<H, R>, time: f64);
+    /// The momentum that is conjugate to the time, for the motion that begins at a point.
+    fn conjugate<R: Real>(parameters: &H::Parameters<R>, point: &Pair<H, R>) -> R;
+    /// The fictitious time for a unit of time at a point.
+    fn rate<R: Real>(parameters: &H::Parameters<R>, point: &Pair<H, R>) -> R;
+}
+
+/// The field of H, in the time.
+#[derive(Clone, Copy)]
+pub struct OfTime;
+
+impl Variable for OfTime {
+    const IS_FICTITIOUS: bool = false;
+}
+
+impl<H: System> Field<H> for OfTime {
+    const MAY_BE_TOGETHER: bool = H::AUTONOMOUS && H::HAS_FIELD;
+
+    #[inline(always)]
+    fn at<R: Real>(constants: &Constants<'_, H, R>, _: R, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
+        if const { H::HAS_FIELD } { written(constants, point, time) } else { of_flows(constants, point, time) }
+    }
+    #[inline(always)]
+    fn add<R: Real>(parameters: &H::Parameters<R>, _: R, point: &Pair<H, R>, field: &mut Pair<H, R>, time: f64) {
+        add_field::<H, R>(parameters, point, field, time);
+    }
+    #[inline(always)]
+    fn conjugate<R: Real>(_: &H::Parameters<R>, _: &Pair<H, R>) -> R {
+        R::of(0.0)
+    }
+    #[inline(always)]
+    fn rate<R: Real>(_: &H::Parameters<R>, _: &Pair<H, R>) -> R {
+        R::of(1.0)
+    }
 }
 
 /// The field at a point: that of the flows where H is `T + V`.
@@ -74,7 +114,7 @@ pub(crate) fn field<H: System, R: Real>(constants: &Constants<'_, H, R>, point: 
     if const { H::SEPARABLE } { of_flows(constants, point, time) } else { written(constants, point, time) }
 }
 
-/// The field as written.
+/// The field of H as written.
 #[inline(always)]
 fn written<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
     let mut field = Pair::zero(H::Coords::slots(&point.q).len());
@@ -82,9 +122,9 @@ fn written<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, 
     field
 }
 
-/// Adds the field as written, at a point.
+/// Adds the field of H as written, at a point.
 #[inline(always)]
-pub(crate) fn add_field<H: System, R: Real>(
+fn add_field<H: System, R: Real>(
     parameters: &H::Parameters<R>,
     Pair { q, p }: &Pair<H, R>,
     field: &mut Pair<H, R>,

@@ -1,10 +1,12 @@
 //! Members of an ensemble in SIMD lanes.
 
-use super::{gauss_legendre::GaussLegendre, tableau::Stages};
+use super::{gauss_legendre::GaussLegendre, rated::RatedField, tableau::Stages};
 use crate::{
     ensemble::in_lanes::{InLanes, ResumableInLanes},
+    methods::pace::Paced,
     system::System,
 };
 
 impl<H: System, const S: usize> InLanes<H> for GaussLegendre<S> where Self: Stages<S> {}
 impl<H: System, const S: usize> ResumableInLanes<H> for GaussLegendre<S> where Self: Stages<S> {}
+impl<H: RatedField, const S: usize> InLanes<H> for Paced<GaussLegendre<S>> where GaussLegendre<S>: Stages<S> {}

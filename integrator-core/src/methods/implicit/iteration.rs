@@ -8,7 +8,7 @@
 //! biases the rounding errors.
 
 use super::{
-    field::{Constants, Pair, add_field, field_of_step},
+    field::{Constants, Field, Pair},
     motion::Implicit,
     rows::{Rows, keep_settled, scale, spread, stages_of},
     tableau::{Stages, Tableau},
@@ -24,10 +24,14 @@ use crate::{
         coords::Coords,
         precision::{Precision, Slot},
     },
-    system::{Shaped, System, motion::Prepared},
+    system::{
+        Shaped, System,
+        motion::{Motion, Prepared},
+    },
+    trajectory::step_functions::{Executor, StepFunctions},
 };
 use alloc::vec::Vec;
-use core::mem::swap;
+use core::{marker::PhantomData, mem::swap, ops::Range, slice::from_mut};
 
 /// The largest number of iterations. A usable iteration at least halves the distance each time, so that more lead
 /// nowhere.
@@ -37,45 +41,90 @@ const ITERATIONS: u32 = 64;
 const STALLED: f64 = 64.0;
 
 /// The motion of an implicit step.
-type Moved<H, R, K> = Implicit<R, Shaped<H, K>, <H as System>::Parameters<R>>;
+pub(super) type Moved<F, H, R, K> = Implicit<F, R, Shaped<H, K>, <H as System>::Parameters<R>>;
 
-/// Takes steps with each motion.
-pub(super) fn advance<H: System, R: Real, K: Precision, M: Stages<S>, const S: usize>(
-    motions: &mut [Moved<H, R, K>],
+/// The step functions of a method with the stages of `M`.
+pub(super) fn step_functions<F, H, R, K, E, M, const S: usize>() -> StepFunctions<Moved<F, H, R, K>>
+where
+    F: Field<H>,
+    H: System,
+    R: Real,
+    K: Precision,
+    E: Executor,
+    M: Stages<S>,
+{
+    let functions = |advance, dense| {
+        let dense = if const { F::IS_FICTITIOUS } { Some(dense) } else { None };
+        StepFunctions::of_whole_steps(R::LANES, advance, dense)
+    };
+    match const { F::IS_FICTITIOUS && E::ALONG_STARTS } {
+        true => functions(advance::<F, H, R, K, M, S, true>, dense::<F, H, R, K, M, S, true>),
+        false => functions(advance::<F, H, R, K, M, S, false>, dense::<F, H, R, K, M, S, false>),
+    }
+}
+
+/// Takes steps with each motion. `ALONG_STARTS` is that of the executor.
+fn advance<F, H, R, K, M, const S: usize, const ALONG_STARTS: bool>(
+    motions: &mut [Moved<F, H, R, K>],
     clock: Clock,
     steps: u64,
     _threads: Option<usize>,
-) {
+) where
+    F: Field<H>,
+    H: System,
+    R: Real,
+    K: Precision,
+    M: Stages<S>,
+{
     for motion in motions {
-        R::enter(Steps::<H, R, K, S> { motion, clock, steps, tableau: &M::TABLEAU });
+        R::enter(Steps::<F, H, R, K, S> { motion, along_starts: ALONG_STARTS, clock, steps, tableau: &M::TABLEAU });
     }
+}
+
+/// Takes a motion a while into the step that begins at the other one: by one shorter step.
+fn dense<F, H, R, K, M, const S: usize, const ALONG_STARTS: bool>(
+    to: &mut Moved<F, H, R, K>,
+    begin: &Moved<F, H, R, K>,
+    clock: Clock,
+    duration: f64,
+) where
+    F: Field<H>,
+    H: System,
+    R: Real,
+    K: Precision,
+    M: Stages<S>,
+{
+    to.copy_state(begin);
+    advance::<F, H, R, K, M, S, ALONG_STARTS>(from_mut(to), Clock { h: duration, ..clock }, 1, None);
 }
 
 /// Whether the field may be evaluated for all stages at once: they have the time in common, and eight lanes take less time than
 /// these stages one after the other.
-pub(super) const fn may_be_together<H: System>(stages: usize) -> bool {
-    stages > 2 && H::AUTONOMOUS && H::HAS_FIELD
+pub(super) const fn may_be_together<F: Field<H>, H: System>(stages: usize) -> bool {
+    stages > 2 && F::MAY_BE_TOGETHER
 }
 
 /// Whether it is: the lanes of rows are those of one number, not of a dual, whose derivatives settle later than its value.
-const fn are_together<H: System, R: Real, const S: usize>() -> bool {
-    may_be_together::<H>(S) && R::LANES == 1 && <R::Row<S> as Row<R>>::PARTS == 0
+const fn are_together<F: Field<H>, H: System, R: Real, const S: usize>() -> bool {
+    may_be_together::<F, H>(S) && R::LANES == 1 && <R::Row<S> as Row<R>>::PARTS == 0
 }
 
 /// Steps of one motion.
-struct Steps<'m, H: System, R: Real, K: Precision, const S: usize> {
-    motion: &'m mut Moved<H, R, K>,
+struct Steps<'m, F: Field<H>, H: System, R: Real, K: Precision, const S: usize> {
+    motion: &'m mut Moved<F, H, R, K>,
+    /// Whether derivatives are taken along starts, each with its own energy, and not at the same energy.
+    along_starts: bool,
     clock: Clock,
     steps: u64,
     tableau: &'m Tableau<S>,
 }
 
-impl<H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R, K, S> {
+impl<F: Field<H>, H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, F, H, R, K, S> {
     type Out = ();
 
     #[inline(always)]
     fn call(self) {
-        if const { are_together::<H, R, S>() } {
+        if const { are_together::<F, H, R, S>() } {
             let of_lanes: Vec<_> = (0..<R::Row<S>>::LANES).map(|_| &self.motion.constants[0]).collect();
             let gathered = H::Parameters::<R::Row<S>>::gather(&of_lanes);
             return self.take::<R::Row<S>>(Some(gathered));
@@ -84,18 +133,23 @@ impl<H: System, R: Real, K: Precision, const S: usize> Kernel for Steps<'_, H, R
     }
 }
 
-impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
+impl<F: Field<H>, H: System, R: Real, K: Precision, const S: usize> Steps<'_, F, H, R, K, S> {
     /// Takes the steps, with the stages in rows `W`, and the constants in such rows if the stages are computed together.
     ///
-    /// An end that was not found is remembered, and no step is taken from there.
+    /// An end that was not found is remembered, and the member has no step from there, while others go on.
     #[inline(always)]
     fn take<W: Row<R>>(self, mut gathered: Option<H::Parameters<W>>) {
-        let Self { motion, clock, steps, tableau } = self;
+        let Self { motion, along_starts, clock, steps, tableau } = self;
         let count = Shaped::<H, K>::slots(&motion.state.q).len();
         let (mut y, mut rows) = (Pair::zero(count), Rows::<H, R, W>::new(count));
         for step in clock.steps..clock.steps + steps {
-            if !motion.unsolved.is_empty() {
+            let is_unsolved = |lane| motion.unsolved(lane).is_some();
+            if members::<R>().all(|lanes| is_unsolved(lanes.start)) {
                 return;
+            }
+            let mut unsolved = R::of(0.0);
+            for lanes in members::<R>().filter(|lanes| is_unsolved(lanes.start)) {
+                unsolved = R::state(&|lane| if lanes.contains(&lane) { 1.0 } else { unsolved.lane(lane) });
             }
             let (time, h) = (clock.at(step), clock.h);
             let middle = time + h / 2.0;
@@ -109,16 +163,26 @@ impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
                     numbers[k] = slots[k].value();
                 }
             }
+            let conjugate = *motion.conjugate.get_or_insert_with(|| {
+                let conjugate = F::conjugate(&motion.state.parameters, &y);
+                if along_starts { conjugate } else { R::parameter(&|lane| conjugate.lane(lane)) }
+            });
             let constants = Constants {
                 gathered: &motion.state.parameters,
                 of_lanes: &motion.constants,
                 shape: &motion.shape,
                 middle,
             };
-            let equation = Equation { constants, y: &y, time, h, epsilon: K::EPSILON, tableau };
-            let (evaluations, unsolved) = equation.solve(gathered.as_ref(), &mut rows);
+            let field = PhantomData::<F>;
+            let equation = Equation { constants, conjugate, y: &y, time, h, epsilon: K::EPSILON, tableau, field };
+            let (evaluations, mut faults) = equation.solve(unsolved, gathered.as_ref(), &mut rows);
+            if const { F::IS_FICTITIOUS } {
+                let rates = equation.rates(gathered.as_ref(), &mut rows);
+                let duration = equation.duration(&stages_of::<R, W>(rates), &mut faults);
+                motion.time.add(duration);
+            }
             motion.evaluations += evaluations;
-            motion.unsolved = unsolved;
+            motion.stop(faults);
             let [q, p] = [&mut motion.state.q, &mut motion.state.p].map(Shaped::<H, K>::slots_mut);
             for (increments, slots) in rows.increments.halves().into_iter().zip([q, p]) {
                 for k in 0..slots.len() {
@@ -134,34 +198,46 @@ impl<H: System, R: Real, K: Precision, const S: usize> Steps<'_, H, R, K, S> {
     }
 }
 
+/// The lanes of each member: its own, which may have those of its tangents after it.
+pub(super) fn members<R: Real>() -> impl Iterator<Item = Range<usize>> {
+    let together = (R::LANES / R::MEMBERS.max(1)).max(1);
+    (0..R::LANES).step_by(together).map(move |own| own..own + together)
+}
+
+/// A number of each stage, that of the last one in the lanes after it too.
+#[inline(always)]
+fn of_stages<R: Real, W: Row<R>, const S: usize>(of: &dyn Fn(usize) -> f64) -> W {
+    W::parameter(&|lane| of((lane / R::LANES).min(S - 1)))
+}
+
 /// The equation of a step from a point.
-pub(super) struct Equation<'m, H: System, R: Real, const S: usize> {
+pub(super) struct Equation<'m, F, H: System, R: Real, const S: usize> {
     pub(super) constants: Constants<'m, H, R>,
+    /// The momentum that is conjugate to the time.
+    pub(super) conjugate: R,
     pub(super) y: &'m Pair<H, R>,
     pub(super) time: f64,
     pub(super) h: f64,
     /// The spacing of numbers just above one in this precision.
     pub(super) epsilon: f64,
     pub(super) tableau: &'m Tableau<S>,
+    pub(super) field: PhantomData<F>,
 }
 
-impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
+impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
     /// Finds the increments, and returns the number of evaluations and the faults of lanes without a solution, an empty list if
-    /// all have one. Lanes that have settled keep their result, so no lane iterates because of another one.
+    /// all have one. Lanes that have settled keep their result, so no lane iterates because of another one; some may have settled
+    /// before.
     #[inline(always)]
     fn solve<W: Row<R>>(
         &self,
+        mut settled: R,
         gathered: Option<&H::Parameters<W>>,
         rows: &mut Rows<H, R, W>,
     ) -> (u64, Vec<Option<Unsolved>>) {
-        let Self { tableau: Tableau { mu, b, .. }, y, h, .. } = self;
-        // After the last stage, it is repeated.
-        let of_stage = |of: &dyn Fn(usize) -> f64| W::parameter(&|lane| of((lane / R::LANES).min(S - 1)));
-        let mut columns = [W::of(0.0); S];
-        for (j, column) in columns.iter_mut().enumerate() {
-            *column = of_stage(&|stage| mu[stage][j]);
-        }
-        let weights = of_stage(&|stage| b[stage] * h);
+        let Self { tableau: Tableau { b, .. }, y, h, .. } = self;
+        let columns = self.columns::<W>();
+        let weights = of_stages::<R, W, S>(&|stage| b[stage] * h);
         for numbers in rows.least.halves_mut() {
             numbers.fill(W::state(&|_| f64::INFINITY));
         }
@@ -169,20 +245,8 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         scale(&mut rows.found, weights);
         swap(&mut rows.increments, &mut rows.found);
         let mut evaluations = 1;
-        let mut settled = R::of(0.0);
         for _ in 0..ITERATIONS {
-            for half in 0..2 {
-                let (y, increments) = (y.halves()[half], rows.increments.halves()[half]);
-                let places = &mut *rows.places.halves_mut()[half];
-                for k in 0..y.len() {
-                    let stages = stages_of::<R, W>(increments[k]);
-                    let mut sum = W::splat(stages[0]).scale(columns[0]);
-                    for j in 1..S {
-                        sum = W::splat(stages[j]).scale_add(columns[j], sum);
-                    }
-                    places[k] = W::splat(y[k]) + sum;
-                }
-            }
+            self.place(&columns, rows);
             self.fields(gathered, rows);
             evaluations += S as u64;
             scale(&mut rows.found, weights);
@@ -204,6 +268,63 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
         (evaluations, unsolved)
     }
 
+    /// The coefficients `μ_ij` of each increment.
+    #[inline(always)]
+    fn columns<W: Row<R>>(&self) -> [W; S] {
+        let mut columns = [W::of(0.0); S];
+        for (j, column) in columns.iter_mut().enumerate() {
+            *column = of_stages::<R, W, S>(&|stage| self.tableau.mu[stage][j]);
+        }
+        columns
+    }
+
+    /// Places the stages by the increments.
+    #[inline(always)]
+    fn place<W: Row<R>>(&self, columns: &[W; S], rows: &mut Rows<H, R, W>) {
+        for half in 0..2 {
+            let (y, increments) = (self.y.halves()[half], rows.increments.halves()[half]);
+            let places = &mut *rows.places.halves_mut()[half];
+            for k in 0..y.len() {
+                let stages = stages_of::<R, W>(increments[k]);
+                let mut sum = W::splat(stages[0]).scale(columns[0]);
+                for j in 1..S {
+                    sum = W::splat(stages[j]).scale_add(columns[j], sum);
+                }
+                places[k] = W::splat(y[k]) + sum;
+            }
+        }
+    }
+
+    /// The rates at the stages of the step that was found.
+    #[inline(always)]
+    fn rates<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) -> W {
+        self.place(&self.columns(), rows);
+        if const { are_together::<F, H, R, S>() } {
+            return gathered.map_or(W::of(f64::NAN), |gathered| F::rate(gathered, &rows.places));
+        }
+        let (mut place, mut rates) = (self.y.clone(), W::of(1.0));
+        for stage in 0..S {
+            place.read_stage(&rows.places, stage);
+            rates.set_part(stage, F::rate(self.constants.gathered, &place));
+        }
+        rates
+    }
+
+    /// The duration of the step by the rates at its stages. Members with a rate that is not positive have a fault.
+    #[inline(always)]
+    fn duration(&self, rates: &[R], faults: &mut Vec<Option<Unsolved>>) -> R {
+        let (mut duration, mut least) = (R::of(0.0), rates[0]);
+        for (rate, weight) in rates.iter().zip(&self.tableau.b) {
+            duration += R::of(weight * self.h) / *rate;
+            least = least.min(*rate);
+        }
+        for lane in members::<R>().map(|lanes| lanes.start).filter(|lane| least.lane(*lane) <= 0.0) {
+            faults.resize(R::LANES, None);
+            faults[lane].get_or_insert(Unsolved::Rate { value: least.lane(lane) });
+        }
+        duration
+    }
+
     /// The field at the beginning of the step, for all stages.
     #[inline(always)]
     fn begin<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
@@ -213,7 +334,7 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
             }
             return self.fields(gathered, rows);
         }
-        let first = field_of_step::<H, R>(&self.constants, self.y, self.time);
+        let first = F::at(&self.constants, self.conjugate, self.y, self.time);
         for (found, first) in rows.found.halves_mut().into_iter().zip(first.halves()) {
             spread(first, found);
         }
@@ -223,21 +344,17 @@ impl<H: System, R: Real, const S: usize> Equation<'_, H, R, S> {
     #[inline(always)]
     fn fields<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
         let Rows { found, places, .. } = rows;
-        if const { are_together::<H, R, S>() } {
+        if const { are_together::<F, H, R, S>() } {
             let Some(gathered) = gathered else { return };
             for numbers in found.halves_mut() {
                 numbers.fill(W::of(0.0));
             }
-            return add_field::<H, W>(gathered, places, found, self.time);
+            return F::add(gathered, W::splat(self.conjugate), places, found, self.time);
         }
         let mut place = self.y.clone();
         for stage in 0..S {
-            for (place, places) in place.halves_mut().into_iter().zip(places.halves()) {
-                for k in 0..place.len() {
-                    place[k] = places[k].part(stage);
-                }
-            }
-            let field = field_of_step::<H, R>(&self.constants, &place, self.time + self.tableau.c[stage] * self.h);
+            place.read_stage(places, stage);
+            let field = F::at(&self.constants, self.conjugate, &place, self.time + self.tableau.c[stage] * self.h);
             for (found, field) in found.halves_mut().into_iter().zip(field.halves()) {
                 for k in 0..field.len() {
                     found[k].set_part(stage, field[k]);

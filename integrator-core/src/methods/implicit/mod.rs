@@ -14,6 +14,7 @@ mod iteration;
 mod motion;
 #[cfg(feature = "check")]
 mod newton;
+mod rated;
 mod rows;
 mod tableau;
 #[cfg(feature = "check")]
@@ -21,8 +22,10 @@ mod without_contraction;
 
 pub use backward::BackwardEuler;
 pub use gauss_legendre::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint};
+pub use rated::RatedField;
 
 use crate::{
+    methods::pace::Paced,
     scalar::real::Real,
     state::precision::Precision,
     system::{Shaped, System},
@@ -32,7 +35,9 @@ use crate::{
     },
 };
 use alloc::sync::Arc;
+use field::OfTime;
 use motion::Implicit;
+use rated::OfRate;
 use tableau::Stages;
 
 /// A method that uses the whole vector field of `H` instead of the flows of parts.
@@ -44,11 +49,38 @@ use tableau::Stages;
 )]
 pub trait TakesWhole: Described + Default {}
 
-/// The methods of Runge and Kutta with these stages, for every system.
+/// The methods of Runge and Kutta with these stages, for all systems with a field.
 macro_rules! implicit {
-    ([$($generics:tt)*] $method:ty, $stages:tt stages) => {
-        impl<H: System, $($generics)*> Resumable<H> for $method where Self: Stages<$stages> {}
+    ([$($generics:tt)*] $method:ty: $stages:tt stages of $tableau:ty, $system:ident by $field:ty) => {
+        impl<H: $system, $($generics)*> Resumable<H> for $method where $tableau: Stages<$stages> {}
 
+        #[diagnostic::do_not_recommend]
+        impl<H: $system, $($generics)*> Method<H> for $method
+        where
+            $tableau: Stages<$stages>,
+        {
+            const WIDE: bool = H::WIDE || iteration::may_be_together::<$field, H>($stages);
+
+            type Constants = H::Parameters<f64>;
+            type Motion<R: Real, K: Precision> = Implicit<$field, R, Shaped<H, K>, H::Parameters<R>>;
+
+            fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
+                parameters
+            }
+            fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
+                iteration::step_functions::<$field, H, R, K, E, $tableau, $stages>()
+            }
+        }
+    };
+}
+
+implicit!([const S: usize] GaussLegendre<S>: S stages of Self, System by OfTime);
+implicit!([] BackwardEuler: 1 stages of Self, System by OfTime);
+implicit!([const S: usize] Paced<GaussLegendre<S>>: S stages of GaussLegendre<S>, RatedField by OfRate);
+
+/// Methods whose steps are determined by the state.
+macro_rules! memoryless {
+    ([$($generics:tt)*] $method:ty: $stages:tt stages) => {
         impl<H: System, $($generics)*> Differentiable<H> for $method
         where
             Self: Stages<$stages>,
@@ -58,26 +90,10 @@ macro_rules! implicit {
 
         #[diagnostic::do_not_recommend]
         impl<H: System, $($generics)*> Memoryless<H> for $method where Self: Stages<$stages> {}
-
-        #[diagnostic::do_not_recommend]
-        impl<H: System, $($generics)*> Method<H> for $method
-        where
-            Self: Stages<$stages>,
-        {
-            const WIDE: bool = H::WIDE || iteration::may_be_together::<H>($stages);
-
-            type Constants = H::Parameters<f64>;
-            type Motion<R: Real, K: Precision> = Implicit<R, Shaped<H, K>, H::Parameters<R>>;
-
-            fn constants(self, parameters: Arc<H::Parameters<f64>>) -> Arc<H::Parameters<f64>> {
-                parameters
-            }
-            fn step_functions<R: Real, K: Precision, E: Executor>() -> StepFunctions<Self::Motion<R, K>> {
-                StepFunctions::of_whole_steps(R::LANES, iteration::advance::<H, R, K, Self, $stages>, None)
-            }
-        }
     };
 }
 
-implicit!([const S: usize] GaussLegendre<S>, S stages);
-implicit!([] BackwardEuler, 1 stages);
+memoryless!([const S: usize] GaussLegendre<S>: S stages);
+memoryless!([] BackwardEuler: 1 stages);
+
+impl<H: RatedField, const S: usize> Differentiable<H> for Paced<GaussLegendre<S>> where GaussLegendre<S>: Stages<S> {}

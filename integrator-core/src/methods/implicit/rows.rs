@@ -13,6 +13,18 @@ use core::marker::PhantomData;
 /// The most stages, and the lanes of a row.
 pub(super) const MOST: usize = 8;
 
+impl<H: System, R: Real> Pair<H, R> {
+    /// Reads the numbers of a stage from rows.
+    #[inline(always)]
+    pub(super) fn read_stage<W: Row<R>>(&mut self, rows: &Pair<H, W>, stage: usize) {
+        for (numbers, rows) in self.halves_mut().into_iter().zip(rows.halves()) {
+            for k in 0..numbers.len() {
+                numbers[k] = rows[k].part(stage);
+            }
+        }
+    }
+}
+
 /// The numbers of the stages in a row; those after the last stage are of no use.
 #[inline(always)]
 pub(super) fn stages_of<R: Real, W: Row<R>>(row: W) -> [R; MOST] {

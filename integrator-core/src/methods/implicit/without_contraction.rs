@@ -1,8 +1,8 @@
 //! The lanes of an implicit step whose fixed-point iteration does not settle, by Newton's iteration.
 
 use super::{
-    field::{Constants, Pair, field_of_step},
-    iteration::Equation,
+    field::{Constants, Field, Pair},
+    iteration::{Equation, members},
     newton::{self, by_columns},
     rows::stages_of,
 };
@@ -16,31 +16,28 @@ use core::ops::Range;
 use nalgebra::DMatrix;
 
 /// The increments of all lanes that are not settled.
-pub(super) fn solve<H: System, R: Real, W: Row<R>, const S: usize>(
-    equation: &Equation<'_, H, R, S>,
+pub(super) fn solve<F: Field<H>, H: System, R: Real, W: Row<R>, const S: usize>(
+    equation: &Equation<'_, F, H, R, S>,
     increments: &mut Pair<H, W>,
     settled: R,
     evaluations: &mut u64,
 ) -> Vec<Option<Unsolved>> {
     let mut unsolved = vec![None; R::LANES];
-    // A member may have its tangents in the lanes after its own.
-    let together = (R::LANES / R::MEMBERS.max(1)).max(1);
-    for own in (0..R::LANES).step_by(together) {
-        let lanes = own..own + together;
+    for lanes in members::<R>() {
         if lanes.clone().all(|lane| settled.lane(lane) > 0.0) {
             continue;
         }
         match slopes(equation, &lanes, evaluations) {
-            Ok(slopes) => store::<H, R, W, S>(equation, &slopes, &lanes, increments),
-            Err(update) => unsolved[own] = Some(Unsolved::Newton { iterations: newton::ITERATIONS, update }),
+            Ok(slopes) => store::<F, H, R, W, S>(equation, &slopes, &lanes, increments),
+            Err(update) => unsolved[lanes.start] = Some(Unsolved::Newton { iterations: newton::ITERATIONS, update }),
         }
     }
     if unsolved.iter().all(Option::is_none) { Vec::new() } else { unsolved }
 }
 
 /// The field at the stages of the member in these lanes.
-fn slopes<H: System, R: Real, const S: usize>(
-    Equation { constants, y, time, h, epsilon, tableau }: &Equation<'_, H, R, S>,
+fn slopes<F: Field<H>, H: System, R: Real, const S: usize>(
+    Equation { constants, conjugate, y, time, h, epsilon, tableau, .. }: &Equation<'_, F, H, R, S>,
     lanes: &Range<usize>,
     evaluations: &mut u64,
 ) -> Result<Vec<newton::Lists>, f64> {
@@ -65,16 +62,16 @@ fn slopes<H: System, R: Real, const S: usize>(
                     });
                 }
             }
-            lists(&field_of_step::<H, R>(constants, &point, time))
+            lists(&F::at(constants, *conjugate, &point, time))
         },
-        jacobian: &|place, time| jacobian::<H, R>(constants, lanes.start, place, time),
+        jacobian: &|place, time| jacobian::<F, H, R>(constants, conjugate.lane(lanes.start), lanes.start, place, time),
     }
     .solve(evaluations)
 }
 
 /// Replaces the increments of some lanes by those of these slopes.
-fn store<H: System, R: Real, W: Row<R>, const S: usize>(
-    Equation { h, tableau, .. }: &Equation<'_, H, R, S>,
+fn store<F, H: System, R: Real, W: Row<R>, const S: usize>(
+    Equation { h, tableau, .. }: &Equation<'_, F, H, R, S>,
     slopes: &[newton::Lists],
     lanes: &Range<usize>,
     increments: &mut Pair<H, W>,
@@ -96,8 +93,9 @@ fn store<H: System, R: Real, W: Row<R>, const S: usize>(
 }
 
 /// The derivatives of the field of one member, column by column by duals.
-fn jacobian<H: System, R: Real>(
+fn jacobian<F: Field<H>, H: System, R: Real>(
     Constants { of_lanes, shape, middle, .. }: &Constants<'_, H, R>,
+    conjugate: f64,
     own: usize,
     place: &[f64],
     time: f64,
@@ -116,7 +114,7 @@ fn jacobian<H: System, R: Real>(
                 *number = <Dual>::state(&|lane| if lane == 0 { place[at] } else { slope });
             }
         }
-        listed(&field_of_step::<H, Dual>(&constants, &point, time), 1)
+        listed(&F::at::<Dual>(&constants, <Dual>::of(conjugate), &point, time), 1)
     })
 }
 

@@ -65,20 +65,20 @@ pub struct Power<X>(pub f64, pub X);
 
 /// Returns the facts of all methods that transform energies. Steps by `-h` undo those by `h` at the same `B`, which the
 /// state does not contain: a run back from it has another `B`, so that symmetry is not claimed.
-fn facts(name: &'static str, of_composition: Facts) -> Facts {
-    let Facts { name: over, order, forces, roundings, table, .. } = of_composition;
+pub(in crate::methods) fn transformed(name: &'static str, of_method: Facts) -> Facts {
+    let Facts { name: over, order, forces, roundings, table, .. } = of_method;
     Facts { name, order, symplectic: true, forces, roundings, over: Some(over), table, ..Facts::UNCLAIMED }
 }
 
 impl<X: Scheme> Described for Logarithmic<X> {
     fn facts(self) -> Facts {
-        facts("Logarithmic", self.0.facts())
+        transformed("Logarithmic", self.0.facts())
     }
 }
 
 impl<X: Scheme> Described for Power<X> {
     fn facts(self) -> Facts {
-        facts("Power", self.1.facts())
+        transformed("Power", self.1.facts())
     }
     fn admissible(self) -> Result<(), Error> {
         match self.0.is_finite() && self.0 != 0.0 {
@@ -97,6 +97,9 @@ impl<X: Scheme> Described for Power<X> {
 /// class keeps its order. Steps are reversible in the space extended by `W`, but **not symplectic**. [`Logarithmic`] is
 /// symplectic, but requires `V < 0`. If `T` is not quadratic in the momenta, the change of `W` in a kick is an integral by
 /// Gauss quadrature with an error of order 10.
+///
+/// For H that is not `T(p) + V(q)`, `Paced(GaussLegendre::<8>)` integrates `(H + B)/Ω` with `B = -H` at the start. Its steps are
+/// symplectic in the space of `(q, t)` and `(p, B)`, and have the order of the implicit method.
 ///
 /// ```
 /// use integrator_core::prelude::*;
@@ -122,14 +125,14 @@ pub struct Paced<X>(pub X);
 
 impl<X: Scheme> Described for Paced<X> {
     fn facts(self) -> Facts {
-        Facts { symplectic: false, ..facts("Paced", self.0.facts()) }
+        Facts { symplectic: false, ..transformed("Paced", self.0.facts()) }
     }
 }
 
 macro_rules! time_transformation {
     ($method:ident of $system:ident, $transformation:ty, $exponent:expr, $transforms_energy:expr) => {
         #[diagnostic::do_not_recommend]
-        impl<H: $system, X: Composition<H>> Method<H> for $method<X> {
+        impl<H: $system, X: Composition<H> + Scheme> Method<H> for $method<X> {
             /// A single run uses AVX-512, as members of ensembles do, because powers round differently with these
             /// instructions.
             const WIDE: bool = true;
@@ -149,11 +152,11 @@ macro_rules! time_transformation {
 
 impl<H: TimeTransformed, X: Composition<H>> Differentiable<H> for Logarithmic<X> {}
 impl<H: TimeTransformed, X: Composition<H>> Differentiable<H> for Power<X> {}
-impl<H: Rated, X: Composition<H>> Differentiable<H> for Paced<X> {}
+impl<H: Rated, X: Composition<H> + Scheme> Differentiable<H> for Paced<X> {}
 
 impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Logarithmic<X> {}
 impl<H: TimeTransformed, X: Composition<H>> Resumable<H> for Power<X> {}
-impl<H: Rated, X: Composition<H>> Resumable<H> for Paced<X> {}
+impl<H: Rated, X: Composition<H> + Scheme> Resumable<H> for Paced<X> {}
 
 time_transformation!(Logarithmic of TimeTransformed, Ln, |_: Self| 0.0, true);
 time_transformation!(Power of TimeTransformed, ToPower, |power: Self| power.0, true);

@@ -10,6 +10,7 @@ mod in_lanes;
 mod method;
 mod motion;
 
+pub(super) use method::transformed;
 pub use method::{Logarithmic, Paced, Power};
 
 use crate::{

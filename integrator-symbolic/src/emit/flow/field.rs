@@ -2,10 +2,11 @@
 
 use super::Flow;
 use crate::{
-    differentiate::gradient,
+    differentiate::{Contribution, gradient},
     emit::printer::{block::Emitter, frame::Frame},
-    graph::Part,
+    graph::{Graph, NodeId, Part},
     model::Length,
+    syntax::names::Names,
 };
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -33,29 +34,38 @@ pub(crate) fn items(emitter: &mut Emitter<'_>, is_restated: bool) -> Option<Toke
 
 /// The function that moves coordinates along the field at others.
 fn function(emitter: &mut Emitter<'_>) -> TokenStream {
-    let body = along_field(emitter).body;
-    let names = emitter.names;
+    let energy = emitter.model.energy();
+    let field = field(&mut emitter.model.graph, energy);
+    let body = Flow::along(emitter, &field, Part::Momentum, &Frame::Apart).body;
     let [motion, moved, duration, time] = ["motion", "moved", "duration", "time"].map(|name| body.argument(name));
-    let (body, runtime, scalar, leaf) = (&body.0, &names.runtime, &names.scalar, &names.leaf);
+    let [generics, read_by, moved_by] = argument_types(emitter.names);
+    let body = &body.0;
     quote! {
         #[inline(always)]
-        fn along_field<#scalar: #runtime::Real, #leaf: #runtime::Precision>(
-            #motion: #runtime::ReadBy<'_, Self, #scalar, #leaf>,
-            #moved: #runtime::MovedBy<'_, Self, #scalar, #leaf>,
+        fn along_field #generics(
+            #motion: #read_by,
+            #moved: #moved_by,
             #duration: f64,
             #time: f64,
         ) { #body }
     }
 }
 
-/// The motion along the field of H, of coordinates that it does not read: both halves share what they compute.
-fn along_field(emitter: &mut Emitter<'_>) -> Flow {
-    let [first, others] = [emitter.model.kinetic, emitter.model.potential];
-    let graph = &mut emitter.model.graph;
-    let energy = graph.add(first, others);
+/// The generics of functions that read coordinates apart from those that they move, and the types of these two arguments.
+pub(super) fn argument_types(names: &Names) -> [TokenStream; 3] {
+    let Names { runtime, scalar, leaf, .. } = names;
+    [
+        quote!(<#scalar: #runtime::Real, #leaf: #runtime::Precision>),
+        quote!(#runtime::ReadBy<'_, Self, #scalar, #leaf>),
+        quote!(#runtime::MovedBy<'_, Self, #scalar, #leaf>),
+    ]
+}
+
+/// The field of an energy: both halves share what they compute.
+pub(super) fn field(graph: &mut Graph, energy: NodeId) -> Vec<Contribution> {
     let velocity = gradient(graph, energy, Part::Momentum);
     let mut field = gradient(graph, energy, Part::Position);
     field.iter_mut().for_each(|contribution| contribution.value = graph.neg(contribution.value));
     field.extend(velocity);
-    Flow::along(emitter, &field, Part::Momentum, &Frame::Apart)
+    field
 }

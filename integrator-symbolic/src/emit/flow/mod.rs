@@ -17,6 +17,7 @@ pub(super) mod pairs;
 pub(super) mod part_of_pairs;
 pub(super) mod pieces;
 pub(super) mod quadratic;
+pub(super) mod rated_field;
 pub(super) mod transformed;
 pub(super) mod user_energies;
 
