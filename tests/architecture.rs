@@ -177,7 +177,7 @@ const LAYOUT: MayKnow = (
 
 /// The folders of `methods`.
 const METHODS: MayKnow =
-    ("integrator-core/src/methods", &[("implicit", &[]), ("inner_steps", &[]), ("pace", &[]), ("taylor", &[])]);
+    ("integrator-core/src/methods", &[("pace", &[]), ("implicit", &["pace"]), ("inner_steps", &[]), ("taylor", &[])]);
 
 /// All of them.
 const ORDERS: [MayKnow; 7] = [SYMBOLIC, MODEL, EMIT, CORE, CHECK, LAYOUT, METHODS];
