@@ -1,0 +1,59 @@
+//! The examples of H that does not separate, in short runs by implicit methods: each has a number that is known from elsewhere.
+
+#[path = "../examples/heavy_top/elliptic.rs"]
+mod elliptic;
+#[path = "../examples/kerr/geodesic.rs"]
+mod kerr;
+#[path = "../examples/heavy_top/top.rs"]
+mod top;
+
+use integrator_core::prelude::*;
+
+/// The innermost stable orbit has a closed form (Bardeen, Press and Teukolsky 1972), and Carter's constant is an integral that H
+/// does not show.
+#[test]
+fn a_rotating_black_hole_has_its_innermost_orbit_and_the_constant_of_carter() {
+    for spin in [0.0, 0.9] {
+        let hole = kerr::Kerr { spin };
+        let (found, exact) = (hole.innermost_by_tangents().expect("orbits"), hole.innermost());
+        // Without spin, the squared frequency is (r - 6)/(r³ (r - 3)): the trace changes by 25/648 of the distance from this orbit,
+        // and is rounded to some 1e-13. With spin it changes more.
+        assert!((found / exact - 1.0).abs() < 1e-11, "spin {spin}: {found}, {exact}");
+    }
+    let (hole, start) = (kerr::Kerr { spin: 0.9 }, kerr::inclined());
+    let mut run = hole.run(start, 1.0).expect("a start");
+    assert!((run.energy() + 0.5).abs() < 1e-14, "the mass is {}", -2.0 * run.energy());
+    let carter = hole.carter(&start);
+    run.advance(3_000).expect("an orbit");
+    let state = run.state();
+    // Roundings of 3,000 steps, as a walk, of terms of H up to a hundred: 55 times 1e-14; those of Carter's constant are less.
+    assert!((run.energy() + 0.5).abs() < 5e-13, "{:e}", run.energy() + 0.5);
+    assert!((hole.carter(&state) / carter - 1.0).abs() < 1e-12, "{:e}", hole.carter(&state) / carter - 1.0);
+    assert_eq!([state.p[0], state.p[3]], [start.p[0], start.p[3]], "H depends on neither the time nor the angle");
+}
+
+/// Nutation is an elliptic function of time, and an upright top falls if its spin is below two.
+#[test]
+fn a_heavy_top_nutates_as_in_closed_form_and_falls_below_a_spin_of_two() {
+    let heavy = top::Top { axial: 0.5 };
+    for precession in [-0.4, 0.0, 0.2] {
+        let release = top::Release { height: 0.5, spin: 3.0, precession };
+        let (exact, found) = (release.nutation(), top::motion(&heavy, &release, 0.25, 40).expect("steps"));
+        // Roundings of 400 steps, as a walk: 20 times 2e-16, times the derivatives of H, which are up to 6.
+        assert!(found.energy_error < 5e-14, "{precession}: {:e}", found.energy_error);
+        // The period has a derivative by the energy of about one, so that 40 of them are off by 40 times the error of H at most.
+        assert!(found.height_error < 2e-12, "{precession}: {:e}", found.height_error);
+        for (found, exact) in [(found.period, exact.period()), (found.precession, exact.precession())] {
+            assert!((found / exact - 1.0).abs() < 1e-13, "{precession}: {found} and {exact}");
+        }
+    }
+    for (spin, upright) in [(1.9_f64, 0.805_f64.acos()), (2.1, 0.0)] {
+        let release = top::Release { height: 1.0_f64.to_radians().cos(), spin, precession: 0.0 };
+        let found = top::largest_tilt(&heavy, &release, 0.1, 200).expect("steps");
+        // The cosine of one degree is rounded, by 7e-13 of the angle.
+        assert!((found / release.nutation().lowest.acos() - 1.0).abs() < 1e-11, "{spin}: {found}");
+        // The tilt of an upright top, spin²/2 - 1 = cos θ, changes by the square of the first tilt, and a sleeping top has a few times
+        // the first tilt.
+        assert!((found - upright).abs() < 0.06, "{spin}: {found} and {upright}");
+    }
+}
