@@ -2,6 +2,8 @@
 
 #[path = "../examples/double_pendulum_flips/pendulum.rs"]
 mod double_pendulum;
+#[path = "../examples/ellipsoid/surface.rs"]
+mod ellipsoid;
 #[path = "../examples/heavy_top/elliptic.rs"]
 mod elliptic;
 #[path = "../examples/kerr/geodesic.rs"]
@@ -88,5 +90,29 @@ fn a_double_pendulum_flips_where_its_energy_suffices() {
         let found = double_pendulum::small_swings(mode).expect("steps");
         // Swings of the rods against each other by 8e-6 have a frequency that differs by about the square of this.
         assert!((found / mode - 1.0).abs() < 1e-10, "{found} and {mode}");
+    }
+}
+
+/// Geodesics have the integral of Joachimsthal and oscillate between lines of curvature, and those from an umbilic point meet at the
+/// opposite one (Jacobi 1839).
+#[test]
+fn geodesics_on_an_ellipsoid_have_their_integral_and_meet_at_umbilic_points() {
+    let (ellipsoid, latitude) = (ellipsoid::Ellipsoid { axes: [1.01, 1.0, 0.8] }, 45.1_f64.to_radians());
+    let start = ellipsoid.circumpolar(latitude);
+    let (mut run, mut largest) = (ellipsoid.run(start, 0.05).expect("a start"), 0.0_f64);
+    for _ in 0..200 {
+        run.advance(5).expect("a geodesic");
+        largest = largest.max(ellipsoid.latitude(run.state().q));
+    }
+    let joachimsthal = run.invariant("joachimsthal").expect("its name") / ellipsoid.integral(latitude);
+    // Roundings of 1,000 steps, as a walk: 32 times 2e-16, times derivatives of about one.
+    let errors = [2.0 * run.energy() - 1.0, joachimsthal - 1.0];
+    assert!(errors.iter().all(|error| error.abs() < 5e-14), "{errors:?}");
+    // Samples miss the time of the largest latitude by 0.125 at most, in which a latitude decreases by the square of this.
+    assert!((-0.016..1e-13).contains(&(largest - latitude)), "{largest} and {latitude}");
+    for degrees in [60.0_f64, 90.0, 140.0] {
+        let miss = ellipsoid.miss(degrees.to_radians(), 0.05).expect("a geodesic");
+        // Roundings of 57 steps; geodesics of nearly the same direction are apart by their angle at most.
+        assert!(miss < 2e-14, "{degrees}: {miss:e}");
     }
 }
