@@ -96,7 +96,7 @@ fn a_double_pendulum_flips_where_its_energy_suffices() {
     }
 }
 
-/// Geodesics have the integral of Joachimsthal and oscillate between lines of curvature, and those from an umbilic point meet at the
+/// Geodesics have Joachimsthal's integral and oscillate between lines of curvature, and those from an umbilic point meet at the
 /// opposite one (Jacobi 1839).
 #[test]
 fn geodesics_on_an_ellipsoid_have_their_integral_and_meet_at_umbilic_points() {
@@ -115,27 +115,27 @@ fn geodesics_on_an_ellipsoid_have_their_integral_and_meet_at_umbilic_points() {
     assert!((-0.016..1e-13).contains(&(largest - latitude)), "{largest} and {latitude}");
     for degrees in [60.0_f64, 90.0, 140.0] {
         let miss = ellipsoid.miss(degrees.to_radians(), 0.05).expect("a geodesic");
-        // Roundings of 57 steps; geodesics of nearly the same direction are apart by their angle at most.
+        // Roundings of 57 steps; neighbouring geodesics from one point separate by their angle at most.
         assert!(miss < 2e-14, "{degrees}: {miss:e}");
     }
 }
 
-/// For small radii of gyration, the width of a banana follows from the toroidal momentum, and particles are trapped up to a pitch of
+/// For a small gyroradius, the width of a banana orbit follows from the toroidal momentum, and particles are trapped up to a pitch of
 /// `√(2 ε / (1 + ε))`.
 #[test]
-fn a_particle_in_a_tokamak_has_the_orbits_of_small_gyrations() {
+fn a_particle_in_a_tokamak_has_the_orbits_of_a_small_gyroradius() {
     let (tokamak, minor, h) = (tokamak::Tokamak { safety: 2.0 }, 0.2, 2.0);
     let error = |speed: f64| {
         let widths = [0.3, -0.3].map(|pitch| tokamak.banana(minor, speed, pitch, h).expect("an orbit"));
         0.5 * (widths[0] + widths[1]) / tokamak.banana_of_theory(minor, speed, 0.3) - 1.0
     };
     let [coarse, fine] = [1.6e-2, 8e-3].map(error);
-    // The first order in the radius cancels in the mean of both directions, so that half the radius has a quarter of the error. The
+    // The first order in the gyroradius cancels in the mean of both directions, so half the gyroradius has a quarter of the error. The
     // smaller width is 0.29 of the minor radius, the fourth power of which is 0.007.
     assert!((3.0..6.0).contains(&(coarse / fine)), "{coarse} and {fine}");
     assert!(((4.0 * fine - coarse) / 3.0).abs() < 0.01, "{coarse} and {fine}");
-    // The boundary is that of another flux surface within the orbit, half a banana or 0.28 of the minor radius from the start at most.
-    // The pitch varies by half of this, as a root.
+    // The boundary is that of a flux surface within the orbit, which extends from the start by 0.28 of the minor radius at most. The
+    // pitch varies by half of this, since it is a square root.
     let boundary = tokamak::boundary_of_theory(minor);
     for pitch in [-0.8, 1.2] {
         let r = tokamak.returns(minor, 8e-3, pitch * boundary, h).expect("an orbit");

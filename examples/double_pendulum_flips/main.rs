@@ -1,13 +1,13 @@
 //! Draws a map of the time until a double pendulum flips, from rest at each pair of angles (Heyl 2008).
 //!
-//! The picture `double_pendulum_flips.png` has a white region around the hanging pendulum, where no rod flips until t = 100. A line
-//! marks `3 cos a + cos b = 2`, within which the energy does not suffice. Times vary strongly from point to point outside, where
-//! motions are chaotic. There are also regions without a flip outside of the line.
+//! The picture `double_pendulum_flips.png` has a white region around the hanging pendulum, where no rod flips until t = 100. The line
+//! is `3 cos a + cos b = 2`: within it, the energy does not suffice for a flip. Outside, times vary strongly between neighbouring
+//! points where the motion is chaotic, and some regions do not flip although their energy suffices.
 //!
-//! H is in one piece. An ensemble integrates all pendulums in vector lanes, each until it flips. Both signs of the angles have the same
-//! times, so that only half of the plane is integrated. The program prints:
+//! H is in one piece. An ensemble integrates all pendulums in SIMD lanes, each until it flips. Reversing the signs of both angles does
+//! not change the time, so only half of the plane is integrated. The program prints:
 //!
-//! - the share of pendulums that flipped until several times, for two steps. Chaotic motions differ, but shares hardly do.
+//! - the share of pendulums that flipped until several times, for two steps. Chaotic motions depend on the step, but shares hardly do.
 //! - the number of pendulums that flipped within the line, and the largest error of H.
 //! - the squared frequencies of small swings, and the closed form `3 ± 6/√7`.
 
@@ -21,7 +21,7 @@ use std::{error::Error, f64::consts::PI, time::Instant};
 use support::{Watch, folder};
 
 /// Rows and columns of the map.
-const CELLS: u32 = 240;
+const CELLS: u32 = 200;
 const UNTIL: u32 = 100;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,11 +1,12 @@
-//! Follows geodesics on an ellipsoid with three different axes, whose integral is that of Joachimsthal.
+//! Follows geodesics on a triaxial ellipsoid and checks Joachimsthal's integral.
 //!
-//! H is in one piece: the kinetic energy depends on the place. The ellipsoid has the axes 1.01 : 1 : 0.8. The program prints:
+//! H is in one piece: the metric depends on the position. The ellipsoid has the axes 1.01 : 1 : 0.8. The program prints:
 //!
-//! - for a geodesic around the shortest axis over a million steps: the largest relative errors of H and of the integral, which does
-//!   not follow from a symmetry, and the largest latitude, compared with the line of curvature that the geodesic touches.
-//! - for geodesics from an umbilic point in several directions: the distance from the opposite point, at which all of them meet, after
-//!   half the perimeter of the ellipse through both.
+//! - for a geodesic around the shortest axis over a million steps: the largest relative errors of H and of Joachimsthal's
+//!   integral, which does not follow from a symmetry. The largest latitude is that of the line of curvature which the geodesic
+//!   touches, 45.1 degrees.
+//! - for geodesics from an umbilic point in several directions: the distance from the opposite umbilic point after half the
+//!   perimeter of the ellipse through both. All these geodesics meet there (Jacobi 1839).
 
 mod surface;
 

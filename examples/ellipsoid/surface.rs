@@ -1,4 +1,4 @@
-//! Geodesics on an ellipsoid with three different axes.
+//! Geodesics on a triaxial ellipsoid.
 
 use integrator_core::{GaussLegendre, prelude::*};
 use std::f64::consts::{PI, TAU};
@@ -51,7 +51,7 @@ impl Ellipsoid {
         Phase::new([height.acos(), 0.0], [south * (a * height).hypot(c * sine), east * b * sine])
     }
 
-    /// Returns the start of the geodesic that touches the line of curvature at an ellipsoidal latitude β. It oscillates between β
+    /// Returns the start of the geodesic that touches the line of curvature at the ellipsoidal latitude β. It oscillates between β
     /// and -β.
     pub(crate) fn circumpolar(&self, latitude: f64) -> Phase<[f64; 2]> {
         self.start(latitude.sin() * self.umbilic_height(), 0.5 * PI)
@@ -68,7 +68,7 @@ impl Ellipsoid {
         ((b - c) / (a - c)).sqrt()
     }
 
-    /// Returns the integral of Joachimsthal of the geodesic that touches the line of curvature at a latitude β.
+    /// Returns Joachimsthal's integral of the geodesic that touches the line of curvature at a latitude β.
     pub(crate) fn integral(&self, latitude: f64) -> f64 {
         let [a, b, c] = self.axes.map(|axis| axis * axis);
         let (sine, cosine) = latitude.sin_cos();
@@ -102,8 +102,7 @@ impl Ellipsoid {
         TAU * sum / larger
     }
 
-    /// Returns the distance from the point that is opposite to a umbilic point, after half the perimeter. All geodesics from the one
-    /// meet at the other.
+    /// Returns the distance between a geodesic from an umbilic point and the opposite umbilic point, after half the perimeter.
     ///
     /// # Errors
     /// A step has no solution.

@@ -1,12 +1,12 @@
-//! Integrates a heavy symmetric top in the angles of Euler, and compares its nutation with elliptic functions.
+//! Integrates a heavy symmetric top in Euler angles, and compares its nutation with elliptic functions.
 //!
 //! H is in one piece: the kinetic energy depends on the tilt. The program prints:
 //!
-//! - for the three kinds of motion (the axis draws loops, cusps or waves on a sphere) over 10,000 nutations: the period of the
-//!   nutation and the angle of precession in it, each with its relative difference from the closed form, and the largest errors of
-//!   the cosine of the tilt and of H.
+//! - for the three kinds of motion over 10,000 nutations (the axis draws loops, cusps or waves on a sphere): the nutation period and
+//!   the precession per nutation, each with its relative difference from the closed form in parentheses. The last columns are the
+//!   largest errors of cos θ and of H, where θ is the tilt.
 //! - for several spins: the largest tilt of a top that is released at rest one degree from the vertical, the closed form, and the
-//!   limit of an upright top. An upright top sleeps if `spin² > 4 I₁ m g l`, here if the spin exceeds two.
+//!   closed form of an upright top. An upright top is stable (sleeps) if `(I₃ ω₃)² > 4 I₁ m g l`, here if the spin exceeds two.
 
 mod elliptic;
 mod top;

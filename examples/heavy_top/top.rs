@@ -1,16 +1,17 @@
-//! A heavy symmetric top. Units: the moment of inertia across the axis, the weight times the distance of the centre of mass.
+//! A heavy symmetric top. Units: the moment of inertia perpendicular to the axis, and the weight times the distance of the centre of
+//! mass from the fixed point.
 
 use crate::elliptic::Elliptic;
 use integrator_core::{GaussLegendre, prelude::*};
 
-/// A top that turns about a fixed point below its centre of mass.
+/// A symmetric top with a fixed point below its centre of mass.
 #[derive(Clone, Copy)]
 pub(crate) struct Top {
     /// The moment of inertia about the axis.
     pub(crate) axial: f64,
 }
 
-/// H in the angles of Euler (θ, φ, ψ): the tilt of the axis, the precession and the rotation about the axis.
+/// H in Euler angles (θ, φ, ψ): the tilt of the axis, the precession and the rotation about the axis.
 #[hamiltonian(split = none, compose = GaussLegendre<8>)]
 impl Top {
     fn hamiltonian(&self, [theta, _, _]: [f64; 3], [ptheta, pphi, ppsi]: [f64; 3]) -> f64 {
@@ -20,7 +21,7 @@ impl Top {
     }
 }
 
-/// The start of a motion at its smallest tilt.
+/// A start at the smallest tilt of the motion.
 #[derive(Clone, Copy)]
 pub(crate) struct Release {
     /// The cosine of the tilt.
@@ -66,7 +67,7 @@ pub(crate) struct Nutation {
     elliptic: Elliptic,
 }
 
-/// Points of the trapezoidal rule over a period. The rate of precession is analytic, so that the error decreases exponentially.
+/// Points of the trapezoidal rule over a period. Its error decreases exponentially, because the precession rate is analytic.
 const POINTS: u32 = 128;
 
 impl Nutation {
@@ -81,7 +82,7 @@ impl Nutation {
         self.lowest + (self.release.height - self.lowest) * sn * sn
     }
 
-    /// Returns the angle of precession in one nutation: the integral of the rate of precession at this height.
+    /// Returns the precession per nutation: the integral of the precession rate over a period of the closed form.
     pub(crate) fn precession(&self) -> f64 {
         let rate = |point: u32| {
             let u = self.height(self.period() * f64::from(point) / f64::from(POINTS));
@@ -91,9 +92,9 @@ impl Nutation {
     }
 }
 
-/// The quantities of a motion over many nutations.
+/// Measured quantities of a motion.
 pub(crate) struct Motion {
-    /// The mean period of the nutation, and the mean angle of precession in it.
+    /// The mean nutation period, and the mean precession per nutation.
     pub(crate) period: f64,
     pub(crate) precession: f64,
     /// The largest errors of `cos θ`, compared with the closed form, and of H.
@@ -101,7 +102,7 @@ pub(crate) struct Motion {
     pub(crate) energy_error: f64,
 }
 
-/// Integrates some nutations with step `h`, and compares the state after each step with the closed form.
+/// Integrates this number of nutations with step `h`, and compares the state after each step with the closed form.
 ///
 /// # Errors
 /// A step has no solution.

@@ -1,12 +1,14 @@
-//! Follows a charged particle in a tokamak, including its gyration, and compares its drift with the theory of small gyrations.
+//! Follows a charged particle in a tokamak, including its gyration, and compares its orbits with the limit of a small gyroradius.
 //!
-//! H is in one piece, since the vector potential depends on positions. The guiding centre starts on the outer side of a flux surface of
-//! a fifth of the major radius. The program prints:
+//! H is in one piece, since the vector potential depends on positions. The guiding centre starts on the outer side of a flux surface
+//! whose radius is a fifth of the major radius. The program prints:
 //!
 //! - the largest errors of H and of the toroidal momentum of a trapped particle over a million steps.
-//! - for several radii of gyration: the pitch that separates trapped particles from passing ones, for both directions and as their
-//!   mean, and the width of a trapped orbit divided by that of the theory, as the mean of both directions. The last line is the
-//!   limit.
+//! - for several gyroradii: the pitch that separates trapped from passing particles, for both directions and as their mean, and the
+//!   width of a banana orbit divided by that of the theory, as the mean of both directions. The errors of both means decrease with
+//!   the square of the gyroradius.
+//!
+//! The pitch is the velocity along the field divided by the speed.
 
 mod particle;
 
@@ -32,7 +34,7 @@ fn main() -> Result<(), Error> {
     // H is the half square of differences of momenta and potentials, which are 200 times as large and rounded.
     println!("H {:.1e}, toroidal momentum {:.1e}", errors[0], errors[1]);
     let clock = Instant::now();
-    println!("\nradius of gyration   boundary along   against the field   mean         banana width / theory");
+    println!("\ngyroradius           boundary along   against the field   mean         banana width / theory");
     for speed in [8e-3, 4e-3, 2e-3, 1e-3] {
         let [along, against] = [1.0, -1.0].map(|sign| tokamak.boundary(MINOR, speed, sign, STEP));
         let (along, against) = (along?, against?);

@@ -1,5 +1,5 @@
 //! A charged particle in the field of a tokamak. Units: the major radius, the field on the magnetic axis, the charge and the mass; a
-//! speed is the radius of gyration on the axis.
+//! speed is the gyroradius on the axis.
 
 use integrator_core::{GaussLegendre, prelude::*};
 use std::f64::consts::TAU;
@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// A tokamak with circular flux surfaces around the axis R = 1, z = 0.
 #[derive(Clone, Copy)]
 pub(crate) struct Tokamak {
-    /// Turns of a field line around the major circumference for each turn around the axis.
+    /// The safety factor: toroidal turns of a field line per poloidal turn, at a small minor radius.
     pub(crate) safety: f64,
 }
 
@@ -27,8 +27,8 @@ impl Tokamak {
 }
 
 impl Tokamak {
-    /// Returns the start of a particle by its speed and its pitch: the velocity along the field divided by the speed. Its guiding centre
-    /// is on the outer side of a flux surface, at R = 1 + `minor` and z = 0.
+    /// Returns the start of a particle with a speed and a pitch, which is the velocity along the field divided by the speed. Its guiding
+    /// centre is on the outer side of a flux surface, at R = 1 + `minor` and z = 0.
     pub(crate) fn start(&self, minor: f64, speed: f64, pitch: f64) -> Phase<[f64; 3]> {
         let (r, across) = (1.0 + minor, speed * (1.0 - pitch * pitch).sqrt());
         // The field is (0, 1, minor / safety) / R there, and the particle moves along R across the field.
@@ -60,7 +60,7 @@ impl Tokamak {
     /// # Errors
     /// A step has no solution.
     pub(crate) fn returns(&self, minor: f64, speed: f64, pitch: f64, h: f64) -> Result<f64, Error> {
-        // Along the field is upwards. The time diverges at the boundary of trapped particles, as a logarithm.
+        // The field points upwards at the start. The time diverges at the boundary of trapped particles, as a logarithm.
         let direction = if pitch > 0.0 { Direction::Falling } else { Direction::Rising };
         let steps = 10.0 * TAU * self.safety / (speed * pitch.abs() * h);
         let run = self.run(self.start(minor, speed, pitch), h)?;
@@ -68,7 +68,7 @@ impl Tokamak {
         Ok(passages.next().transpose()?.map_or(f64::NAN, |passage| self.centre(&passage.state)[0]))
     }
 
-    /// Returns the width of a trapped orbit, a banana, in the plane z = 0.
+    /// Returns the width of a banana orbit in the plane z = 0.
     ///
     /// # Errors
     /// As for [`Tokamak::returns`].
@@ -76,12 +76,13 @@ impl Tokamak {
         Ok((self.returns(minor, speed, pitch, h)? - 1.0 - minor).abs())
     }
 
-    /// Returns the width for a small radius of gyration, from `p_φ` of both legs of the banana.
+    /// Returns the width in the limit of a small gyroradius: both legs of the banana have the same `p_φ`.
     pub(crate) fn banana_of_theory(&self, minor: f64, speed: f64, pitch: f64) -> f64 {
         2.0 * self.safety * (1.0 + minor) * self.toroidal(minor) * speed * pitch.abs() / minor
     }
 
-    /// Returns the pitch beyond which particles are not trapped but pass the inner side, by bisection. The sign is that of the pitch.
+    /// Returns the largest pitch of a trapped particle by bisection, along the field (`sign` 1) or against it (-1). Beyond it, particles
+    /// pass the inner side.
     ///
     /// # Errors
     /// As for [`Tokamak::returns`].
@@ -95,8 +96,8 @@ impl Tokamak {
     }
 }
 
-/// Returns the boundary for a small radius of gyration: the field on a flux surface is inverse to R, and the magnetic moment is
-/// conserved.
+/// Returns the boundary in the limit of a small gyroradius: the field on a flux surface is proportional to 1/R, and the magnetic
+/// moment is conserved.
 pub(crate) fn boundary_of_theory(minor: f64) -> f64 {
     (2.0 * minor / (1.0 + minor)).sqrt()
 }
