@@ -167,7 +167,31 @@ pub trait System: Sized {
     /// Adds `duration` times the vector field `(∂H/∂p, -∂H/∂q)`, evaluated at `motion`, to the coordinates in `moved`.
     ///
     /// Empty without [`System::HAS_FIELD`]: the flows of `T` and `V` give the field.
+    #[inline(always)]
     fn along_field<R: Real, K: Precision>(
+        motion: ReadBy<'_, Self, R, K>,
+        moved: MovedBy<'_, Self, R, K>,
+        duration: f64,
+        time: f64,
+    ) {
+        let (Read { q, p, parameters }, Moved { q: positions, p: momenta }) = (motion, moved);
+        let moved = Moved { q: &mut *positions, p: &mut *momenta };
+        Self::along_velocity::<R, K>(Read { q, p, parameters }, moved, duration, time);
+        let moved = Moved { q: positions, p: momenta };
+        Self::along_force::<R, K>(Read { q, p, parameters }, moved, duration, time);
+    }
+    /// Adds `duration` times `∂H/∂p` to the positions in `moved`, for `H = T(p) + V(q)` with [`System::HAS_FIELD`].
+    #[inline(always)]
+    fn along_velocity<R: Real, K: Precision>(
+        _motion: ReadBy<'_, Self, R, K>,
+        _moved: MovedBy<'_, Self, R, K>,
+        _duration: f64,
+        _time: f64,
+    ) {
+    }
+    /// Adds `-duration` times `∂H/∂q` to the momenta in `moved`, for `H = T(p) + V(q)` with [`System::HAS_FIELD`].
+    #[inline(always)]
+    fn along_force<R: Real, K: Precision>(
         _motion: ReadBy<'_, Self, R, K>,
         _moved: MovedBy<'_, Self, R, K>,
         _duration: f64,

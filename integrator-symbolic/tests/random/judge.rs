@@ -97,10 +97,11 @@ impl System {
             for (number, (part, reference)) in PARTS.into_iter().zip(references).enumerate() {
                 let generated = Evaluation::of_generated(&methods, expansion, case, number, part);
                 verdict.add(&reference, generated, part.0);
-                // The field of both parts at once, which implicit methods use.
-                if expansion.function("along_field").is_some() {
+                // The half of the field that implicit methods use.
+                let half = ["along_force", "along_velocity"][number];
+                if expansion.function(half).is_some() {
                     let (name, _, duration) = part;
-                    let part = (name, "along_field", duration);
+                    let part = (name, half, duration);
                     let generated = Evaluation::of_generated(&methods, expansion, case, number, part);
                     verdict.add(&reference, generated, "field");
                 }

@@ -72,6 +72,32 @@ pub trait Field<H: System>: Variable {
     fn at<R: Real>(constants: &Constants<'_, H, R>, conjugate: R, point: &Pair<H, R>, time: f64) -> Pair<H, R>;
     /// Adds the field as written, at a point.
     fn add<R: Real>(parameters: &H::Parameters<R>, conjugate: R, point: &Pair<H, R>, field: &mut Pair<H, R>, time: f64);
+    /// Whether velocities depend on momenta alone, and forces on positions alone.
+    const HAS_HALVES: bool = false;
+    /// One half of the field at a point: velocities, or forces.
+    #[inline(always)]
+    fn half_at<R: Real>(
+        constants: &Constants<'_, H, R>,
+        conjugate: R,
+        half: usize,
+        point: &Pair<H, R>,
+        time: f64,
+    ) -> Half<H, R> {
+        let Pair { q, p } = Self::at(constants, conjugate, point, time);
+        if half == 0 { q } else { p }
+    }
+    /// Adds one half of the field as written, at a point.
+    #[inline(always)]
+    fn add_half<R: Real>(
+        parameters: &H::Parameters<R>,
+        conjugate: R,
+        _half: usize,
+        point: &Pair<H, R>,
+        field: &mut Pair<H, R>,
+        time: f64,
+    ) {
+        Self::add(parameters, conjugate, point, field, time);
+    }
     /// The momentum that is conjugate to the time, for the motion that begins at a point.
     fn conjugate<R: Real>(parameters: &H::Parameters<R>, point: &Pair<H, R>) -> R;
     /// The fictitious time for a unit of time at a point.
@@ -88,6 +114,7 @@ impl Variable for OfTime {
 
 impl<H: System> Field<H> for OfTime {
     const MAY_BE_TOGETHER: bool = H::AUTONOMOUS && H::HAS_FIELD;
+    const HAS_HALVES: bool = H::SEPARABLE;
 
     #[inline(always)]
     fn at<R: Real>(constants: &Constants<'_, H, R>, _: R, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
@@ -96,6 +123,33 @@ impl<H: System> Field<H> for OfTime {
     #[inline(always)]
     fn add<R: Real>(parameters: &H::Parameters<R>, _: R, point: &Pair<H, R>, field: &mut Pair<H, R>, time: f64) {
         add_field::<H, R>(parameters, point, field, time);
+    }
+    #[inline(always)]
+    fn half_at<R: Real>(
+        constants: &Constants<'_, H, R>,
+        _: R,
+        half: usize,
+        point: &Pair<H, R>,
+        time: f64,
+    ) -> Half<H, R> {
+        if const { H::HAS_FIELD } {
+            let mut field = Pair::zero(H::Coords::slots(&point.q).len());
+            add_half_of_field::<H, R>(constants.gathered, half, point, &mut field, time);
+            let Pair { q, p } = field;
+            return if half == 0 { q } else { p };
+        }
+        if half == 0 { velocities(constants, point, time) } else { forces(constants, point, time) }
+    }
+    #[inline(always)]
+    fn add_half<R: Real>(
+        parameters: &H::Parameters<R>,
+        _: R,
+        half: usize,
+        point: &Pair<H, R>,
+        field: &mut Pair<H, R>,
+        time: f64,
+    ) {
+        add_half_of_field::<H, R>(parameters, half, point, field, time);
     }
     #[inline(always)]
     fn conjugate<R: Real>(_: &H::Parameters<R>, _: &Pair<H, R>) -> R {
@@ -135,17 +189,47 @@ fn add_field<H: System, R: Real>(
     H::along_field::<R, f64>(Read { q, p, parameters }, moved, 1.0, time);
 }
 
-/// The field of `T + V`: a drift moves positions from zero by the velocities, a kick momenta from zero by the forces.
+/// Adds one half of the field of `T + V` as written, at a point.
 #[inline(always)]
-fn of_flows<H: System, R: Real>(constants: &Constants<'_, H, R>, Pair { q, p }: &Pair<H, R>, time: f64) -> Pair<H, R> {
+fn add_half_of_field<H: System, R: Real>(
+    parameters: &H::Parameters<R>,
+    half: usize,
+    Pair { q, p }: &Pair<H, R>,
+    field: &mut Pair<H, R>,
+    time: f64,
+) {
+    let (point, moved) = (Read { q, p, parameters }, Moved { q: &mut field.q, p: &mut field.p });
+    if half == 0 {
+        H::along_velocity::<R, f64>(point, moved, 1.0, time);
+    } else {
+        H::along_force::<R, f64>(point, moved, 1.0, time);
+    }
+}
+
+/// The field of `T + V` by its flows.
+#[inline(always)]
+fn of_flows<H: System, R: Real>(constants: &Constants<'_, H, R>, point: &Pair<H, R>, time: f64) -> Pair<H, R> {
+    Pair { q: velocities(constants, point, time), p: forces(constants, point, time) }
+}
+
+/// The velocities of `T + V`: a drift moves positions from zero by them.
+#[inline(always)]
+fn velocities<H: System, R: Real>(
+    constants: &Constants<'_, H, R>,
+    Pair { p, .. }: &Pair<H, R>,
+    time: f64,
+) -> Half<H, R> {
     let mut drifted = loaded::<H, R>(constants, [None, Some(p)]);
     H::drift::<R, f64>(&mut drifted, 1.0, time);
+    stored::<H, R>(constants, &drifted, |point| &point.q)
+}
+
+/// The forces of `T + V`: a kick moves momenta from zero by them.
+#[inline(always)]
+fn forces<H: System, R: Real>(constants: &Constants<'_, H, R>, Pair { q, .. }: &Pair<H, R>, time: f64) -> Half<H, R> {
     let mut kicked = loaded::<H, R>(constants, [Some(q), None]);
     H::kick::<R, f64>(&mut kicked, 1.0, time);
-    Pair {
-        q: stored::<H, R>(constants, &drifted, |point| &point.q),
-        p: stored::<H, R>(constants, &kicked, |point| &point.p),
-    }
+    stored::<H, R>(constants, &kicked, |point| &point.p)
 }
 
 /// A motion in the layout of the flows, with one half at these numbers and the other at zero.

@@ -9,8 +9,8 @@
 
 use super::{
     field::{Constants, Field, Pair},
-    motion::Implicit,
-    rows::{Rows, keep_settled, scale, spread, stages_of},
+    motion::{Implicit, together},
+    rows::{Rows, keep_settled, spread, stages_of},
     tableau::{Stages, Tableau},
 };
 use crate::{
@@ -31,7 +31,7 @@ use crate::{
     trajectory::step_functions::{Executor, StepFunctions},
 };
 use alloc::vec::Vec;
-use core::{marker::PhantomData, mem::swap, ops::Range, slice::from_mut};
+use core::{marker::PhantomData, mem::swap, slice::from_mut};
 
 /// The largest number of iterations. A usable iteration at least halves the distance each time, so that more lead
 /// nowhere.
@@ -143,13 +143,9 @@ impl<F: Field<H>, H: System, R: Real, K: Precision, const S: usize> Steps<'_, F,
         let count = Shaped::<H, K>::slots(&motion.state.q).len();
         let (mut y, mut rows) = (Pair::zero(count), Rows::<H, R, W>::new(count));
         for step in clock.steps..clock.steps + steps {
-            let is_unsolved = |lane| motion.unsolved(lane).is_some();
-            if members::<R>().all(|lanes| is_unsolved(lanes.start)) {
+            let stopped = if motion.unsolved.is_empty() { R::of(0.0) } else { motion.stopped() };
+            if (0..R::LANES).all(|lane| stopped.lane(lane) > 0.0) {
                 return;
-            }
-            let mut unsolved = R::of(0.0);
-            for lanes in members::<R>().filter(|lanes| is_unsolved(lanes.start)) {
-                unsolved = R::state(&|lane| if lanes.contains(&lane) { 1.0 } else { unsolved.lane(lane) });
             }
             let (time, h) = (clock.at(step), clock.h);
             let middle = time + h / 2.0;
@@ -175,7 +171,7 @@ impl<F: Field<H>, H: System, R: Real, K: Precision, const S: usize> Steps<'_, F,
             };
             let field = PhantomData::<F>;
             let equation = Equation { constants, conjugate, y: &y, time, h, epsilon: K::EPSILON, tableau, field };
-            let (evaluations, mut faults) = equation.solve(unsolved, gathered.as_ref(), &mut rows);
+            let (evaluations, mut faults) = equation.solve(stopped, gathered.as_ref(), &mut rows);
             if const { F::IS_FICTITIOUS } {
                 let rates = equation.rates(gathered.as_ref(), &mut rows);
                 let duration = equation.duration(&stages_of::<R, W>(rates), &mut faults);
@@ -196,12 +192,6 @@ impl<F: Field<H>, H: System, R: Real, K: Precision, const S: usize> Steps<'_, F,
             }
         }
     }
-}
-
-/// The lanes of each member: its own, which may have those of its tangents after it.
-pub(super) fn members<R: Real>() -> impl Iterator<Item = Range<usize>> {
-    let together = (R::LANES / R::MEMBERS.max(1)).max(1);
-    (0..R::LANES).step_by(together).map(move |own| own..own + together)
 }
 
 /// A number of each stage, that of the last one in the lanes after it too.
@@ -242,14 +232,30 @@ impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
             numbers.fill(W::state(&|_| f64::INFINITY));
         }
         self.begin(gathered, rows);
-        scale(&mut rows.found, weights);
+        for half in 0..2 {
+            rows.scale(half, weights);
+        }
         swap(&mut rows.increments, &mut rows.found);
-        let mut evaluations = 1;
+        let mut evaluations = u64::from(!F::HAS_HALVES);
         for _ in 0..ITERATIONS {
-            self.place(&columns, rows);
-            self.fields(gathered, rows);
+            if const { F::HAS_HALVES } {
+                // Velocities follow the new forces, so that half as many iterations are needed.
+                rows.place(0, y, &columns, false);
+                self.half_of_fields(1, gathered, rows);
+                rows.scale(1, weights);
+                rows.place(1, y, &columns, true);
+                self.half_of_fields(0, gathered, rows);
+                rows.scale(0, weights);
+            } else {
+                for half in 0..2 {
+                    rows.place(half, y, &columns, false);
+                }
+                self.fields(gathered, rows);
+                for half in 0..2 {
+                    rows.scale(half, weights);
+                }
+            }
             evaluations += S as u64;
-            scale(&mut rows.found, weights);
             let shrinks = if const { W::PARTS == 0 } { rows.shrink_together() } else { rows.shrink::<S>() };
             keep_settled::<H, R, W>(&settled, &rows.increments, &mut rows.found);
             settled = R::state(&|lane| {
@@ -278,27 +284,13 @@ impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
         columns
     }
 
-    /// Places the stages by the increments.
-    #[inline(always)]
-    fn place<W: Row<R>>(&self, columns: &[W; S], rows: &mut Rows<H, R, W>) {
-        for half in 0..2 {
-            let (y, increments) = (self.y.halves()[half], rows.increments.halves()[half]);
-            let places = &mut *rows.places.halves_mut()[half];
-            for k in 0..y.len() {
-                let stages = stages_of::<R, W>(increments[k]);
-                let mut sum = W::splat(stages[0]).scale(columns[0]);
-                for j in 1..S {
-                    sum = W::splat(stages[j]).scale_add(columns[j], sum);
-                }
-                places[k] = W::splat(y[k]) + sum;
-            }
-        }
-    }
-
     /// The rates at the stages of the step that was found.
     #[inline(always)]
     fn rates<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) -> W {
-        self.place(&self.columns(), rows);
+        let columns = self.columns();
+        for half in 0..2 {
+            rows.place(half, self.y, &columns, false);
+        }
         if const { are_together::<F, H, R, S>() } {
             return gathered.map_or(W::of(f64::NAN), |gathered| F::rate(gathered, &rows.places));
         }
@@ -318,25 +310,53 @@ impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
             duration += R::of(weight * self.h) / *rate;
             least = least.min(*rate);
         }
-        for lane in members::<R>().map(|lanes| lanes.start).filter(|lane| least.lane(*lane) <= 0.0) {
-            faults.resize(R::LANES, None);
-            faults[lane].get_or_insert(Unsolved::Rate { value: least.lane(lane) });
+        for lane in (0..R::LANES).step_by(together::<R>()) {
+            let value = least.lane(lane);
+            if value <= 0.0 {
+                faults.resize(R::LANES, None);
+                faults[lane].get_or_insert(Unsolved::Rate { value });
+            }
         }
         duration
     }
 
-    /// The field at the beginning of the step, for all stages.
+    /// The field at the beginning of the step, for all stages; velocities alone where the first forces follow them.
     #[inline(always)]
     fn begin<W: Row<R>>(&self, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
+        for (places, y) in rows.places.halves_mut().into_iter().zip(self.y.halves()) {
+            spread(y, places);
+        }
+        if const { F::HAS_HALVES } {
+            rows.found.halves_mut()[1].fill(W::of(0.0));
+            return self.half_of_fields(0, gathered, rows);
+        }
         if const { W::PARTS == 0 } {
-            for (places, y) in rows.places.halves_mut().into_iter().zip(self.y.halves()) {
-                spread(y, places);
-            }
             return self.fields(gathered, rows);
         }
         let first = F::at(&self.constants, self.conjugate, self.y, self.time);
         for (found, first) in rows.found.halves_mut().into_iter().zip(first.halves()) {
             spread(first, found);
+        }
+    }
+
+    /// One half of the field at all stages.
+    #[inline(always)]
+    fn half_of_fields<W: Row<R>>(&self, half: usize, gathered: Option<&H::Parameters<W>>, rows: &mut Rows<H, R, W>) {
+        let Rows { found, places, .. } = rows;
+        if const { are_together::<F, H, R, S>() } {
+            let Some(gathered) = gathered else { return };
+            found.halves_mut()[half].fill(W::of(0.0));
+            return F::add_half(gathered, W::splat(self.conjugate), half, places, found, self.time);
+        }
+        let mut place = self.y.clone();
+        for stage in 0..S {
+            place.read_stage(places, stage);
+            let time = self.time + self.tableau.c[stage] * self.h;
+            let field = F::half_at(&self.constants, self.conjugate, half, &place, time);
+            let field = H::Coords::slots(&field);
+            for k in 0..field.len() {
+                found.halves_mut()[half][k].set_part(stage, field[k]);
+            }
         }
     }
 

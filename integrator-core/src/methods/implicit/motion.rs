@@ -20,6 +20,11 @@ use crate::{
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 
+/// The number of lanes of a member: its own, which may have those of its tangents after it.
+pub(super) const fn together<R: Real>() -> usize {
+    if R::MEMBERS == 0 { R::LANES } else { R::LANES / R::MEMBERS }
+}
+
 /// State and constants of a run.
 #[derive(Clone)]
 pub struct Implicit<F, R: Real, C: Coords, P: Prepared<R>> {
@@ -40,6 +45,13 @@ pub struct Implicit<F, R: Real, C: Coords, P: Prepared<R>> {
 }
 
 impl<F, R: Real, C: Coords, P: Prepared<R>> Implicit<F, R, C, P> {
+    /// One in the lanes of members with a fault.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn stopped(&self) -> R {
+        R::state(&|lane| f64::from(u8::from(self.unsolved[lane - lane % together::<R>()].is_some())))
+    }
+
     /// Stops the lanes with a fault.
     pub(super) fn stop(&mut self, faults: Vec<Option<Unsolved>>) {
         if self.unsolved.is_empty() {

@@ -52,6 +52,30 @@ impl<H: System, R: Real, W: Row<R>> Rows<H, R, W> {
         Self { increments: zero(), found: zero(), places: zero(), least: zero(), row_of: PhantomData }
     }
 
+    /// Places the stages of one half by the coefficients `μ_ij` of each increment: of the new ones, or of those before.
+    #[inline(always)]
+    pub(super) fn place<const S: usize>(&mut self, half: usize, y: &Pair<H, R>, columns: &[W; S], by_new: bool) {
+        let increments = if by_new { &self.found } else { &self.increments };
+        let (y, increments) = (y.halves()[half], increments.halves()[half]);
+        let places = &mut *self.places.halves_mut()[half];
+        for k in 0..y.len() {
+            let stages = stages_of::<R, W>(increments[k]);
+            let mut sum = W::splat(stages[0]).scale(columns[0]);
+            for j in 1..S {
+                sum = W::splat(stages[j]).scale_add(columns[j], sum);
+            }
+            places[k] = W::splat(y[k]) + sum;
+        }
+    }
+
+    /// Multiplies the new numbers of one half by those of a row.
+    #[inline(always)]
+    pub(super) fn scale(&mut self, half: usize, by: W) {
+        for number in &mut *self.found.halves_mut()[half] {
+            *number = number.scale(by);
+        }
+    }
+
     /// Returns one if any change of a number is smaller than all before it, and updates the smallest ones: of one number in
     /// each stage.
     #[inline(always)]
@@ -128,16 +152,6 @@ fn larger(one: f64, other: f64) -> f64 {
 pub(super) fn spread<R: Real, W: Row<R>>(numbers: &[R], rows: &mut [W]) {
     for k in 0..numbers.len() {
         rows[k] = W::splat(numbers[k]);
-    }
-}
-
-/// Multiplies all numbers by those of a row.
-#[inline(always)]
-pub(super) fn scale<H: System, W: Real>(numbers: &mut Pair<H, W>, by: W) {
-    for numbers in numbers.halves_mut() {
-        for number in numbers {
-            *number = number.scale(by);
-        }
     }
 }
 

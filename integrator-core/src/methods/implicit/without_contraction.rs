@@ -2,7 +2,8 @@
 
 use super::{
     field::{Constants, Field, Pair},
-    iteration::{Equation, members},
+    iteration::Equation,
+    motion::together,
     newton::{self, by_columns},
     rows::stages_of,
 };
@@ -23,13 +24,14 @@ pub(super) fn solve<F: Field<H>, H: System, R: Real, W: Row<R>, const S: usize>(
     evaluations: &mut u64,
 ) -> Vec<Option<Unsolved>> {
     let mut unsolved = vec![None; R::LANES];
-    for lanes in members::<R>() {
+    for own in (0..R::LANES).step_by(together::<R>()) {
+        let lanes = own..own + together::<R>();
         if lanes.clone().all(|lane| settled.lane(lane) > 0.0) {
             continue;
         }
         match slopes(equation, &lanes, evaluations) {
             Ok(slopes) => store::<F, H, R, W, S>(equation, &slopes, &lanes, increments),
-            Err(update) => unsolved[lanes.start] = Some(Unsolved::Newton { iterations: newton::ITERATIONS, update }),
+            Err(update) => unsolved[own] = Some(Unsolved::Newton { iterations: newton::ITERATIONS, update }),
         }
     }
     if unsolved.iter().all(Option::is_none) { Vec::new() } else { unsolved }
@@ -120,5 +122,11 @@ fn jacobian<F: Field<H>, H: System, R: Real>(
 
 /// Positions, then momenta of a lane.
 fn listed<H: System, R: Real>(pair: &Pair<H, R>, lane: usize) -> Vec<f64> {
-    pair.halves().into_iter().flatten().map(|number| number.lane(lane)).collect()
+    let mut list = Vec::with_capacity(2 * pair.halves()[0].len());
+    for numbers in pair.halves() {
+        for number in numbers {
+            list.push(number.lane(lane));
+        }
+    }
+    list
 }

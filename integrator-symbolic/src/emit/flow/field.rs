@@ -8,7 +8,7 @@ use crate::{
     model::Length,
     syntax::names::Names,
 };
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// The most coordinates of an H = T + V with a field of its own: its loops over pairs are as the user wrote them.
@@ -18,31 +18,36 @@ const MOST_COORDINATES: u64 = 32;
 pub(crate) fn items(emitter: &mut Emitter<'_>, is_restated: bool) -> Option<TokenStream> {
     let model = &emitter.model;
     if !model.is_separable() || model.jacobi().is_some() {
-        return Some(function(emitter));
+        let energy = emitter.model.energy();
+        let field = field(&mut emitter.model.graph, energy);
+        return Some(function(emitter, "along_field", &field, Part::Momentum));
     }
     let lengths = std::iter::once(&model.shape.length).chain(model.shape.dimension());
     let count = lengths.map(|length| if let Length::Literal(length) = length { *length } else { u64::MAX });
     let is_small = count.fold(1, u64::saturating_mul) <= MOST_COORDINATES;
     (is_small && model.autonomous && !is_restated).then(|| {
-        let function = function(emitter);
+        let [kinetic, potential] = [emitter.model.kinetic, emitter.model.potential];
+        let velocity = gradient(&mut emitter.model.graph, kinetic, Part::Momentum);
+        let force = gradient(&mut emitter.model.graph, potential, Part::Position);
+        let velocity = function(emitter, "along_velocity", &velocity, Part::Momentum);
+        let force = function(emitter, "along_force", &force, Part::Position);
         quote! {
             const HAS_FIELD: bool = true;
-            #function
+            #velocity
+            #force
         }
     })
 }
 
-/// The function that moves coordinates along the field at others.
-fn function(emitter: &mut Emitter<'_>) -> TokenStream {
-    let energy = emitter.model.energy();
-    let field = field(&mut emitter.model.graph, energy);
-    let body = Flow::along(emitter, &field, Part::Momentum, &Frame::Apart).body;
+/// The function that moves coordinates along a field at others, by the derivatives of an energy by a part or by their negatives.
+fn function(emitter: &mut Emitter<'_>, name: &str, field: &[Contribution], part: Part) -> TokenStream {
+    let body = Flow::along(emitter, field, part, &Frame::Apart).body;
     let [motion, moved, duration, time] = ["motion", "moved", "duration", "time"].map(|name| body.argument(name));
     let [generics, read_by, moved_by] = argument_types(emitter.names);
-    let body = &body.0;
+    let (name, body) = (Ident::new(name, Span::call_site()), &body.0);
     quote! {
         #[inline(always)]
-        fn along_field #generics(
+        fn #name #generics(
             #motion: #read_by,
             #moved: #moved_by,
             #duration: f64,

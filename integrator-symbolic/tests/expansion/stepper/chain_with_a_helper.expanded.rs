@@ -142,67 +142,62 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            {
-                let mut gradient = [Scalar::of(0.0); 32];
-                for i in 0..32 {
-                    gradient[i] += motion.p[i].value();
-                }
-                for (slot, gradient) in ::core::iter::zip(
-                    moved.q.iter_mut(),
-                    &gradient,
-                ) {
-                    (*slot).scale_add(step, *gradient);
-                }
+            for i in 0..32 {
+                moved.q[i].scale_add(step, motion.p[i].value());
             }
-            {
-                let mut gradient = [Scalar::of(0.0); 32];
-                let q0 = motion.q[0].value();
-                let q31 = motion.q[31].value();
-                let shared_1 = q0.square();
-                let shared_2 = q31.square();
-                for i in 0..31 {
-                    let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
-                    let shared_3 = shared_0.square();
-                    let shared_4 = shared_0
-                        + motion
-                            .parameters
-                            .prepared_1
-                            .scale_add(
-                                shared_3,
-                                motion.parameters.prepared_0.scale(shared_3 * shared_0),
-                            );
-                    gradient[i + 1] -= shared_4;
-                    gradient[i] += shared_4;
-                }
-                gradient[0]
-                    -= q0
-                        + motion
-                            .parameters
-                            .prepared_1
-                            .scale_add(
-                                shared_1,
-                                motion.parameters.prepared_0.scale(shared_1 * q0),
-                            );
-                gradient[31]
-                    -= q31
-                        + (-motion.parameters.prepared_1)
-                            .scale_add(
-                                shared_2,
-                                motion.parameters.prepared_0.scale(shared_2 * q31),
-                            );
-                for (slot, gradient) in ::core::iter::zip(
-                    moved.p.iter_mut(),
-                    &gradient,
-                ) {
-                    (*slot).scale_add(step, *gradient);
-                }
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let mut gradient = [Scalar::of(0.0); 32];
+            let q0 = motion.q[0].value();
+            let q31 = motion.q[31].value();
+            let shared_1 = q0.square();
+            let shared_2 = q31.square();
+            for i in 0..31 {
+                let shared_0 = motion.q[i + 1].value() - motion.q[i].value();
+                let shared_3 = shared_0.square();
+                let shared_4 = shared_0
+                    + motion
+                        .parameters
+                        .prepared_1
+                        .scale_add(
+                            shared_3,
+                            motion.parameters.prepared_0.scale(shared_3 * shared_0),
+                        );
+                gradient[i + 1] += shared_4;
+                gradient[i] -= shared_4;
+            }
+            gradient[0]
+                += q0
+                    + motion
+                        .parameters
+                        .prepared_1
+                        .scale_add(
+                            shared_1,
+                            motion.parameters.prepared_0.scale(shared_1 * q0),
+                        );
+            gradient[31]
+                += q31
+                    + (-motion.parameters.prepared_1)
+                        .scale_add(
+                            shared_2,
+                            motion.parameters.prepared_0.scale(shared_2 * q31),
+                        );
+            for (slot, gradient) in ::core::iter::zip(moved.p.iter_mut(), &gradient) {
+                (*slot).scale_add(step, *gradient);
             }
         }
         #[inline(always)]

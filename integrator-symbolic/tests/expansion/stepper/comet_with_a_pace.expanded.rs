@@ -150,13 +150,24 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
+            moved.q[0].scale_add(step, motion.p[0].value());
+            moved.q[1].scale_add(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = step * Scalar::of(2.0);
@@ -166,10 +177,8 @@ const _: () = {
                     .parameters
                     .prepared_1
                     .scale_add(shared_1, -motion.parameters.prepared_0);
-            moved.p[0].fma(-shared_0.scale(q0), shared_2);
-            moved.p[1].fma(-shared_0.scale(q1), shared_2);
-            moved.q[0].scale_add(step, motion.p[0].value());
-            moved.q[1].scale_add(step, motion.p[1].value());
+            moved.p[0].fma(shared_0.scale(q0), shared_2);
+            moved.p[1].fma(shared_0.scale(q1), shared_2);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -158,17 +158,26 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
+            moved.q[0].scale_add(step, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
             moved
                 .p[0]
-                .scale_add(-(step * motion.parameters.stiffness), motion.q[0].value());
-            moved.q[0].scale_add(step, motion.p[0].value());
+                .scale_add(step * motion.parameters.stiffness, motion.q[0].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

@@ -74,19 +74,28 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
-            let q0 = motion.q[0].value();
-            let q1 = motion.q[1].value();
-            moved.p[0].fma(-(step * Scalar::of(2.0)).scale(q0), q1 + Scalar::of(0.5));
-            moved.p[1].scale_add(-step, q1 + q1.square_from(q0.square()));
             moved.q[0].scale_add(step, motion.p[0].value());
             moved.q[1].scale_add(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            let q0 = motion.q[0].value();
+            let q1 = motion.q[1].value();
+            moved.p[0].fma((step * Scalar::of(2.0)).scale(q0), q1 + Scalar::of(0.5));
+            moved.p[1].scale_add(step, q1 + q1.square_from(q0.square()));
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

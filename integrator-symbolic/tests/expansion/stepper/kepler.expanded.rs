@@ -110,21 +110,30 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
+            moved.q[0].scale_add(step, motion.p[0].value());
+            moved.q[1].scale_add(step, motion.p[1].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let q1 = motion.q[1].value();
             let shared_0 = q1.square_add(q0.square());
             let shared_1 = (step * motion.parameters.prepared_0).div_pow_3_2(shared_0);
-            moved.p[0].fma(shared_1, q0);
-            moved.p[1].fma(shared_1, q1);
-            moved.q[0].scale_add(step, motion.p[0].value());
-            moved.q[1].scale_add(step, motion.p[1].value());
+            moved.p[0].fma(-shared_1, q0);
+            moved.p[1].fma(-shared_1, q1);
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

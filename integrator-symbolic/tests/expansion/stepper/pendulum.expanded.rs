@@ -113,7 +113,7 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
@@ -121,14 +121,23 @@ const _: () = {
         ) {
             let step = Scalar::of(duration);
             moved
-                .p[0]
-                .scale_add(
-                    step * motion.parameters.prepared_1,
-                    motion.q[0].value().sin(),
-                );
-            moved
                 .q[0]
                 .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
+            moved
+                .p[0]
+                .scale_add(
+                    -(step * motion.parameters.prepared_1),
+                    motion.q[0].value().sin(),
+                );
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(

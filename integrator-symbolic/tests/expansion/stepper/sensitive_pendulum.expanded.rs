@@ -189,13 +189,25 @@ const _: () = {
         }
         const HAS_FIELD: bool = true;
         #[inline(always)]
-        fn along_field<Scalar: runtime::Real, Leaf: runtime::Precision>(
+        fn along_velocity<Scalar: runtime::Real, Leaf: runtime::Precision>(
             motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
             moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
             duration: f64,
             _time: f64,
         ) {
             let step = Scalar::of(duration);
+            moved
+                .q[0]
+                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
+        }
+        #[inline(always)]
+        fn along_force<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: runtime::ReadBy<'_, Self, Scalar, Leaf>,
+            moved: runtime::MovedBy<'_, Self, Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+        ) {
+            let step = Scalar::of(-duration);
             let q0 = motion.q[0].value();
             let mut sum_0 = Scalar::of(0.0);
             for k in 0..motion.parameters.prepared_2 {
@@ -207,12 +219,9 @@ const _: () = {
             moved
                 .p[0]
                 .scale_add(
-                    -step,
+                    step,
                     motion.parameters.prepared_3.scale_add(q0.sin(), -sum_0),
                 );
-            moved
-                .q[0]
-                .scale_add(step * motion.parameters.prepared_0, motion.p[0].value());
         }
         #[inline(always)]
         fn kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
