@@ -1,13 +1,15 @@
 //! Compares implicit methods with the methods that integrate the same H otherwise: `cargo bench -p integrator-bench --bench implicit`.
 //!
-//! Double pendulum and the orbit of a particle around a rotating black hole (H in one piece), and the outer solar system
-//! (H = T + V). For each method: milliseconds of CPU time to a global error of 1e-6, 1e-10 and 1e-13, the largest relative
+//! Double pendulum, the orbit of a particle around a rotating black hole and an orbit of eccentricity 0.9 (H in one piece), and the
+//! outer solar system (H = T + V). For each method: milliseconds of CPU time to a global error of 1e-6, 1e-10 and 1e-13, the largest relative
 //! distance of positions at the end from a solution by Taylor's method in compensated arithmetic; a number that a method does
 //! not reach is missing. The last lines:
 //!
 //! - `ratio_gauss_<problem>_<error>=` is the time of `GaussLegendre6`, the method of order 6, divided by that of the fastest
 //!   Gauss-Legendre method. The target is 3 at an error of 1e-10.
 //! - `ratio_taylor_<problem>_<error>=` is the time of Taylor's method divided by that of the fastest Gauss-Legendre method.
+//! - `ratio_paced_eccentric_<error>=` is the time of `GaussLegendre<8>` in steps of equal time divided by that in steps that a rate
+//!   controls.
 //! - `stage_<problem>=` is the number of nanoseconds of a stage of `GaussLegendre::<8>`, and of a force evaluation of
 //!   `KahanLi8` for H = T + V.
 
@@ -21,7 +23,7 @@ use integrator_core::{
     prelude::*,
     taylor::{Recurrences, Taylor},
 };
-use std::{error::Error, time::Instant};
+use std::{error::Error, f64::consts::TAU, time::Instant};
 
 const ERRORS: [(f64, &str); 3] = [(1e-6, "1e-6"), (1e-10, "1e-10"), (1e-13, "1e-13")];
 
@@ -72,6 +74,20 @@ as_two_systems! {
     }
 }
 
+/// A body that is attracted by the origin, seen from axes that turn.
+struct Eccentric;
+
+#[hamiltonian(split = none, taylor)]
+impl Eccentric {
+    fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 {
+        (px * px + py * py) / 2.0 + 0.3 * (y * px - x * py) - 1.0 / x.hypot(y)
+    }
+    /// A period takes 2π of the fictitious time, as of the time.
+    fn rate(&self, [x, y]: [f64; 2]) -> f64 {
+        1.0 / x.hypot(y)
+    }
+}
+
 /// A problem of a bench: where it starts, how long it lasts, and its end in accurate arithmetic.
 struct Course<C: Coords<Leaf = f64>> {
     name: &'static str,
@@ -111,7 +127,7 @@ impl<C: Coords<Leaf = f64, With<f64> = C>> Course<C> {
         let taken = |level: u32| -> Option<Run<C>> {
             let (method, steps) = of_level(level);
             let mut run = system.run_with::<f64, X>(method, self.start.clone(), self.span / steps as f64).ok()?;
-            run.advance(steps).ok()?;
+            if method.facts().name == "Paced" { run.advance_to(self.span) } else { run.advance(steps) }.ok()?;
             Some(run)
         };
         let errors = |level| {
@@ -203,6 +219,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     lines.extend(report(&mut table, course.name, &gauss_legendre(&course, &Kerr, 400.0), &others));
     let stage = evaluation(&Kerr, GaussLegendre::<8>, &course.start, 2.0);
     lines.extend(stage.map(|stage| format!("stage_kerr={stage:.2}")));
+
+    let start = Phase::new([0.1, 0.0], [0.0, 19_f64.sqrt()]);
+    let course = Course::new("eccentric", &Eccentric, start, 100.0 * TAU);
+    let fixed =
+        course.curve("GaussLegendre<8>", &Eccentric, 12, |level| (GaussLegendre::<8>, steps_of(level, 5_000.0)));
+    let of_level = |level| (Paced(GaussLegendre::<8>), steps_of(level, 1_000.0));
+    let paced = course.curve("Paced(GaussLegendre<8>)", &Eccentric, 12, of_level);
+    for (error, text) in ERRORS {
+        let ratio = fixed.time_to(Kind::Global, error).zip(paced.time_to(Kind::Global, error));
+        lines.extend(ratio.map(|(fixed, paced)| format!("ratio_paced_eccentric_{text}={:.2}", fixed / paced)));
+    }
+    lines.extend(report(&mut table, course.name, &[fixed, paced], &[taylor(&course, &Eccentric)]));
 
     let Problem { name, system, start, span, .. } = Problems::default().solar();
     let course = Course::new(name, &system, start, span);

@@ -486,10 +486,13 @@ pub enum VectorFault {
 pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
     #[error(
-        "Newton's method did not converge: after {iterations} iterations, its update is {update:.1e} of the state\nhelp: \
-         use a smaller step"
+        "Newton's method did not converge for h = {h}: after {iterations} iterations, its update is {update:.1e} of the \
+         state\nhelp: use a smaller step",
+        h = Number(*h)
     )]
     Newton {
+        /// The step.
+        h: f64,
         /// The number of iterations.
         iterations: u32,
         /// The last update, relative to the largest coordinate.
@@ -498,10 +501,14 @@ pub enum Unsolved {
     /// The fixed-point iteration for an implicit step did not converge, and the library was built without the feature
     /// `check`, which brings Newton's.
     #[error(
-        "the fixed-point iteration did not converge: after {iterations} iterations, its update is {update:.1e} of the \
-         state\nhelp: use a smaller step, or enable the feature `check`, which provides Newton's method"
+        "the fixed-point iteration did not converge for h = {h}: after {iterations} iterations, its update is \
+         {update:.1e} of the state\nhelp: use a smaller step, or enable the feature `check`, which provides Newton's \
+         method",
+        h = Number(*h)
     )]
     Contraction {
+        /// The step.
+        h: f64,
         /// The number of iterations.
         iterations: u32,
         /// The last update, relative to the largest coordinate.

@@ -405,7 +405,7 @@ impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
         _: &mut u64,
     ) -> Vec<Option<Unsolved>> {
         let reason = |lane| {
-            let unsolved = Unsolved::Contraction { iterations: ITERATIONS, update: update.lane(lane) };
+            let unsolved = Unsolved::Contraction { h: self.h, iterations: ITERATIONS, update: update.lane(lane) };
             (settled.lane(lane) == 0.0).then_some(unsolved)
         };
         (0..R::LANES).map(reason).collect()

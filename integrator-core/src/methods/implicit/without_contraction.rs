@@ -31,7 +31,9 @@ pub(super) fn solve<F: Field<H>, H: System, R: Real, W: Row<R>, const S: usize>(
         }
         match slopes(equation, &lanes, evaluations) {
             Ok(slopes) => store::<F, H, R, W, S>(equation, &slopes, &lanes, increments),
-            Err(update) => unsolved[own] = Some(Unsolved::Newton { iterations: newton::ITERATIONS, update }),
+            Err(update) => {
+                unsolved[own] = Some(Unsolved::Newton { h: equation.h, iterations: newton::ITERATIONS, update })
+            }
         }
     }
     if unsolved.iter().all(Option::is_none) { Vec::new() } else { unsolved }
