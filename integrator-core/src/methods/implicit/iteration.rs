@@ -353,9 +353,9 @@ impl<F: Field<H>, H: System, R: Real, const S: usize> Equation<'_, F, H, R, S> {
             place.read_stage(places, stage);
             let time = self.time + self.tableau.c[stage] * self.h;
             let field = F::half_at(&self.constants, self.conjugate, half, &place, time);
-            let field = H::Coords::slots(&field);
+            let (field, found) = (H::Coords::slots(&field), &mut *found.halves_mut()[half]);
             for k in 0..field.len() {
-                found.halves_mut()[half][k].set_part(stage, field[k]);
+                found[k].set_part(stage, field[k]);
             }
         }
     }

@@ -22,7 +22,7 @@ use core::marker::PhantomData;
 
 /// The number of lanes of a member: its own, which may have those of its tangents after it.
 pub(super) const fn together<R: Real>() -> usize {
-    if R::MEMBERS == 0 { R::LANES } else { R::LANES / R::MEMBERS }
+    R::LANES / R::MEMBERS
 }
 
 /// State and constants of a run.

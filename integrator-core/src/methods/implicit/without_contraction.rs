@@ -32,7 +32,7 @@ pub(super) fn solve<F: Field<H>, H: System, R: Real, W: Row<R>, const S: usize>(
         match slopes(equation, &lanes, evaluations) {
             Ok(slopes) => store::<F, H, R, W, S>(equation, &slopes, &lanes, increments),
             Err(update) => {
-                unsolved[own] = Some(Unsolved::Newton { h: equation.h, iterations: newton::ITERATIONS, update })
+                unsolved[own] = Some(Unsolved::Newton { h: equation.h, iterations: newton::ITERATIONS, update });
             }
         }
     }
