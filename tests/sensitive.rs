@@ -77,6 +77,26 @@ impl<const N: usize> Bodies<N> {
     }
 }
 
+/// A charge in a wave, whose vector potential is along x and depends on x.
+#[derive(Clone)]
+struct Wave {
+    field: f64,
+    number: f64,
+}
+
+#[hamiltonian(split = x + y + well, sensitive(field, number))]
+impl Wave {
+    fn x(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        0.5 * (p[0] - self.field * (self.number * q[0] - q[1]).sin()).powi(2)
+    }
+    fn y(&self, p: [f64; 2]) -> f64 {
+        0.5 * p[1] * p[1]
+    }
+    fn well(&self, q: [f64; 2]) -> f64 {
+        0.25 * q[0].powi(4) + 0.5 * q[1] * q[1]
+    }
+}
+
 /// A particle in one piece.
 #[derive(Clone)]
 struct Whole {
@@ -223,6 +243,12 @@ fn ends_have_derivatives_by_the_parameters_of_every_layout() {
     let galaxy = Phase::new([0.3, -0.2], [0.1, 0.35]);
     holds("one piece", &Whole { field: 0.6 }, |_, by| Whole { field: 0.6 + by }, GaussLegendre4, galaxy, 0.2);
     holds("parts", &Parts { cubic: 0.9 }, |_, by| Parts { cubic: 0.9 + by }, Aba864, galaxy, 0.2);
+    let change = |number: usize, by: f64| {
+        let mut changed = Wave { field: 0.7, number: 1.5 };
+        *[&mut changed.field, &mut changed.number][number] += by;
+        changed
+    };
+    holds("a kinetic momentum", &change(0, 0.0), change, Yoshida4, Phase::new([0.4, -0.3], [0.2, 0.5]), 0.1);
     let called = |_, by| Called { width: 1.2 + by };
     holds("a function that is called", &Called { width: 1.2 }, called, Verlet, Phase::new([0.4], [0.7]), 0.1);
 }

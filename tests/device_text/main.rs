@@ -37,6 +37,7 @@ const SYSTEMS: &[(&str, &str)] = &[
     ("kepler", Kepler::TEXT),
     ("wells", Wells::TEXT),
     ("twisted", Twisted::TEXT),
+    ("charge", Charge::TEXT),
     ("paired", Paired::TEXT),
     ("stiff", Stiff::TEXT),
     ("turned", Turned::TEXT),
@@ -244,6 +245,12 @@ fn states_and_functions_have_the_bits_of_a_processor() {
         "twisted",
         Yoshida4,
         members(3, |k| (Twisted { rate: 0.1 * k }, Phase::new([0.3, 0.1], [0.2, 0.1 * k]))),
+        0.05,
+    );
+    cases.add(
+        "charge",
+        Yoshida4,
+        members(5, |k| (Charge { number: 1.0 + 0.3 * k }, Phase::new([0.3, 0.1], [0.2, 0.1 * k]))),
         0.05,
     );
     cases.add(

@@ -104,7 +104,26 @@ impl Twisted {
     }
 }
 
-/// The same in a pair.
+/// A charge in a wave: a part with a kinetic momentum, which reads the time.
+#[derive(Clone)]
+pub(crate) struct Charge {
+    pub(crate) number: f64,
+}
+
+#[hamiltonian(split = along_x + along_y + well, compose = Yoshida4, gpu)]
+impl Charge {
+    fn along_x(&self, q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
+        0.5 * (p[0] - 0.7 * (self.number * q[0] - q[1] - t).sin()).powi(2)
+    }
+    fn along_y(&self, q: [f64; 2], p: [f64; 2]) -> f64 {
+        (1.0 + (p[1] + q[0] * q[1] * q[1]).powi(2)).sqrt() * (2.0 + q[0].cos())
+    }
+    fn well(&self, q: [f64; 2]) -> f64 {
+        0.5 * (q[0] * q[0] + q[1] * q[1]) + 0.25 * q[1].powi(4)
+    }
+}
+
+/// Two parts in a pair.
 #[derive(Clone)]
 pub(crate) struct Paired {
     pub(crate) rate: f64,

@@ -16,6 +16,7 @@ mod instruction_sets;
 mod many_parts;
 mod pairs;
 mod pairs_in_parts;
+mod shifts;
 #[path = "../support/slope.rs"]
 mod slope;
 mod time;

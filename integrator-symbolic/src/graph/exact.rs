@@ -6,6 +6,7 @@ use super::{
     kepler::{Orbits, Stray},
     quadratic::quadratic,
     same_product::FactorsOf,
+    shift::{Shifted, Unshifted, shifted},
 };
 
 /// The form of a part, which its exact flow follows from.
@@ -21,6 +22,8 @@ pub(crate) enum Exact {
     /// A quadratic form in all coordinates, whose coefficients depend on parameters alone: the value that its second
     /// derivatives are taken of.
     Quadratic(NodeId),
+    /// A shear between two canonical shifts.
+    Shifted(Shifted),
     /// Kepler orbits about the origin, a sum over bodies.
     Kepler(Vec<Orbits>),
     /// Any: the user has written the flow.
@@ -40,15 +43,21 @@ pub(crate) enum Obstacle {
     ProductOfSums,
     /// It is no polynomial in the coordinates.
     NoPolynomial,
+    /// It reads a kinetic momentum, but is no shear between shifts.
+    Shift(Unshifted),
     /// It has terms `k/|q|`, but is no sum over Kepler parts; with the terms that are to blame, where these are known.
     Orbits(Stray, Vec<NodeId>),
 }
 
-/// The judgement whether a part that reads q and p is of one form.
-type Judgement = fn(&Graph, NodeId) -> Result<Exact, Obstacle>;
+/// The judgement whether a part that reads q and p is of one form; no obstacle if the part is far from it.
+type Judgement = fn(&mut Graph, NodeId) -> Result<Exact, Option<Obstacle>>;
 
 /// The judgements in their order.
-const JUDGEMENTS: [Judgement; 2] = [shear, quadratic];
+const JUDGEMENTS: [Judgement; 3] = [
+    |graph, energy| shear(graph, energy).map_err(Some),
+    |graph, energy| quadratic(graph, energy).map_err(Some),
+    shifted,
+];
 
 impl Graph {
     /// The form of a part, or for each form what keeps the part from being of it, in the order in which they are tried.
@@ -70,7 +79,9 @@ impl Graph {
         for judgement in JUDGEMENTS {
             match judgement(self, energy) {
                 Ok(form) => return Ok(form),
-                Err(obstacle) => obstacles.push(obstacle),
+                // No other form is near to a quadratic form.
+                Err(_) if obstacles.last() == Some(&Obstacle::ProductOfSums) => {}
+                Err(obstacle) => obstacles.extend(obstacle),
             }
         }
         match self.orbits(energy, extents, factors_of) {
@@ -86,24 +97,34 @@ impl Graph {
     }
 
     /// Whether two coordinates of different parts may be conjugates of each other, whatever the indices of loops are.
-    fn may_be_conjugates(&self, a: Element, b: Element) -> bool {
+    pub(super) fn may_be_conjugates(&self, a: Element, b: Element) -> bool {
         let components = a.component.zip(b.component).is_none_or(|(a, b)| !self.loops.differ(a, b));
         a.part != b.part && !self.loops.differ(a.index, b.index) && components
+    }
+
+    /// The coordinates that a value reads.
+    pub(super) fn elements(&self, value: NodeId) -> Vec<Element> {
+        let read = self.reachable([value]).into_iter().filter_map(|id| match self.node(id) {
+            Node::Coordinate(element) => Some(element),
+            _ => None,
+        });
+        read.collect()
+    }
+
+    /// A position and a momentum that a value reads and that may be conjugates.
+    pub(super) fn conjugates(&self, value: NodeId) -> Option<[Element; 2]> {
+        let read = self.elements(value);
+        read.iter().enumerate().find_map(|(number, a)| {
+            let b = read[..number].iter().find(|b| self.may_be_conjugates(*a, **b))?;
+            Some(if a.part == Part::Position { [*a, *b] } else { [*b, *a] })
+        })
     }
 }
 
 /// A shear, where no coordinate that is read has a conjugate that is read.
 fn shear(graph: &Graph, energy: NodeId) -> Result<Exact, Obstacle> {
-    let read = graph.reachable([energy]).into_iter().filter_map(|id| match graph.node(id) {
-        Node::Coordinate(element) => Some(element),
-        _ => None,
-    });
-    let read: Vec<_> = read.collect();
-    for (number, a) in read.iter().enumerate() {
-        if let Some(b) = read[..number].iter().find(|b| graph.may_be_conjugates(*a, **b)) {
-            let [q, p] = if a.part == Part::Position { [*a, *b] } else { [*b, *a] };
-            return Err(Obstacle::Conjugates(q, p));
-        }
+    match graph.conjugates(energy) {
+        Some([q, p]) => Err(Obstacle::Conjugates(q, p)),
+        None => Ok(Exact::Shear),
     }
-    Ok(Exact::Shear)
 }

@@ -4,7 +4,9 @@ use super::{
     Graph, Node, NodeId,
     exact::Obstacle,
     quadratic::{ALL, QUADRATIC, quadratic},
+    shift::{Unshifted, shifted},
 };
+use std::collections::HashSet;
 
 impl Graph {
     /// The term that keeps an energy from having an exact flow, if one does: the values that are this term or have it in
@@ -12,18 +14,32 @@ impl Graph {
     ///
     /// That is what keeps it from being of the last form that was tried; and if several terms do so, what has no exact
     /// flow by itself.
-    pub(crate) fn in_the_way(&self, energy: NodeId, obstacles: &[Obstacle]) -> Vec<NodeId> {
-        let of_form = obstacles.last().map(|obstacle| self.around(energy, &self.against(energy, obstacle)));
+    pub(crate) fn in_the_way(&mut self, energy: NodeId, obstacles: &[Obstacle]) -> Vec<NodeId> {
+        let is_form = |obstacle: &&Obstacle| {
+            !matches!(obstacle, Obstacle::Shift(Unshifted::Moved(..) | Unshifted::Conjugates(..)))
+        };
+        let of_form = obstacles.iter().rfind(is_form);
+        let of_form = of_form.map(|obstacle| self.around(energy, &self.against(energy, obstacle)));
         match of_form {
             Some(path) if !path.is_empty() => path,
-            _ => self.around(energy, &|term| self.is_mixed(term) && !self.is_solved(term)),
+            _ => {
+                let terms = self.terms_of(energy);
+                let unsolved: HashSet<NodeId> =
+                    terms.into_iter().filter(|term| self.is_mixed(*term) && !self.is_solved(*term)).collect();
+                self.around(energy, &|term| unsolved.contains(&term))
+            }
         }
     }
 
     /// Whether a term is against an energy being of the form that it is not of.
     fn against<'o>(&'o self, energy: NodeId, obstacle: &'o Obstacle) -> Box<dyn Fn(NodeId) -> bool + 'o> {
         match obstacle {
-            Obstacle::Conjugates(..) => Box::new(|_| false),
+            Obstacle::Conjugates(..) | Obstacle::Shift(Unshifted::Moved(..) | Unshifted::Conjugates(..)) => {
+                Box::new(|_| false)
+            }
+            Obstacle::Shift(Unshifted::Antiderivative(_, integrand)) => {
+                Box::new(|term| self.mentions(term, &[*integrand]))
+            }
             Obstacle::Degree(_) | Obstacle::NoPolynomial => {
                 let degrees = self.degrees(energy, &ALL);
                 Box::new(move |term| degrees[term.position()].is_none_or(|degree| degree > QUADRATIC))
@@ -41,8 +57,8 @@ impl Graph {
     }
 
     /// Whether a value of positions and momenta has an exact flow by itself.
-    fn is_solved(&self, term: NodeId) -> bool {
-        self.is_shear(term) || quadratic(self, term).is_ok()
+    fn is_solved(&mut self, term: NodeId) -> bool {
+        self.is_shear(term) || quadratic(self, term).is_ok() || shifted(self, term).is_ok()
     }
 
     /// The values inside of an energy that all of its terms of one kind are in, from the outside inwards.
@@ -64,6 +80,19 @@ impl Graph {
             }
         }
         path.split_off(1)
+    }
+
+    /// The terms that an energy is the sum of, each once.
+    fn terms_of(&self, energy: NodeId) -> Vec<NodeId> {
+        let (mut open, mut seen, mut terms) = (vec![energy], HashSet::new(), Vec::new());
+        while let Some(id) = open.pop() {
+            match self.summands(id) {
+                _ if !seen.insert(id) => {}
+                [None, _] => terms.push(id),
+                inner => open.extend(inner.into_iter().flatten()),
+            }
+        }
+        terms
     }
 
     /// What a value is the sum of, or the one thing that it is a multiple of; nothing of a term.

@@ -10,6 +10,7 @@
 mod access;
 mod addend;
 mod algebra;
+mod antiderivative;
 mod by_parameter;
 mod compared;
 mod condition;
@@ -36,6 +37,7 @@ mod root_factors;
 pub(crate) mod same_product;
 mod separate;
 pub(crate) mod series;
+pub(crate) mod shift;
 pub(crate) mod unroll;
 
 pub(crate) use access::Access;

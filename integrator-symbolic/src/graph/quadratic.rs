@@ -133,7 +133,7 @@ impl Graph {
     }
 
     /// Zero, where there are no terms; else what is made of them.
-    fn unless_zero(&mut self, terms: NodeId, of: impl FnOnce(&mut Self) -> NodeId) -> NodeId {
+    pub(super) fn unless_zero(&mut self, terms: NodeId, of: impl FnOnce(&mut Self) -> NodeId) -> NodeId {
         if self.as_constant(terms) == Some(0.0) { terms } else { of(self) }
     }
 }

@@ -204,11 +204,17 @@ impl Model {
 
     /// Replaces what the flows follow from by the same with choices by time made in the middle of the step.
     pub(crate) fn choose_in_the_middle(&mut self) {
-        let parts = self.parts.iter().map(|part| part.energy);
-        let energies: Vec<_> = [self.kinetic, self.potential].into_iter().chain(parts).collect();
-        let chosen = self.graph.with_choices_in_the_middle(&energies);
-        (self.kinetic, self.potential) = (chosen[0], chosen[1]);
-        self.parts.iter_mut().zip(&chosen[2..]).for_each(|(part, chosen)| part.energy = *chosen);
+        let Self { graph, kinetic, potential, parts, .. } = self;
+        let mut values: Vec<&mut NodeId> = vec![kinetic, potential];
+        for ExactPart { energy, form, .. } in parts {
+            values.push(energy);
+            if let Exact::Shifted(shifted) = form {
+                values.extend(shifted.values());
+            }
+        }
+        let energies: Vec<NodeId> = values.iter().map(|value| **value).collect();
+        let chosen = graph.with_choices_in_the_middle(&energies);
+        values.into_iter().zip(chosen).for_each(|(value, chosen)| *value = chosen);
     }
 
     /// Whether the brackets vanish that Nyström compositions leave out: the last of two parts is a function of q alone, and

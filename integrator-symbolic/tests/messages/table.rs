@@ -862,6 +862,72 @@ pub(crate) const SPLITS: &[Row] = &[
         &[],
     ),
     (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - self.e * q[0] * q[1]).powi(2) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (self.e * (q[0] + q[1]).sin() - p[0]).powi(4) / self.m + 3.0 * q[1] * (p[0] - self.e * (q[1] + q[0]).sin()) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * q[1] - q[0].tanh()).powi(2) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:69 no exact flow is known for `a`\nhelp: use a gauge in which p[0] is added to a polynomial in q[0], or to a sine, cosine or exponential of a linear function of q[0], or keep H in one piece, `split = none`\nnote: it is not a shear, since it depends on q[0] and p[0]; it is not a quadratic form in q and p; it depends on p[0] by p[0] - a(q), but no antiderivative of this term with respect to q[0] is known",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * p[1]).powi(2) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`\nhelp: split it into more parts, or write its flow by hand, `#[flow(a)]`\nnote: it is not a shear, since it depends on q[0] and p[0]; it is not a quadratic form in q and p, but a polynomial of degree 4",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 4], p: [f64; 4]) -> f64 { let mut sum = 0.0; for i in 0..4 { for j in 0..i { sum += (p[j] - self.m[i] * q[j].powi(2)).powi(2); } } sum } fn b(&self, q: [f64; 4]) -> f64 { q[0].cos() }",
+        &[
+            "2:105 no exact flow is known for `a`\nhelp: move this term to another part, or write the flow of `a` by hand, `#[flow(a)]`\nnote: it is not a shear, since it depends on q[i] and p[i]; it is not a quadratic form in q and p, but a polynomial of degree 4",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 4], p: [f64; 4]) -> f64 { let mut sum = 0.0; for i in 0..4 { for j in 0..4 { sum += self.m[i] * (p[j] - q[j].powi(2)).powi(4); } } sum } fn b(&self, q: [f64; 4]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 4], p: [f64; 4]) -> f64 { (p[0] - q[0] * q[1]).powi(2) + (p[2] - q[2] * q[3]).powi(2) } fn b(&self, q: [f64; 4]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * q[1]).powi(2) + (p[1] - q[0] * q[1]).powi(2) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`\nhelp: write one part for each kinetic momentum\nnote: it is not a shear, since it depends on q[0] and p[0]; it is not a quadratic form in q and p, but a polynomial of degree 4; it depends on p[1] by p[1] - a(q), but the canonical shift that removes a(q) also moves p[0]",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * q[1]).powi(2) + q[0].powi(4) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:3 no exact flow is known for `a`\nhelp: split it into more parts, or write its flow by hand, `#[flow(a)]`\nnote: it is not a shear, since it depends on q[0] and p[0]; it is not a quadratic form in q and p, but a polynomial of degree 4; a canonical shift that removes a(q) from a kinetic momentum leaves q[0] and p[0]",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * q[1]).powi(2) + p[0] * q[1] } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[
+            "2:47 no exact flow is known for `a`\nhelp: move this term to another part, or write the flow of `a` by hand, `#[flow(a)]`\nnote: it is not a shear, since it depends on q[0] and p[0]; it is not a quadratic form in q and p, but a polynomial of degree 4; a canonical shift that removes a(q) from a kinetic momentum leaves q[0] and p[0]",
+        ],
+    ),
+    (
+        "split = a + b on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (0..2).map(|i| (p[i] - q[i].powi(2)).powi(2)).sum::<f64>() } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: &[[f64; 2]], p: &[[f64; 2]]) -> f64 { (0..q.len()).map(|i| (p[i][0] - q[i][0] * q[i][1]).powi(2) * self.m[i]).sum::<f64>() } fn b(&self, p: &[[f64; 2]]) -> f64 { p[0][1] * p[0][1] }",
+        &[],
+    ),
+    (
+        "split = a + b on fn a(&self, q: &[f64], p: &[f64]) -> f64 { (1..q.len()).map(|i| (p[i] - q[i] * q[i - 1]).powi(2) * self.m[i]).sum::<f64>() } fn b(&self, q: &[f64]) -> f64 { q[0].cos() }",
+        &[
+            "2:72 no exact flow is known for `a`\nhelp: use a gauge in which p[i] is added to a polynomial in q[i], or to a sine, cosine or exponential of a linear function of q[i], or keep H in one piece, `split = none`\nnote: it is not a shear, since it depends on q[i] and p[i]; it is not a quadratic form in q and p, but a polynomial of degree 4; it depends on p[i] by p[i] - a(q), but no antiderivative of this term with respect to q[i] is known",
+        ],
+    ),
+    (
         "split = quadratic + rest on fn hamiltonian(&self, [x, y]: [f64; 2], [px, py]: [f64; 2]) -> f64 { px * px + py * py + x * py - y * px + x * x * y }",
         &[],
     ),
@@ -1366,19 +1432,23 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + b, gpu on fn a(&self, q: [f64; 1], p: [f64; 1]) -> f64 { p[0] * p[0] + q[0] * q[0] } fn b(&self, q: [f64; 1]) -> f64 { q[0].cos() }",
         &[
-            "1:15 `gpu` does not support `a`, a quadratic form whose flow is a matrix\nnote: devices integrate drifts, kicks and shears",
+            "1:15 `gpu` does not support `a`, a quadratic form whose flow is a matrix\nnote: devices integrate drifts, kicks, shears and canonical shifts",
         ],
+    ),
+    (
+        "split = a + b, gpu on fn a(&self, q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] - q[0] * q[1]).powi(2) } fn b(&self, q: [f64; 2]) -> f64 { q[0].cos() }",
+        &[],
     ),
     (
         "split = a + b, gpu on fn a(&self, q: [f64; 3], p: [f64; 3]) -> f64 { let mut t = 0.0; let mut r2 = 0.0; for d in 0..3 { t += p[d] * p[d] / 2.0; r2 += q[d] * q[d]; } t - 1.0 / r2.sqrt() } fn b(&self, q: [f64; 3]) -> f64 { q[0].cos() }",
         &[
-            "1:15 `gpu` does not support `a`, a Kepler motion whose flow solves Kepler's equation\nnote: devices integrate drifts, kicks and shears",
+            "1:15 `gpu` does not support `a`, a Kepler motion whose flow solves Kepler's equation\nnote: devices integrate drifts, kicks, shears and canonical shifts",
         ],
     ),
     (
         "split = b + 4 * (a + c), gpu on fn b(&self, q: [f64; 3]) -> f64 { q[0].cos() } fn a(&self, q: [f64; 3], p: [f64; 3]) -> f64 { let mut t = 0.0; let mut r2 = 0.0; for d in 0..3 { t += p[d] * p[d] / 2.0; r2 += q[d] * q[d]; } t - 1.0 / r2.sqrt() } fn c(&self, q: [f64; 3]) -> f64 { q[1].cos() }",
         &[
-            "1:25 `gpu` does not support `a`, a Kepler motion whose flow solves Kepler's equation\nnote: devices integrate drifts, kicks and shears",
+            "1:25 `gpu` does not support `a`, a Kepler motion whose flow solves Kepler's equation\nnote: devices integrate drifts, kicks, shears and canonical shifts",
         ],
     ),
     (
@@ -1388,13 +1458,13 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = none, gpu on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
         &[
-            "1:14 `gpu` does not support H in one piece, `split = none`\nnote: devices integrate drifts, kicks and shears",
+            "1:14 `gpu` does not support H in one piece, `split = none`\nnote: devices integrate drifts, kicks, shears and canonical shifts",
         ],
     ),
     (
         "split = symmetric(omega = 3.0), gpu on fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { q[0] * p[0] }",
         &[
-            "1:32 `gpu` does not support `split = symmetric`, which evolves two copies of the state\nnote: devices integrate drifts, kicks and shears",
+            "1:32 `gpu` does not support `split = symmetric`, which evolves two copies of the state\nnote: devices integrate drifts, kicks, shears and canonical shifts",
         ],
     ),
 ];

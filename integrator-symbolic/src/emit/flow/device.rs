@@ -265,6 +265,24 @@ fn flow(
     part: Part,
 ) -> Result<String, String> {
     let duration = if part == Part::Momentum { "duration" } else { "-duration" };
+    let (lines, reads_time) = lines_along(emitter, reads, shape, gradient, part)?;
+    let step = if lines.is_empty() { String::new() } else { step(duration) };
+    Ok(function(name, "K", "double duration, ", &step, &lines, reads_time))
+}
+
+/// The line that gives the step a value.
+fn step(value: &str) -> String {
+    format!("const R step = R({value});\n")
+}
+
+/// The lines that move coordinates along a gradient by `step`, and whether they read the time.
+fn lines_along(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    gradient: &[Contribution],
+    part: Part,
+) -> Result<(String, bool), String> {
     let (mut lines, mut reads_time) = (String::new(), false);
     for Pass { stores, moved } in passes(emitter.model, gradient, part) {
         let Lines { text: pass, program, .. } = evaluate(emitter, reads, Within::default(), &stores)?;
@@ -278,8 +296,7 @@ fn flow(
             }
         };
     }
-    let step = if lines.is_empty() { String::new() } else { format!("const R step = R({duration});\n") };
-    Ok(function(name, "K", "double duration, ", &step, &lines, reads_time))
+    Ok((lines, reads_time))
 }
 
 /// The function that makes the Hessian of `V` times the momenta of these.

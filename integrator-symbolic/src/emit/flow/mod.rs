@@ -18,6 +18,7 @@ pub(super) mod part_of_pairs;
 pub(super) mod pieces;
 pub(super) mod quadratic;
 pub(super) mod rated_field;
+pub(super) mod shifted;
 pub(super) mod transformed;
 pub(super) mod user_energies;
 
@@ -385,6 +386,10 @@ impl Flow {
                 None => Self::by(emitter, energy, Part::Position),
             },
             Exact::Quadratic(form) => quadratic::flow(emitter, number, *form),
+            Exact::Shifted(shifted) => {
+                let shifted = shifted.clone();
+                shifted::flow(emitter, &shifted)
+            }
             Exact::Kepler(orbits) => {
                 let orbits = orbits.clone();
                 kepler::flow(emitter, &orbits)

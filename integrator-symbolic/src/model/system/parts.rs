@@ -1,7 +1,7 @@
 //! The parts of `H` that `split` names: each is a separate function, checked for a known exact flow.
 
 use crate::model::{
-    Called, Reader,
+    Called, Parameter, Reader,
     code::shape::{Shape, WholeSignature, lone_part, signature, usual_name, whole_signature},
     parameters::{factors::factors, parameter_text::Texts},
     system::{own_flow::own_flow, sorted_parts::sorts_two_functions},
@@ -12,6 +12,7 @@ use crate::{
         Element, NodeId, ParameterId, Part,
         exact::{Exact, Obstacle},
         kepler::Stray,
+        shift::Unshifted,
     },
     spelling::nearest,
     syntax::Input,
@@ -51,6 +52,12 @@ pub(crate) struct Read {
     pub(crate) energy: NodeId,
     pub(crate) shape: Shape,
     pub(crate) arguments: Vec<TokenStream>,
+}
+
+/// The factors of a parameter as text, with their exponents.
+pub(crate) fn factors_of(parameters: &[Parameter], id: ParameterId) -> Vec<(String, i32)> {
+    let factors = factors(parameters[id.0 as usize].text.clone());
+    factors.into_iter().map(|(text, exponent)| (text.to_string(), exponent)).collect()
 }
 
 impl<'i> Reader<'i> {
@@ -150,10 +157,7 @@ impl<'i> Reader<'i> {
             None => {
                 let extents = self.lengths(&shape);
                 let parameters = &self.parameters;
-                let factors_of = |id: ParameterId| {
-                    let factors = factors(parameters[id.0 as usize].text.clone());
-                    factors.into_iter().map(|(text, exponent)| (text.to_string(), exponent)).collect()
-                };
+                let factors_of = |id: ParameterId| factors_of(parameters, id);
                 match self.graph.exact(energy, &extents, &factors_of) {
                     Err(obstacles) if obstacles.last() == Some(&Obstacle::ProductOfSums) => {
                         let mut texts = Texts::new(&mut self.parameters, &mut self.running, &self.input.root);
@@ -179,16 +183,31 @@ impl<'i> Reader<'i> {
 impl Reader<'_> {
     /// Says that no exact flow is known for a part, at the term that is in the way, if one is.
     fn has_no_flow(&mut self, name: &Ident, energy: NodeId, obstacles: &[Obstacle]) {
-        let path = self.graph.in_the_way(energy, obstacles);
+        let mut path = self.graph.in_the_way(energy, obstacles);
+        let of_shift = obstacles.iter().find_map(|obstacle| match obstacle {
+            Obstacle::Shift(unshifted) => Some(unshifted),
+            _ => None,
+        });
+        if let Some(Unshifted::Antiderivative(_, term)) = of_shift {
+            path.push(*term);
+        }
         let term = path.iter().rev().find_map(|id| self.addends.get(&self.graph.without_sign(*id)));
         let reasons: Vec<String> = obstacles.iter().map(|obstacle| self.reason(obstacle, term.is_some())).collect();
         // Which terms are a part of no function of its own follows from their degree.
         let may_move = self.input.function(&name.to_string()).is_some();
-        let advice = match term {
+        let advice = match (term, of_shift) {
             _ if self.graph.reads_time(energy) => {
                 "move the terms that depend on time to a part of q only, or of p only".to_owned()
             }
-            Some(_) if may_move => {
+            (_, Some(Unshifted::Antiderivative(p, _))) => {
+                let [q, p] = [p.partner(), *p].map(|element| self.named(element));
+                format!(
+                    "use a gauge in which {p} is added to a polynomial in {q}, or to a sine, cosine or exponential of a \
+                     linear function of {q}, or keep H in one piece, `split = none`"
+                )
+            }
+            (_, Some(Unshifted::Moved(..))) => "write one part for each kinetic momentum".to_owned(),
+            (Some(_), _) if may_move => {
                 format!("move this term to another part, or write the flow of `{name}` by hand, `#[flow({name})]`")
             }
             _ => format!("split it into more parts, or write its flow by hand, `#[flow({name})]`"),
@@ -228,6 +247,21 @@ impl Reader<'_> {
                 format!("it is not a sum of p²/2m - k/|q| over bodies, since {why}")
             }
             Obstacle::NoPolynomial => "it is not a quadratic form in q and p".to_owned(),
+            Obstacle::Shift(Unshifted::Antiderivative(p, _)) => {
+                let [q, p] = [p.partner(), *p].map(|element| self.named(element));
+                let which = if is_at_term { "this term" } else { "a term of a(q)" };
+                format!(
+                    "it depends on {p} by {p} - a(q), but no antiderivative of {which} with respect to {q} is known"
+                )
+            }
+            Obstacle::Shift(Unshifted::Moved(p, other)) => {
+                let [p, other] = [*p, *other].map(|element| self.named(element));
+                format!("it depends on {p} by {p} - a(q), but the canonical shift that removes a(q) also moves {other}")
+            }
+            Obstacle::Shift(Unshifted::Conjugates(q, p)) => {
+                let [q, p] = [*q, *p].map(|element| self.named(element));
+                format!("a canonical shift that removes a(q) from a kinetic momentum leaves {q} and {p}")
+            }
         }
     }
 

@@ -11,9 +11,11 @@ pub(crate) enum Flow {
     Quadratic,
     Kepler,
     Shear,
+    Shifted,
 }
 
-pub(crate) const FLOWS: [Flow; 5] = [Flow::Momenta, Flow::Positions, Flow::Quadratic, Flow::Kepler, Flow::Shear];
+pub(crate) const FLOWS: [Flow; 6] =
+    [Flow::Momenta, Flow::Positions, Flow::Quadratic, Flow::Kepler, Flow::Shear, Flow::Shifted];
 
 /// A system in parts.
 pub(crate) struct Split {
@@ -50,6 +52,7 @@ pub(crate) fn split(seed: u64, flow: Flow, misses: bool) -> Split {
         Flow::Quadratic => writer.quadratic(misses),
         Flow::Kepler => writer.kepler(misses),
         Flow::Shear => writer.shear(misses),
+        Flow::Shifted => writer.shifted(misses),
     };
     if misses && matches!(flow, Flow::Momenta | Flow::Positions) {
         let i = writer.degree();
@@ -270,5 +273,51 @@ impl Writer {
             terms.push(more[self.choices.below(2)].clone());
         }
         (terms, vec!["q[0].powi(2)".to_owned()])
+    }
+
+    /// A function of one kinetic momentum and of positions that do not move.
+    fn shifted(&mut self, misses: bool) -> (Vec<String>, Vec<String>) {
+        let i = self.degree();
+        let j = (i + 1 + self.choices.below(self.count - 1)) % self.count;
+        let term = |writer: &mut Self| {
+            let c = writer.coefficient();
+            match writer.choices.below(7) {
+                0 => format!("{c} * q[{i}].powi(3) / (1.0 + q[{j}] * q[{j}])"),
+                1 => format!("(self.a * q[{i}] + q[{j}]).sin() * {c}"),
+                2 => format!("{c} * (q[{j}] - q[{i}] / {c}).cos()"),
+                3 => format!("q[{j}].sin() * (0.3 * q[{i}]).exp()"),
+                4 => format!("q[{i}] * (q[{j}] + {c} * q[{i}])"),
+                5 => format!("self.square({c} + q[{i}]) * q[{j}]"),
+                _ => format!("{c} * q[{j}].sqrt()"),
+            }
+        };
+        let count = 1 + self.choices.below(3);
+        let mut potential: Vec<_> = (0..count).map(|_| term(self)).collect();
+        // For certain, so that no term that is added makes a shear or a quadratic form of it.
+        potential.push(format!("0.2 * q[{i}] * q[{i}] * q[{j}]"));
+        let miss = misses.then(|| self.choices.below(4));
+        if miss == Some(0) {
+            potential.push(format!("q[{i}].tanh()"));
+        }
+        let (potential, c) = (potential.join(" + "), self.coefficient());
+        let kinetic = match self.choices.below(3) {
+            0 => format!("p[{i}] - ({potential})"),
+            1 => format!("{potential} - p[{i}]"),
+            _ => format!("p[{i}] / 2.0 - ({potential}) + q[{j}]"),
+        };
+        let of = match self.choices.below(4) {
+            0 => format!("u * u / (2.0 * {c})"),
+            1 => format!("(0.3 * u).cosh() * (1.0 + q[{j}] * q[{j}])"),
+            2 => format!("(1.0 + u.powi(2)).sqrt() + {c} * q[{j}].powi(4)"),
+            _ => format!("{c} * self.square(u) + u * q[{j}].cos()"),
+        };
+        let mut terms = vec![format!("({{ let u = {kinetic}; {of} }})")];
+        terms.extend(match miss {
+            Some(1) => Some(format!("q[{i}].sin()")),
+            Some(2) => Some(format!("p[{j}].powi(2)")),
+            Some(3) => Some(format!("p[{i}].cosh()")),
+            _ => None,
+        });
+        (terms, vec![format!("{c} * q[{i}].powi(3)")])
     }
 }

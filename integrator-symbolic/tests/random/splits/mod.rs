@@ -1,8 +1,9 @@
 //! Random systems in named parts: a part has the flow that it was written to have, and none where one term is in the way.
 //!
-//! What is derived of them is held against the user's own functions by the interpreter: the energies of the first part and
-//! of the others, the field of the whole, and what the runtime is told of the parts that it solves.
+//! What is derived of them is compared with the user's own functions by the interpreter: the energies of the first part and
+//! of the others, the field of the whole, the flows of parts that the runtime does not solve, and what it is told of others.
 
+mod flows;
 mod grammar;
 mod solved;
 
@@ -149,7 +150,10 @@ fn parts_have_the_flows_that_they_are_written_to_have() {
         let split = grammar::split(seed, flow, false);
         let text = format!("split = {} on {}", split.parts.join(" + "), split.item);
         let expansion = split.expansion().unwrap_or_else(|message| panic!("{flow:?} {seed}: {message}\n{text}"));
-        let verdict = split.judge(&expansion);
+        let mut verdict = split.judge(&expansion);
+        if matches!(flow, Flow::Shear | Flow::Shifted) {
+            split.judge_flow(&expansion, &mut verdict);
+        }
         assert!(verdict.faults.is_empty(), "{flow:?} {seed}: {:?}\n{text}", verdict.faults);
         all.compared += verdict.compared;
         all.skipped += verdict.skipped;
@@ -209,5 +213,25 @@ fn wrong_runtime_arguments_are_found_although_energies_and_field_are_right() {
             assert_eq!(found, expected, "{flow:?} {seed}, `{to}` for `{from}`: {faults:?}");
         }
         assert!(changed > 0, "`{from}` is nowhere");
+    }
+}
+
+#[test]
+fn a_wrong_shift_is_found_by_the_flow() {
+    for (from, to) in
+        [("Scalar :: of (- 1.0)", "Scalar :: of (- 1.01)"), ("Scalar :: of (1.0)", "Scalar :: of (- 1.0)")]
+    {
+        let mut changed = 0;
+        for seed in 0..10 {
+            let split = grammar::split(seed, Flow::Shifted, false);
+            let output = split.output().to_string();
+            let other = output.replacen(from, to, 1);
+            let expansion = Expansion::read(other.parse().expect("tokens")).expect("the same but for a number");
+            let mut verdict = Verdict::default();
+            split.judge_flow(&expansion, &mut verdict);
+            // The flow of a part between others is not compared, and the first number may be one of another function.
+            changed += usize::from(!verdict.faults.is_empty());
+        }
+        assert!(changed > 2, "`{to}` for `{from}` is found {changed} times");
     }
 }

@@ -1,17 +1,23 @@
 //! Device code for parts of H with names: a function for the flow of each.
 
-use super::{super::sheared, Shape, flow};
+use super::{
+    super::{sheared, shifted::gradient_of_shifts},
+    Shape, flow, function, lines_along, step,
+};
 use crate::{
     differentiate::{Contribution, gradient},
     emit::printer::{block::Emitter, cuda::Reads},
-    graph::{Part, exact::Exact},
+    graph::{Part, exact::Exact, shift::Shifted},
     model::{Model, Split},
 };
 
 /// Parts that are no sums of shears are solved by the runtime, in Rust.
 pub(super) fn check(model: &Model) -> Result<(), String> {
-    let refused =
-        |what: &str| Err(format!("`gpu` does not support {what}\nnote: devices integrate drifts, kicks and shears"));
+    let refused = |what: &str| {
+        Err(format!(
+            "`gpu` does not support {what}\nnote: devices integrate drifts, kicks, shears and canonical shifts"
+        ))
+    };
     match model.split {
         Split::Copies(_) => return refused("`split = symmetric`, which evolves two copies of the state"),
         Split::Whole => return refused("H in one piece, `split = none`"),
@@ -20,7 +26,7 @@ pub(super) fn check(model: &Model) -> Result<(), String> {
     }
     for part in &model.parts {
         match part.form {
-            Exact::OfMomenta | Exact::OfPositions | Exact::Shear => {}
+            Exact::OfMomenta | Exact::OfPositions | Exact::Shear | Exact::Shifted(_) => {}
             Exact::Own => return refused(&format!("`{}`, whose flow is hand-written", part.name())),
             Exact::Quadratic(_) => {
                 return refused(&format!("`{}`, a quadratic form whose flow is a matrix", part.name()));
@@ -61,8 +67,33 @@ pub(super) fn flow_of(
     part: usize,
     name: &str,
 ) -> Result<String, String> {
+    if let Exact::Shifted(shifted) = &emitter.model.parts[part].form {
+        let shifted = shifted.clone();
+        return shifted_flow(emitter, reads, shape, name, &shifted);
+    }
     let (gradient, by) = part_gradient(emitter.model, part);
     flow(emitter, reads, shape, name, &gradient, by)
+}
+
+/// The flow of a part that is a shear between two shifts.
+fn shifted_flow(
+    emitter: &mut Emitter<'_>,
+    reads: &mut Reads,
+    shape: &Shape,
+    name: &str,
+    shifted: &Shifted,
+) -> Result<String, String> {
+    let graph = &mut emitter.model.graph;
+    let (shift, shear) = (gradient_of_shifts(graph, shifted), sheared(graph, shifted.shear));
+    let (mut lines, mut reads_time) = (String::new(), false);
+    for (duration, gradient, by) in
+        [("-1.0", &shift, Part::Position), ("duration", &shear, Part::Momentum), ("1.0", &shift, Part::Position)]
+    {
+        let (block, is_read) = lines_along(emitter, reads, shape, gradient, by)?;
+        lines += &format!("{{\n{}{block}}}\n", step(duration));
+        reads_time |= is_read;
+    }
+    Ok(function(name, "K", "double duration, ", "", &lines, reads_time))
 }
 
 /// The gradient whose flow a part is, and what it is taken by.
