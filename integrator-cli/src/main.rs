@@ -47,8 +47,8 @@ enum Task {
     /// Keys of --json:
     ///   file, systems
     ///   systems: system, line, parts, equations, separable, quadratic_kinetic, autonomous, drift, kick,
-    ///            flows_of_parts (name, form, slower), operations (written, shared, energies, together), compose,
-    ///            composition, admissible
+    ///            flows_of_parts (name, form, way, slower), explicit, operations (written, shared, energies,
+    ///            together), compose, composition, admissible
     ///   drift, kick: form (plain, lanes, terms, line, plane, volume, row, pairs, lists), others (the form beside pairs),
     ///            places, cost, slower
     ///   slower: than, range, reason, instead

@@ -187,8 +187,10 @@ fn value(system: &System, catalogue: &[Proved]) -> Value {
         "flows_of_parts": report.flows_of_parts.iter().map(|part| json!({
             "name": part.name,
             "form": part.form.map(|form| form.name()),
+            "way": part.way,
             "slower": slower(&part.slower),
         })).collect::<Vec<_>>(),
+        "explicit": report.explicit,
         "operations": {
             "written": report.operations_written,
             "shared": report.operations_shared,

@@ -1,6 +1,7 @@
 //! A readable report of what is derived from an annotated impl.
 
 mod places;
+mod ways;
 
 use crate::{
     graph::{Part, Tally, index::LoopSet},
@@ -48,6 +49,8 @@ pub struct Report {
     pub energies: [Vec<Place>; 2],
     /// The layouts of the parts that `split` names, if these have exact flows other than a drift and a kick.
     pub flows_of_parts: Vec<FlowOfPart>,
+    /// If `H` is not split: parts with exact flows whose sum it is, or the term that has none.
+    pub explicit: Vec<String>,
     /// The number of operations of one drift and one kick as the derivatives are written; the body of a sum counts
     /// once.
     pub operations_written: u64,
@@ -81,6 +84,8 @@ pub struct FlowOfPart {
     pub name: String,
     /// The layout of a flow along a gradient; `None` for a matrix, a Kepler motion, a shear or a hand-written flow.
     pub form: Option<Form>,
+    /// How the part moves, and why.
+    pub way: &'static str,
     /// The faster layouts that do not apply.
     pub slower: Vec<Slower>,
 }
@@ -179,8 +184,9 @@ impl fmt::Display for Report {
             let time = if self.autonomous { "not read" } else { "read" };
             let form = if self.whole { "in one piece" } else { "in parts with exact flows" };
             writeln!(f, "H: {form}; time: {time}")?;
-            for FlowOfPart { name, form, slower } in &self.flows_of_parts {
-                let form = form.map_or_else(|| "an exact flow of its own".to_owned(), |form| form.to_string());
+            self.explicit.iter().try_for_each(|line| writeln!(f, "{line}"))?;
+            for FlowOfPart { name, form, way, slower } in &self.flows_of_parts {
+                let form = form.map_or_else(|| (*way).to_owned(), |form| form.to_string());
                 writeln!(f, "flow of {name}: {form}")?;
                 slower.iter().try_for_each(|slower| writeln!(f, "  {slower}"))?;
             }
@@ -256,6 +262,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         cost: (part == 1 && places[part].iter().any(Place::repeats)).then(|| forms[part].cost()),
         slower: slower[part].clone(),
     });
+    let explicit = ways::explicit(&mut model);
     let flows_of_parts = if model.is_separable() { Vec::new() } else { flows_of_parts(&mut model) };
     Report {
         system: readable(&input.item.self_ty),
@@ -274,6 +281,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         kick,
         energies: of_energies,
         flows_of_parts,
+        explicit,
         operations_written: flows.written,
         operations_shared: flows.shared,
         operations_of_energies: energies.shared,
@@ -296,7 +304,7 @@ fn flows_of_parts(model: &mut Model) -> Vec<FlowOfPart> {
     let part = |number: usize| {
         let (form, lost) = of_part(model, number).unzip();
         let (name, slower) = (model.parts[number].name(), slower(model, &lost.unwrap_or_default()));
-        FlowOfPart { name, form, slower }
+        FlowOfPart { name, form, way: ways::way(&model.parts[number].form), slower }
     };
     (0..count).map(part).collect()
 }

@@ -31,7 +31,7 @@ fn mistakes_are_shown_as_the_compiler_shows_them() {
 10 | \t0.5 * (p[0] - self.charge * q[1]).powi(2) + 0.5 * p[1] * p[1]
    | \t      ^^^^^^^^^^^^^^^^^^^^^^^^^^^
    |
-   = help: split H into parts with exact flows, `split = a + b`
+   = help: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`
    = help: or keep it in one piece for implicit methods, `split = none`
    = help: or couple two copies of the state, `split = symmetric(omega = 20.0)`
    = help: or change to coordinates in which T depends on p only

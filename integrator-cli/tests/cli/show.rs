@@ -128,6 +128,7 @@ fn json_says_the_same() {
         "composition",
         "drift",
         "equations",
+        "explicit",
         "flows_of_parts",
         "kick",
         "line",
@@ -193,7 +194,7 @@ fn slow_loops_have_a_reason() {
     let lines = [
         "    kick: plain code\n",
         "\n      not `line`: a condition on the index of a site does not select a range of sites; write a condition such as",
-        "\n    flow of oscillator: an exact flow of its own\n    flow of pairs: plain code\n",
+        "\n    flow of oscillator: a matrix exponential, since it is a quadratic form in q and p\n    flow of pairs: plain code\n",
         "\n      not `pairs`: a part that `split` names is summed as written if there are fewer than 33 numbers in `q`; write",
         "\n    H = pairs + 8 * Verlet(bonds + kinetic)\n",
         "\n    flow of pairs: pair sums in tiles of eight bodies by eight\n",

@@ -19,6 +19,7 @@ mod decision_tree;
 #[cfg(test)]
 pub(crate) mod evaluate;
 pub(crate) mod exact;
+pub(crate) mod explicit;
 pub(crate) mod external;
 mod fold;
 pub(crate) mod function;

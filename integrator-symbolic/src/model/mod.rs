@@ -42,7 +42,7 @@ use syn::{BinOp, Expr, ExprBinary, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, s
 pub(crate) use system::external::{Method, strip};
 pub(crate) use system::invariant::Invariant;
 use system::parts::part_shape;
-pub(crate) use system::parts::{ExactPart, PartFunction};
+pub(crate) use system::parts::{ExactPart, PartFunction, factors_of};
 use system::sorted_parts::sorted;
 use values::guard::Condition;
 use values::value::{Opaque, Value, View};
@@ -407,9 +407,10 @@ pub(crate) fn with_input(arguments: &str, item: &str) -> (Input, Model) {
 
 /// What to say of a Hamiltonian that is no sum of `T(p)` and `V(q)`.
 const NOT_SEPARABLE: &str = "this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into \
-                             parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit \
-                             methods, `split = none`\nhelp: or couple two copies of the state, `split = \
-                             symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only";
+                             parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = \
+                             none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple \
+                             two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to \
+                             coordinates in which T depends on p only";
 
 /// A variable.
 pub(crate) struct Binding {

@@ -37,8 +37,6 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
         Some(Called::Parts | Called::Whole(_)) => energies(model),
         _ => Vec::new(),
     };
-    let formulas = Formulas::of(model);
-    let formula = |id| formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)));
     let pair = matches!(model.split, Split::Pair).then(|| match &model.parts[..] {
         [first, others @ ..] => {
             let others: Vec<_> = others.iter().map(ExactPart::name).collect();
@@ -48,7 +46,15 @@ pub(crate) fn parts(model: &Model) -> Vec<String> {
     });
     let nested = matches!(model.split, Split::Nested).then(|| nested(model));
     let pair = pair.or(nested);
-    pair.into_iter().chain(parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(energy)))).collect()
+    pair.into_iter()
+        .chain(parts.into_iter().map(|(name, energy)| format!("{name} = {}", formula(model, energy))))
+        .collect()
+}
+
+/// A formula, or how long it is.
+pub(crate) fn formula(model: &Model, id: NodeId) -> String {
+    let formulas = Formulas::of(model);
+    formulas.short(id).unwrap_or_else(|| format!("a formula of {} operations", formulas.size(id)))
 }
 
 /// H as the sum of its parts, with the inner steps that some take: `H = slow + 8 * Verlet(bonds + kinetic)`.

@@ -336,21 +336,21 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 {\n0.5 * p[0] * p[0] + q[0] * p[1] - q[1].cos() }}",
         &[
-            "3:20 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:20 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\n(q[0] + p[0]).powi(2) + (q[0] - p[0]).sin() + 1.0 / (q[0] + p[0]) }}",
         &[
-            "3:0 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
-            "3:24 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
-            "3:46 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:0 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:24 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:46 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
         ],
     ),
     (
         "impl System {\nfn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 { if q[0] > p[0] { p[0] } else { 2.0 * p[0] } } }",
         &[
-            "2:3 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "2:3 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
         ],
     ),
     (
@@ -370,9 +370,9 @@ pub(crate) const ITEMS: &[Row] = &[
     (
         "impl System {\nfn kinetic(&self, q: [f64; 1], p: [f64; 1]) -> f64 {\np[0] / q[0] + p[0].powf(q[0]) + p[0].mul_add(q[0], 1.0) }\nfn potential(&self, q: [f64; 1]) -> f64 { q[0] } }",
         &[
-            "3:0 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
-            "3:24 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
-            "3:32 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:0 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:24 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
+            "3:32 this term mixes q and p, so H is not separable into T(p) + V(q)\nhelp: split H into parts with exact flows, `split = a + b`, which `integrator-cli show` prints for `split = none`\nhelp: or keep it in one piece for implicit methods, `split = none`\nhelp: or couple two copies of the state, `split = symmetric(omega = 20.0)`\nhelp: or change to coordinates in which T depends on p only",
         ],
     ),
     (

@@ -6,6 +6,7 @@ use std::path::Path;
 
 #[path = "../../../tests/support/kept.rs"]
 mod kept;
+mod ways;
 
 use kept::assert_kept;
 
