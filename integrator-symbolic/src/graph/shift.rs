@@ -216,7 +216,7 @@ impl Shifting<'_> {
         }
     }
 
-    /// A node of which momenta may have lost a sign or a factor.
+    /// A node with other children, after signs moved outwards and powers of powers were joined.
     fn rebuilt(&mut self, node: Node) -> NodeId {
         match node {
             Node::Power(a, halves) => self.graph.power(a, halves),
