@@ -91,7 +91,9 @@ fn place_of(arguments: &TokenStream, name: &str) -> Option<Span> {
 
 /// The compositions that may integrate a system.
 fn admissible<'c>(report: &Report, catalogue: &'c [Proved]) -> Vec<&'c Proved> {
-    catalogue.iter().filter(|composition| report.quadratic_kinetic || !composition.quadratic_kinetic).collect()
+    let is_admissible =
+        |composition: &&Proved| !report.whole && (report.quadratic_kinetic || !composition.quadratic_kinetic);
+    catalogue.iter().filter(is_admissible).collect()
 }
 
 fn text(source: &Source, system: &System, catalogue: &[Proved]) -> String {
@@ -99,6 +101,11 @@ fn text(source: &Source, system: &System, catalogue: &[Proved]) -> String {
     let mut text = format!("{}, {}:{line}\n", report.system, source.name);
     for line in report.to_string().lines() {
         text += &wrapped(&format!("    {line}"));
+    }
+    if report.whole {
+        let _ = writeln!(text, "    method: {}", report.compose);
+        text += "    admissible: implicit methods, `GaussLegendre<1>` to `GaussLegendre<8>`\n";
+        return text;
     }
     let composition = match composition {
         None => "which is declared elsewhere".to_owned(),

@@ -487,12 +487,16 @@ pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
     #[error(
         "Newton's method did not converge for h = {h}: after {iterations} iterations, its update is {update:.1e} of the \
-         state\nhelp: use a smaller step",
+         state\nhelp: use a smaller step\nnote: a fixed-point iteration would multiply its error by about \
+         {contraction:.1e}, which is proportional to h",
         h = Number(*h)
     )]
     Newton {
         /// The step.
         h: f64,
+        /// The factor by which fixed-point iteration would multiply an error, from the derivatives at the beginning of the
+        /// step. Steps of which it is below 0.5 converge fast.
+        contraction: f64,
         /// The number of iterations.
         iterations: u32,
         /// The last update, relative to the largest coordinate.

@@ -263,10 +263,12 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         slower: slower[part].clone(),
     });
     let explicit = ways::explicit(&mut model);
+    let whole = matches!(model.split, Split::Whole);
     let flows_of_parts = if model.is_separable() { Vec::new() } else { flows_of_parts(&mut model) };
     Report {
         system: readable(&input.item.self_ty),
         compose: match &input.compose {
+            None if whole => "ImplicitMidpoint".to_owned(),
             None => "Verlet".to_owned(),
             Some(Compose::Named(path)) => readable(path),
             Some(Compose::InPlace(sequence, _)) => sequence.text(),
@@ -274,7 +276,7 @@ pub(crate) fn report(input: &Input, mut model: Model) -> Report {
         equations,
         parts,
         quadratic_kinetic: model.quadratic,
-        whole: matches!(model.split, Split::Whole),
+        whole,
         separable: model.is_separable() && model.jacobi().is_none(),
         autonomous: model.autonomous,
         drift,

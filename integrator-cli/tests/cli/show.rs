@@ -25,6 +25,27 @@ The catalogue, with forces per step; * for quadratic T alone
     assert!(found.contains(" BlanesMoanSrkn11* 11,") && found.ends_with("SofroniouSpaletta10 35\n"), "{found}");
 }
 
+#[test]
+fn h_in_one_piece_has_explicit_parts_and_implicit_methods() {
+    let path = file(
+        "one_piece.rs",
+        "#[hamiltonian(split = none)]
+impl Products {
+    fn hamiltonian(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0].sin() * p[1] + q[1].cos() * p[0].powi(2) }
+}",
+    );
+    let found = answer(&["show", &path]);
+    let expected = "    explicit instead: `split = a + b`, one function for each part:
+      a = p[1] sin(q[0]): a shear, since it depends on no coordinate together with its conjugate
+      b = p[0]^2 cos(q[1]): a shear, since it depends on no coordinate together with its conjugate
+    operations of the energies: 6
+    method: ImplicitMidpoint
+    admissible: implicit methods, `GaussLegendre<1>` to `GaussLegendre<8>`
+";
+    assert!(found.contains(expected), "{found}");
+    assert_eq!(json(&["show", &path])["systems"][0]["admissible"], serde_json::json!([]));
+}
+
 const SYSTEMS: &str = "
 #[hamiltonian]
 impl Chain {

@@ -4,14 +4,17 @@
 //! In plain numbers, with the field as a function of these: it is seldom needed, and compiled with this crate instead of with each
 //! system and method.
 
-use crate::scalar::tolerance::{largest, ratio};
+use crate::{
+    error::Unsolved,
+    scalar::tolerance::{largest, ratio},
+};
 use alloc::vec::Vec;
 use core::ops::Range;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest number of iterations. Newton's iteration doubles the digits with each, so that a handful reaches the
 /// rounding from wherever it converges.
-pub(super) const ITERATIONS: u32 = 32;
+const ITERATIONS: u32 = 32;
 
 /// The update at which the iteration has reached the rounding, in ε of the largest coordinate of its kind.
 const SETTLED: f64 = 4.0;
@@ -41,9 +44,16 @@ pub(super) struct Equation<'m> {
 }
 
 impl Equation<'_> {
-    /// Returns the field at the stages, or the size of the last update if the iteration does not converge, and adds the number of
-    /// evaluations.
-    pub(super) fn solve(&self, evaluations: &mut u64) -> Result<Vec<Lists>, f64> {
+    /// Returns the field at the stages, or why there is none, and adds the number of evaluations.
+    pub(super) fn solve(&self, evaluations: &mut u64) -> Result<Vec<Lists>, Unsolved> {
+        self.iterate(evaluations).map_err(|update| {
+            let contraction = self.contraction();
+            Unsolved::Newton { h: self.h, contraction, iterations: ITERATIONS, update }
+        })
+    }
+
+    /// Returns the field at the stages, or the size of the last update if the iteration does not converge.
+    fn iterate(&self, evaluations: &mut u64) -> Result<Vec<Lists>, f64> {
         let Self { y, time, h, epsilon, .. } = self;
         let (stages, lists, size) = (self.nodes.len(), y.len(), y[0].len());
         let start = (self.field)(y, *time);
@@ -87,6 +97,14 @@ impl Equation<'_> {
         Err(update)
     }
 
+    /// The factor by which an iteration to the fixed point multiplies an error, with the derivatives at the beginning of the
+    /// step: `|h|` times the spectral radii of the coefficients and of these derivatives.
+    fn contraction(&self) -> f64 {
+        let stages = self.nodes.len();
+        let coefficients = DMatrix::from_fn(stages, stages, |i, j| self.a[i][j]);
+        self.h.abs() * spectral_radius(&coefficients) * spectral_radius(&(self.jacobian)(&self.y[0], self.time))
+    }
+
     /// Returns the update of Newton's iteration for each list of residuals, by the Jacobians at the stages; `None` where the matrix
     /// is singular.
     fn updates(&self, jacobians: &[DMatrix<f64>], residuals: &[Vec<f64>]) -> Option<Vec<DVector<f64>>> {
@@ -115,7 +133,45 @@ fn moved_by(moved: &[f64], stage: &[f64], beginning: &[f64]) -> f64 {
     largest([of(0..half), of(half..moved.len())])
 }
 
+/// The largest absolute value of an eigenvalue, approximately: the mean growth of a vector in repeated products with a matrix. An even
+/// number of products has the growth of a pair of conjugate eigenvalues, whatever the units of the coordinates are.
+fn spectral_radius(matrix: &DMatrix<f64>) -> f64 {
+    const PRODUCTS: i32 = 32;
+    let mut vector = DVector::from_fn(matrix.nrows(), |row, _| 1.0 / (1.0 + row as f64));
+    let mut growth = 0.0;
+    for product in -PRODUCTS..PRODUCTS {
+        let next = matrix * &vector;
+        let factor = next.norm() / vector.norm();
+        if factor == 0.0 {
+            return 0.0;
+        }
+        vector = next / factor;
+        growth += if product < 0 { 0.0 } else { factor.ln() };
+    }
+    (growth / f64::from(PRODUCTS)).exp()
+}
+
 /// A matrix whose columns are the derivatives along each coordinate.
 pub(super) fn by_columns(size: usize, column: &dyn Fn(usize) -> Vec<f64>) -> DMatrix<f64> {
     DMatrix::from_vec(size, size, (0..size).flat_map(column).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spectral_radius_does_not_depend_on_units() {
+        for (rows, radius) in [
+            // An oscillator with a mass of 1e6 and a frequency of 3e-3, a free body, and a saddle.
+            ([0.0, 1e-6, -9.0, 0.0], 3e-3),
+            ([0.0, 1.0, 0.0, 0.0], 0.0),
+            ([-3.0, 0.0, 0.0, 1.0], 3.0),
+        ] {
+            let found = spectral_radius(&DMatrix::from_row_slice(2, 2, &rows));
+            // Before growth is measured, what else is in the vector has shrunk by 3^32 = 2e15 compared with the largest.
+            assert!((found - radius).abs() <= 1e-14 * radius, "{found} and not {radius}");
+        }
+        assert!(spectral_radius(&DMatrix::from_element(2, 2, f64::NAN)).is_nan());
+    }
 }

@@ -31,9 +31,7 @@ pub(super) fn solve<F: Field<H>, H: System, R: Real, W: Row<R>, const S: usize>(
         }
         match slopes(equation, &lanes, evaluations) {
             Ok(slopes) => store::<F, H, R, W, S>(equation, &slopes, &lanes, increments),
-            Err(update) => {
-                unsolved[own] = Some(Unsolved::Newton { h: equation.h, iterations: newton::ITERATIONS, update });
-            }
+            Err(reason) => unsolved[own] = Some(reason),
         }
     }
     if unsolved.iter().all(Option::is_none) { Vec::new() } else { unsolved }
@@ -44,7 +42,7 @@ fn slopes<F: Field<H>, H: System, R: Real, const S: usize>(
     Equation { constants, conjugate, y, time, h, epsilon, tableau, .. }: &Equation<'_, F, H, R, S>,
     lanes: &Range<usize>,
     evaluations: &mut u64,
-) -> Result<Vec<newton::Lists>, f64> {
+) -> Result<Vec<newton::Lists>, Unsolved> {
     let lists = |point: &Pair<H, R>| -> newton::Lists { lanes.clone().map(|lane| listed(point, lane)).collect() };
     let size = y.halves()[0].len();
     newton::Equation {
