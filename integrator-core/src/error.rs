@@ -495,7 +495,7 @@ pub enum Unsolved {
         /// The step.
         h: f64,
         /// The factor by which fixed-point iteration would multiply an error, from the derivatives at the beginning of the
-        /// step. Steps of which it is below 0.5 converge fast.
+        /// step. Below 0.5, the iteration converges fast.
         contraction: f64,
         /// The number of iterations.
         iterations: u32,
