@@ -487,15 +487,15 @@ pub enum Unsolved {
     /// Newton's iteration for an implicit step did not converge.
     #[error(
         "Newton's method did not converge for h = {h}: after {iterations} iterations, its update is {update:.1e} of the \
-         state\nhelp: use a smaller step\nnote: a fixed-point iteration would multiply its error by about \
-         {contraction:.1e}, which is proportional to h",
+         state\nhelp: use a smaller step\nnote: at the beginning of the step, fixed-point iteration multiplies an error by \
+         about {contraction:.1e}, which is proportional to h",
         h = Number(*h)
     )]
     Newton {
         /// The step.
         h: f64,
-        /// The factor by which fixed-point iteration would multiply an error, from the derivatives at the beginning of the
-        /// step. Below 0.5, the iteration converges fast.
+        /// The factor by which fixed-point iteration multiplies an error, from the derivatives at the beginning of the step. It
+        /// may be larger within the step.
         contraction: f64,
         /// The number of iterations.
         iterations: u32,
