@@ -149,6 +149,14 @@ pub struct Beside {
     pub(crate) exponent: f64,
 }
 
+/// A number of each lane, from a lane of another motion.
+pub(crate) fn from_lanes<'a, R: Real, M: 'a>(of_lane: &dyn Fn(usize) -> (usize, &'a M), read: &dyn Fn(&M) -> R) -> R {
+    R::state(&|lane| {
+        let (lane, from) = of_lane(lane);
+        read(from).lane(lane)
+    })
+}
+
 /// The coordinates that a flow reads.
 pub struct Read<'m, S, P> {
     /// Positions.

@@ -14,7 +14,7 @@ use crate::{
     },
     system::{
         counts::Counts,
-        motion::{Motion, Plain, Prepared},
+        motion::{Motion, Plain, Prepared, from_lanes},
     },
 };
 use alloc::vec::Vec;
@@ -83,12 +83,7 @@ impl<F: Variable, R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for I
     where
         Self: 'a,
     {
-        let at = |read: &dyn Fn(&Self) -> R| {
-            R::state(&|lane| {
-                let (lane, from) = of_lane(lane);
-                read(from).lane(lane)
-            })
-        };
+        let at = |read: &dyn Fn(&Self) -> R| from_lanes(of_lane, read);
         self.time = [at(&|from| from.time[0]), at(&|from| from.time[1])];
         self.conjugate = of_lane(0).1.conjugate.map(|own| at(&|from| from.conjugate.unwrap_or(own)));
     }

@@ -6,7 +6,7 @@ use crate::{
     error::Unsolved,
     scalar::real::{Mask, Real},
     state::{coords::Coords, phase::Phase, precision::Slot},
-    system::motion::{Motion, Plain, Prepared},
+    system::motion::{Motion, Plain, Prepared, from_lanes},
 };
 use alloc::{sync::Arc, vec::Vec};
 
@@ -141,12 +141,7 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, Constants<P::Single>> for Tim
     where
         Self: 'a,
     {
-        let at = |read: &dyn Fn(&Self) -> R| {
-            R::state(&|lane| {
-                let (lane, from) = of_lane(lane);
-                read(from).lane(lane)
-            })
-        };
+        let at = |read: &dyn Fn(&Self) -> R| from_lanes(of_lane, read);
         let (value, carried, beside) = (at(&|from| from.time[0]), at(&|from| from.time[1]), at(&|from| from.beside));
         self.time = [value, carried];
         self.beside = beside;
