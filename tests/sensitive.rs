@@ -178,6 +178,19 @@ where
     assert_eq!(vectors[0], alone.vectors()[0], "{name}: the vector at the start");
     assert_eq!(vectors.len(), 1 + H::SENSITIVE.len(), "{name}");
 
+    // The gradient of a function of the end multiplies the derivatives by parameters.
+    let weights = Phase { q: start.p.clone(), p: start.q.clone() };
+    let found =
+        system.gradient::<f64, X>(method, start.clone(), h, 12, |_| (0.0, weights.clone())).expect("a gradient");
+    for (number, image) in vectors[1..].iter().enumerate() {
+        let products = numbers(&weights).into_iter().zip(numbers(image)).map(|(a, b)| a * b);
+        let (sum, size) = products.fold((0.0, 0.0), |(sum, size), product| (sum + product, size + product.abs()));
+        // Both ways round each number a few hundred times.
+        let apart = (found.parameters[number] - sum).abs();
+        assert!(apart < 1e3 * f64::EPSILON * size, "{name}: {} is off by {apart:e} of {size:e}", H::SENSITIVE[number]);
+    }
+    assert_eq!(found.parameters.len(), H::SENSITIVE.len(), "{name}");
+
     // Differences of fourth order; the width of the coarser ones is twice that of the others, so that what both differ by
     // bounds the error of the finer ones. A rounding of the ends, of which there are a few hundred, is divided by the
     // width.

@@ -375,6 +375,30 @@ pub enum Error {
         /// The fault of the vector.
         fault: VectorFault,
     },
+    /// A gradient cannot be computed.
+    #[error("the gradient is not available: {reason}")]
+    NoGradient {
+        /// The reason, and an alternative.
+        reason: &'static str,
+    },
+    /// The derivatives that a function returned for its gradient are invalid.
+    #[error("the derivative of the function with respect to the state after step {step} {fault}")]
+    Loss {
+        /// The number of steps up to the state.
+        step: u64,
+        /// The fault of the derivatives.
+        fault: VectorFault,
+    },
+    /// The way back of a gradient did not end at the initial state.
+    #[error(
+        "the way back ended at a relative distance of {error:.1e} from the initial state, so that the gradient is not that of \
+         the run\nhelp: take fewer steps, or start from `Phase::reversible(q, p, grid)`\nnote: the orbit is chaotic, and \
+         rounding errors grow with its deviations"
+    )]
+    WayBack {
+        /// The relative distance.
+        error: f64,
+    },
     /// The ensemble has no members.
     #[error("an ensemble requires at least one member")]
     NoMembers,

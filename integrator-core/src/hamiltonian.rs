@@ -10,8 +10,10 @@ use crate::{
     },
     system::{Shaped, System},
     trajectory::{
+        gradient::{Gradient, Reads, gradient},
         method::{Differentiable, Memoryless, Method},
         run::Run,
+        samples::Sample,
         tangent::Tangent,
     },
 };
@@ -47,6 +49,16 @@ pub trait Hamiltonian: System {
     /// assert_eq!(Oscillator::EQUATIONS, ["T = p[0]^2 / 2", "V = q[0]^2 / 2", "dq[0]/dt = p[0]", "dp[0]/dt = -q[0]"]);
     /// ```
     const EQUATIONS: &'static [&'static str] = &[];
+
+    /// The names of the parameters in `sensitive(...)`, in the order of the annotation.
+    const SENSITIVE: &'static [&'static str] = &[];
+
+    /// Returns the derivatives of the prepared constants with respect to a parameter in `sensitive(...)`; zeros if there is no
+    /// such parameter.
+    fn slopes(&self, length: usize, _parameter: usize) -> Self::Parameters<f64> {
+        // Nobody asks for the derivatives of a system without such parameters.
+        self.parameters(length)
+    }
 
     /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.
     ///
@@ -114,6 +126,110 @@ pub trait Hamiltonian: System {
         h: f64,
     ) -> Result<Tangent<Shaped<Self, K>>, Error> {
         Tangent::start::<Self, X, K>(self, method, start.into_phase(), vectors.into_iter().collect(), h)
+    }
+
+    /// Computes a function of the end of a run, and its derivatives with respect to the start and to the parameters in
+    /// `sensitive(...)`.
+    ///
+    /// `loss` returns its value at the end, and its derivatives with respect to the positions and momenta there. The derivatives
+    /// are carried back along the run as one deviation vector: `steps` steps of `h`, then `steps` steps of `-h`. The time does
+    /// not grow with the number of coordinates, and no states are stored. The result is the exact gradient of the steps taken,
+    /// up to rounding; [`Gradient::return_error`] tells how far rounding led the way back away from the run.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Pendulum { length: f64 }
+    ///
+    /// #[hamiltonian(sensitive(length), compose = KahanLi8)]
+    /// impl Pendulum {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / (2.0 * self.length * self.length) }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
+    /// }
+    ///
+    /// // The square of the distance of the end from a measured angle.
+    /// let loss = |end: &Phase<[f64; 1]>| {
+    ///     let miss = end.q[0] - 0.2;
+    ///     (miss * miss, Phase::new([2.0 * miss], [0.0]))
+    /// };
+    /// let start = Phase::new([1.0], [0.0]);
+    /// let gradient = Pendulum { length: 1.0 }.gradient(KahanLi8, start, 0.01, 1_000, loss)?;
+    ///
+    /// let value = |length, angle| {
+    ///     let mut run = Pendulum { length }.run(Phase::new([angle], [0.0]), 0.01)?;
+    ///     run.advance(1_000)?;
+    ///     Ok::<f64, Error>(loss(&run.state()).0)
+    /// };
+    /// assert_eq!(gradient.value, value(1.0, 1.0)?);
+    /// let by_angle = (value(1.0, 1.0001)? - value(1.0, 0.9999)?) / 0.0002;
+    /// let by_length = (value(1.0001, 1.0)? - value(0.9999, 1.0)?) / 0.0002;
+    /// assert!((gradient.start.q[0] - by_angle).abs() < 1e-5 * by_angle.abs());
+    /// assert!((gradient.parameters[0] - by_length).abs() < 1e-5 * by_length.abs());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// The method is a symmetric composition or an implicit method. On a chaotic orbit, rounding errors of the way back grow as
+    /// fast as deviations. From a [reversible](Phase::reversible) start, the way back has the states of the run, bit by bit, for
+    /// any number of steps.
+    ///
+    /// # Errors
+    /// - Those of [`Hamiltonian::run`] and [`Run::advance`], on both ways.
+    /// - [`Error::NoGradient`]: steps by `-h` do not undo steps of this method, or these are not symplectic.
+    /// - [`Error::Loss`]: the derivatives that `loss` returned are not finite, or have another length than the state.
+    /// - [`Error::WayBack`]: the way back ended at a relative distance of more than 1e-3 from the start.
+    fn gradient<K: Precision, X: Differentiable<Self>>(
+        &self,
+        method: X,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
+        h: f64,
+        steps: u64,
+        mut loss: impl FnMut(&Phase<Shaped<Self, K>>) -> (f64, Phase<Self::Coords>),
+    ) -> Result<Gradient<Self::Coords>, Error> {
+        let mut at_end = |sample: &Sample<Shaped<Self, K>>| loss(&sample.state);
+        gradient::<Self, X, K>(self, method, start.into_phase(), h, Reads::End(steps), &mut at_end)
+    }
+
+    /// Computes the sum of a function over samples of a run, and its derivatives like [`gradient`](Self::gradient).
+    ///
+    /// The samples are the start and the states after every `interval` steps, up to `steps` steps. `loss` is called twice for
+    /// each of them, and has to return the same: on the way there for its value, and on the way back for its derivatives, there
+    /// from the last sample to the first.
+    ///
+    /// ```
+    /// use integrator_core::{Sample, prelude::*};
+    ///
+    /// struct Oscillator { stiffness: f64 }
+    ///
+    /// #[hamiltonian(sensitive(stiffness))]
+    /// impl Oscillator {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0] * p[0] / 2.0 }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { self.stiffness * q[0] * q[0] / 2.0 }
+    /// }
+    ///
+    /// // The distances from a series of measured positions.
+    /// let measured = [1.0, 0.5, -0.4, -1.0];
+    /// let loss = |sample: &Sample<[f64; 1]>| {
+    ///     let miss = sample.state.q[0] - measured[sample.step as usize / 100];
+    ///     (miss * miss, Phase::new([2.0 * miss], [0.0]))
+    /// };
+    /// let start = Phase::new([1.0], [0.0]);
+    /// let gradient = Oscillator { stiffness: 1.0 }.gradient_of_samples(Verlet, start, 0.01, 100, 300, loss)?;
+    /// assert!(gradient.parameters[0] < 0.0, "a stiffer spring fits better");
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`gradient`](Self::gradient), and [`Error::SampleInterval`] if `interval` is 0.
+    fn gradient_of_samples<K: Precision, X: Differentiable<Self>>(
+        &self,
+        method: X,
+        start: impl StartOf<Shaped<Self, K>, Leaf = K>,
+        h: f64,
+        interval: u64,
+        steps: u64,
+        mut loss: impl FnMut(&Sample<Shaped<Self, K>>) -> (f64, Phase<Self::Coords>),
+    ) -> Result<Gradient<Self::Coords>, Error> {
+        gradient::<Self, X, K>(self, method, start.into_phase(), h, Reads::Every { interval, steps }, &mut loss)
     }
 }
 

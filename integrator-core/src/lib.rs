@@ -144,6 +144,7 @@ pub use system::{QuadraticKinetic, System};
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
+pub use trajectory::gradient::Gradient;
 pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Method, Resumable};
 #[cfg(feature = "std")]
 pub use trajectory::progress::Progress;

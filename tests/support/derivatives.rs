@@ -1,6 +1,6 @@
 //! Tests of deviation vectors for any system, method and layout.
 
-use integrator_core::{Coords, Differentiable, prelude::*};
+use integrator_core::{Coords, Differentiable, Gradient, Method, prelude::*};
 
 /// Returns the numbers of a point, positions first.
 pub(crate) fn numbers<C: Coords<Leaf = f64>>(point: &Phase<C>) -> Vec<f64> {
@@ -65,5 +65,43 @@ where
             let apart = (image[place] - fine[place]).abs();
             assert!(apart <= tolerance, "{name}: component {place} of vector {number} is off by {apart:e}");
         }
+    }
+    gradient_holds(name, system, method, &start, h, (&vectors, &arrived));
+}
+
+/// Tests that the gradient of a function of the end multiplies each vector at the start by the same number as the derivatives
+/// of the function multiply its image, or that the method has no gradients.
+fn gradient_holds<H, X, C>(
+    name: &str,
+    system: &H,
+    method: X,
+    start: &Phase<C>,
+    h: f64,
+    (vectors, images): (&[Phase<C>], &[Phase<C>]),
+) where
+    H: Hamiltonian<Coords = C>,
+    X: Differentiable<H>,
+    C: Coords<Leaf = f64, With<f64> = C>,
+{
+    let weights = &directions(start, 7)[6];
+    let found = system.gradient::<f64, X>(method, start.clone(), h, 12, |_| (0.0, weights.clone()));
+    let facts = Method::<H>::claims(method);
+    if !facts.symmetric || !facts.symplectic || !X::FROM_STATES {
+        return assert!(matches!(found, Err(Error::NoGradient { .. })), "{name}: {found:?}");
+    }
+    let Gradient { start: gradient, return_error, .. } = found.expect("a symmetric method");
+    // Both ways round each number a few hundred times.
+    let rounding = 1e3 * f64::EPSILON;
+    assert!(return_error < rounding, "{name}: {return_error:e}");
+    let products =
+        |a: &Phase<C>, b: &Phase<C>| numbers(a).iter().zip(numbers(b)).map(|(a, b)| a * b).collect::<Vec<_>>();
+    for (number, (vector, image)) in vectors.iter().zip(images).enumerate() {
+        let (at_start, at_end) = (products(&gradient, vector), products(weights, image));
+        let size: f64 = at_start.iter().chain(&at_end).map(|product| product.abs()).sum();
+        let apart = at_start.iter().sum::<f64>() - at_end.iter().sum::<f64>();
+        assert!(
+            apart.abs() < rounding * size,
+            "{name}: the gradient along vector {number} is off by {apart:e} of {size:e}"
+        );
     }
 }

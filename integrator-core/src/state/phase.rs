@@ -40,7 +40,8 @@ impl<C: Coords> Phase<C> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn to_f64(&self) -> Phase<C::With<f64>> {
-        let number = |leaf: C::Leaf| leaf.parts().iter().sum::<f64>();
+        // The second part of a coordinate on a grid is the spacing.
+        let number = |leaf: C::Leaf| if C::Leaf::REVERSIBLE { leaf.to_f64() } else { leaf.parts().iter().sum() };
         Phase { q: self.q.map(number), p: self.p.map(number) }
     }
 
@@ -173,6 +174,18 @@ impl<C: Coords> StartOf<C> for Phase<C> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_of_every_precision_are_converted() {
+        let (value, rest) = (0.75, 1.0 / (1_u64 << 40) as f64);
+        let expected = Phase::new([value], [-value]);
+        assert_eq!(expected.to_f64(), expected);
+        assert_eq!(Phase::new([0.75_f32], [-0.75]).to_f64(), expected);
+        assert_eq!(Phase::reversible([value], [-value], rest).to_f64(), expected);
+        let carries = |value, carried| [Compensated { value, carried }];
+        let compensated = Phase::new(carries(value, rest), carries(-value, -rest));
+        assert_eq!(compensated.to_f64(), Phase::new([value + rest], [-value - rest]));
+    }
 
     #[test]
     fn many_coordinates_are_abridged() {

@@ -11,6 +11,7 @@ pub(crate) mod dispatch;
 #[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
 pub(crate) mod elsewhere;
 pub(crate) mod engine;
+pub(crate) mod gradient;
 pub(crate) mod interleaved;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod method;

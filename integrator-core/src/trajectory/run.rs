@@ -696,6 +696,16 @@ impl<C: Coords> Run<C> {
         self.engine.resume(self.form(), &lanes(state, carried));
     }
 
+    /// Continues with other lanes between two steps.
+    pub(crate) fn reopen_lanes(&mut self, state: &Phase<C>, carried: &[Phase<C>]) {
+        let lanes = lanes(state, carried).into_iter().enumerate();
+        let lanes = lanes.map(|(lane, point)| (self.engine.constants_of(lane), point)).collect();
+        let motions = self.engine.reloaded(lanes);
+        self.counted = self.counts();
+        self.engine.restart(motions);
+        self.opened = self.clock.steps;
+    }
+
     /// Goes back to motions of the same lanes, after this number of steps.
     pub(crate) fn go_back(&mut self, steps: u64, motions: &dyn Motions) {
         self.engine.go_back(motions);

@@ -2,12 +2,13 @@
 
 use crate::{
     error::Error,
+    hamiltonian::Hamiltonian,
     state::{
         coords::Coords,
         phase::{Phase, StartOf},
         precision::Precision,
     },
-    system::{Shaped, System},
+    system::Shaped,
     trajectory::{
         method::Differentiable,
         tangent::{Beginning, Tangent},
@@ -24,17 +25,11 @@ use core::ops::Range;
     label = "the annotation has no `sensitive`",
     note = "name fields of `{Self}` that are numbers, as in `#[hamiltonian(sensitive(mass, length))]`"
 )]
-pub trait Sensitive: System {
-    /// The names of the parameters, in the order of the annotation.
-    const SENSITIVE: &'static [&'static str];
-
-    /// Returns the derivatives of the prepared constants with respect to a parameter; zeros if there is no such parameter.
-    fn slopes(&self, length: usize, parameter: usize) -> Self::Parameters<f64>;
-
+pub trait Sensitive: Hamiltonian {
     /// Starts a run from `start` with step `h` together with the derivatives of its state.
     ///
     /// The [vectors](Tangent::vectors) of the result are the images of `vectors`, which may be empty, followed by the
-    /// derivatives with respect to each parameter, in the order of [`Sensitive::SENSITIVE`]. They are exact derivatives of
+    /// derivatives with respect to each parameter, in the order of [`Hamiltonian::SENSITIVE`]. They are exact derivatives of
     /// the steps taken; the start does not depend on the parameters.
     ///
     /// ```
@@ -78,7 +73,7 @@ pub trait Sensitive: System {
 
 /// The derivatives of prepared constants that go with some vectors, of which the `first` ones lead along starts. These, and
 /// those that fill up a register after the last, leave parameters as they are.
-pub(crate) fn slopes_of<H: Sensitive>(
+pub(crate) fn slopes_of<H: Hamiltonian>(
     system: &H,
     length: usize,
     first: usize,

@@ -117,7 +117,7 @@ impl<C: Coords> Tangent<C> {
     }
 
     /// Begins a run whose start, vectors and step are checked already.
-    fn begin<H, X, K, const SENSITIVE: bool>(
+    pub(crate) fn begin<H, X, K, const SENSITIVE: bool>(
         system: &H,
         method: X,
         beginning: Beginning<C>,
@@ -266,6 +266,23 @@ impl<C: Coords> Tangent<C> {
             let state = run.unfinished_lane(0);
             run.resume_lanes(&state, &vectors[number * room..(number + 1) * room]);
         }
+    }
+
+    /// Replaces the vectors between two steps, and the state if another one is given. The method has no memory.
+    pub(crate) fn reopen(&mut self, state: Option<&Phase<C>>, change: &mut dyn FnMut(&mut [Phase<C>])) {
+        let room = self.room;
+        let mut vectors = Vec::with_capacity(self.runs.len() * room);
+        for run in &self.runs {
+            for lane in 1..=room {
+                vectors.push(run.lane(lane));
+            }
+        }
+        let reached = self.runs[0].state_at_step();
+        change(&mut vectors[..self.exponents.len()]);
+        for (run, vectors) in self.runs.iter_mut().zip(vectors.chunks(room)) {
+            run.reopen_lanes(state.unwrap_or(&reached), vectors);
+        }
+        (self.before, self.between) = (Vec::new(), None);
     }
 
     /// The run that a vector goes with, and its lane there.

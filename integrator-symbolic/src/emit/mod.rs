@@ -221,10 +221,11 @@ impl<'i> Stepper<'i> {
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
         let rated = self.rated.as_ref().map(|(of, items)| implementation(quote!(#runtime::#of), items));
         let sensitive = constants.sensitive(&input.sensitive, self.count.as_ref(), names);
-        let sensitive = sensitive.map(|items| implementation(quote!(#runtime::Sensitive), &items));
+        let has_slopes = sensitive.is_some().then(|| implementation(quote!(#runtime::Sensitive), &TokenStream::new()));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
-        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian());
+        let hamiltonian = self.hamiltonian();
+        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &quote!(#hamiltonian #sensitive));
         // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
         let device =
             self.device.as_ref().map(|device| implementation(quote!(#runtime::DeviceText), &device.items(names)));
@@ -242,7 +243,7 @@ impl<'i> Stepper<'i> {
                 #hamiltonian
                 #system
                 #others
-                #sensitive
+                #has_slopes
                 #device
             };
         }
