@@ -55,7 +55,7 @@ pub trait Hamiltonian: System {
 
     /// Returns the derivatives of the prepared constants with respect to a parameter in `sensitive(...)`; zeros if there is no
     /// such parameter.
-    fn slopes(&self, length: usize, _parameter: usize) -> Self::Parameters<f64> {
+    fn parameter_slopes(&self, length: usize, _parameter: usize) -> Self::Parameters<f64> {
         // Nobody asks for the derivatives of a system without such parameters.
         self.parameters(length)
     }

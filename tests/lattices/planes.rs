@@ -142,7 +142,7 @@ trait ByHand<const W: usize>: Hamiltonian<Coords = Rows<W>> {
     fn mass(&self, _row: usize, _column: usize) -> f64 {
         1.0
     }
-    fn gradient(&self, q: &[[f64; W]]) -> Rows<W>;
+    fn gradient_by_loops(&self, q: &[[f64; W]]) -> Rows<W>;
     /// `T` and `V` by the functions themselves.
     fn energies(&self, state: &Phase<Rows<W>>) -> [f64; 2];
 }
@@ -167,7 +167,7 @@ impl<const W: usize> ByHand<W> for Torus<W> {
     fn mass(&self, row: usize, column: usize) -> f64 {
         self.mass[row][column]
     }
-    fn gradient(&self, q: &[[f64; W]]) -> Rows<W> {
+    fn gradient_by_loops(&self, q: &[[f64; W]]) -> Rows<W> {
         let mut gradient: Rows<W> = q.iter().map(|row| row.map(|q| self.well * q.powi(3))).collect();
         for (i, j) in sites::<W>(q.len()) {
             let (right, below) = ((j + 1) % W, (i + 1) % q.len());
@@ -187,7 +187,7 @@ impl<const W: usize> ByHand<W> for Sheet<W> {
     fn example(_rows: usize) -> Self {
         Self
     }
-    fn gradient(&self, q: &[[f64; W]]) -> Rows<W> {
+    fn gradient_by_loops(&self, q: &[[f64; W]]) -> Rows<W> {
         let mut gradient = vec![[0.0; W]; q.len()];
         gradient[0][0] += 0.4 * q[0][0].powi(3);
         for (i, j) in sites::<W>(q.len()) {
@@ -222,7 +222,7 @@ impl<const W: usize> ByHand<W> for Tube<W> {
     fn example(_rows: usize) -> Self {
         Self { torn: 0.3 }
     }
-    fn gradient(&self, q: &[[f64; W]]) -> Rows<W> {
+    fn gradient_by_loops(&self, q: &[[f64; W]]) -> Rows<W> {
         let mut gradient = vec![[0.0; W]; q.len()];
         for (i, j) in sites::<W>(q.len()) {
             let left = (j + W - 1) % W;
@@ -247,7 +247,7 @@ impl ByHand<21> for Cross {
     fn example(_rows: usize) -> Self {
         Self
     }
-    fn gradient(&self, q: &[[f64; 21]]) -> Rows<21> {
+    fn gradient_by_loops(&self, q: &[[f64; 21]]) -> Rows<21> {
         let (mut gradient, rows) = (vec![[0.0; 21]; q.len()], q.len());
         for (i, j) in sites::<21>(rows) {
             let across = [(i + rows - 1) % rows, (i + 1) % rows];
@@ -289,7 +289,7 @@ fn by_hand<const W: usize, H: ByHand<W>>(system: &H, Phase { mut q, mut p }: Pha
     };
     for _ in 0..STEPS {
         drift(&mut q, &p);
-        let gradient = system.gradient(&q);
+        let gradient = system.gradient_by_loops(&q);
         for (i, j) in sites::<W>(p.len()) {
             p[i][j] -= STEP * gradient[i][j];
         }

@@ -120,7 +120,7 @@ impl Stack {
 trait ByHand<const L: usize, const M: usize>: Hamiltonian<Coords = Planes<L, M>> {
     const NAME: &'static str;
     fn example() -> Self;
-    fn gradient(&self, q: &[[[f64; L]; M]]) -> Planes<L, M>;
+    fn gradient_by_loops(&self, q: &[[[f64; L]; M]]) -> Planes<L, M>;
     /// `T` and `V` by the functions themselves.
     fn energies(&self, state: &Phase<Planes<L, M>>) -> [f64; 2];
 }
@@ -154,7 +154,7 @@ impl<const L: usize, const M: usize> ByHand<L, M> for Torus<L, M> {
             field: (0..MOST).map(field).collect(),
         }
     }
-    fn gradient(&self, q: &[[[f64; L]; M]]) -> Planes<L, M> {
+    fn gradient_by_loops(&self, q: &[[[f64; L]; M]]) -> Planes<L, M> {
         let mut gradient = vec![[[0.0; L]; M]; q.len()];
         for [k, j, i] in sites::<L, M>(q.len()) {
             let ([right, below, behind], x) = ([(i + 1) % L, (j + 1) % M, (k + 1) % q.len()], q[k][j][i]);
@@ -178,7 +178,7 @@ impl<const L: usize, const M: usize> ByHand<L, M> for Block<L, M> {
     fn example() -> Self {
         Self
     }
-    fn gradient(&self, q: &[[[f64; L]; M]]) -> Planes<L, M> {
+    fn gradient_by_loops(&self, q: &[[[f64; L]; M]]) -> Planes<L, M> {
         let mut gradient = vec![[[0.0; L]; M]; q.len()];
         gradient[0][0][0] += 0.4 * q[0][0][0].powi(3);
         for [k, j, i] in sites::<L, M>(q.len()) {
@@ -210,7 +210,7 @@ impl ByHand<8, 3> for Stack {
     fn example() -> Self {
         Self
     }
-    fn gradient(&self, q: &[[[f64; 8]; 3]]) -> Planes<8, 3> {
+    fn gradient_by_loops(&self, q: &[[[f64; 8]; 3]]) -> Planes<8, 3> {
         let mut gradient = vec![[[0.0; 8]; 3]; q.len()];
         for [k, j, i] in sites::<8, 3>(q.len()) {
             gradient[k][j][i] += q[k][j][i];
@@ -251,7 +251,7 @@ fn by_hand<const L: usize, const M: usize, H: ByHand<L, M>>(system: &H, planes: 
                 q[k][j][i] += 0.5 * STEP * p[k][j][i];
             }
             if half == 0 {
-                let gradient = system.gradient(&q);
+                let gradient = system.gradient_by_loops(&q);
                 for [k, j, i] in sites::<L, M>(planes) {
                     p[k][j][i] -= STEP * gradient[k][j][i];
                 }

@@ -36,9 +36,9 @@ pub struct Gradient<C: Coords> {
     pub parameters: Vec<f64>,
     /// The distance between the initial state and the state at which the way back ended.
     ///
-    /// It is the largest difference of a position relative to the largest position, or that of a momentum. The derivatives
-    /// have about this relative error. It is the rounding error of both ways, multiplied by the growth of deviations on a
-    /// chaotic orbit; 0 for [reversible](Phase::reversible) starts.
+    /// It is the largest difference of a position relative to the largest position on the run, or that of a momentum. The
+    /// derivatives have about this relative error. It is the rounding error of both ways, multiplied by the growth of deviations
+    /// on a chaotic orbit; 0 for [reversible](Phase::reversible) starts.
     pub return_error: f64,
 }
 
@@ -93,12 +93,12 @@ where
     if let Some(reason) = refusal::<H, X>(method) {
         return Err(Error::NoGradient { reason });
     }
-    let begin = start.clone();
+    let mut way = Way::from(start.clone());
     let mut run = Run::start::<H, X, K>(system, method, start, h)?;
-    let (value, derivatives) = forward(&mut run, reads, loss)?;
+    let (value, derivatives) = forward(&mut run, &mut way, reads, loss)?;
     let (end, time) = (run.state(), run.time());
     let vector = turned(&derivatives);
-    let gradient = if const { K::REVERSIBLE } {
+    let (start, parameters) = if const { K::REVERSIBLE } {
         // The states of the run itself, at which each block of steps of the vector begins.
         let mut back = Run::start::<H, X, K>(system, method, end.clone(), -h)?.at_time(time);
         let mut stand = |_: &Tangent<_>, steps| {
@@ -108,18 +108,19 @@ where
             Ok((state, Some(off_grid)))
         };
         let tangent = tangent::<H, X, f64>(system, method, end.to_f64(), vector, -h)?.at_time(time);
-        WayBack { tangent, in_blocks: true, parameters: no_slopes::<H>() }.through(&run, begin, reads, loss, &mut stand)
+        WayBack { tangent, in_blocks: true, parameters: no_slopes::<H>() }
+            .through(&run, &mut way, reads, loss, &mut stand)
     } else {
         let vector = in_precision(&end, &vector);
         let tangent = tangent::<H, X, K>(system, method, end, vector, -h)?.at_time(time);
         let parameters = no_slopes::<H>();
         let mut stand = |tangent: &Tangent<_>, _| Ok((tangent.state(), None));
         let in_blocks = !parameters.is_empty();
-        WayBack { tangent, in_blocks, parameters }.through(&run, begin, reads, loss, &mut stand)
+        WayBack { tangent, in_blocks, parameters }.through(&run, &mut way, reads, loss, &mut stand)
     }?;
-    match gradient.return_error {
+    match way.return_error() {
         error if error > LARGEST_RETURN_ERROR => Err(Error::WayBack { error }),
-        _ => Ok(Gradient { value, ..gradient }),
+        return_error => Ok(Gradient { value, start, parameters, return_error }),
     }
 }
 
@@ -176,6 +177,7 @@ where
 /// Takes all steps; the sum of the values, and the derivatives of the last one.
 fn forward<C: Coords>(
     run: &mut Run<C>,
+    way: &mut Way<C>,
     reads: Reads,
     loss: &mut Loss<'_, C>,
 ) -> Result<(f64, Phase<C::With<f64>>), Error> {
@@ -184,9 +186,13 @@ fn forward<C: Coords>(
         Reads::Every { interval: 0, .. } => return Err(Error::SampleInterval),
         Reads::Every { interval, .. } => (0, interval),
     };
-    run.advance(first)?;
+    // Half the way is seen, since the end may be where all momenta are zero.
+    run.advance(first / 2)?;
+    way.see(run.state());
+    run.advance(first - first / 2)?;
     let mut sum = 0.0;
     loop {
+        way.see(run.state());
         let (value, derivatives) = read(run, run.steps(), run.state(), loss)?;
         sum += value;
         if run.steps() == reads.last() {
@@ -194,6 +200,41 @@ fn forward<C: Coords>(
         }
         run.advance(interval)?;
     }
+}
+
+/// The beginning of a run, the state that was seen last, and the sizes of positions and momenta on the way.
+struct Way<C> {
+    begin: Phase<C>,
+    last: Phase<C>,
+    sizes: [f64; 2],
+}
+
+impl<C: Coords> Way<C> {
+    fn from(begin: Phase<C>) -> Self {
+        Self { last: begin.clone(), sizes: sizes(&begin), begin }
+    }
+
+    fn see(&mut self, state: Phase<C>) {
+        for (largest, size) in self.sizes.iter_mut().zip(sizes(&state)) {
+            *largest = largest.max(size);
+        }
+        self.last = state;
+    }
+
+    /// The distance between the beginning and the last state: [`Gradient::return_error`].
+    fn return_error(&self) -> f64 {
+        let differences = [(&self.begin.q, &self.last.q), (&self.begin.p, &self.last.p)].map(|(begin, last)| {
+            let pairs = begin.flat().iter().zip(last.flat());
+            pairs.fold(0.0_f64, |largest, (a, b)| largest.max((a.to_f64() - b.to_f64()).abs()))
+        });
+        let relative = |half: usize| if differences[half] == 0.0 { 0.0 } else { differences[half] / self.sizes[half] };
+        relative(0).max(relative(1))
+    }
+}
+
+/// The largest position and the largest momentum.
+fn sizes<C: Coords>(state: &Phase<C>) -> [f64; 2] {
+    [&state.q, &state.p].map(|half| half.flat().iter().fold(0.0, |largest: f64, leaf| largest.max(leaf.to_f64().abs())))
 }
 
 /// The value of the function and its derivatives for the state after this number of steps.
@@ -226,25 +267,25 @@ struct WayBack<T: Coords> {
 }
 
 impl<T: Coords> WayBack<T> {
-    /// Goes back from the end of a run to its beginning.
+    /// Goes back from the end of a run to its beginning. Returns the derivatives with respect to that and to parameters.
     fn through<C: Coords<With<f64> = T::With<f64>>>(
         mut self,
         run: &Run<C>,
-        begin: Phase<C>,
+        way: &mut Way<C>,
         reads: Reads,
         loss: &mut Loss<'_, C>,
         stand: &mut Stand<'_, C, T>,
-    ) -> Result<Gradient<T::With<f64>>, Error> {
-        let (mut step, mut returned) = (reads.last(), run.state());
+    ) -> Result<(Phase<T::With<f64>>, Vec<f64>), Error> {
+        let mut step = reads.last();
         while step > 0 {
             let (read_at, is_read) = reads.before(step);
             let next = if self.in_blocks { read_at.max(step.saturating_sub(BETWEEN_SCALES)) } else { read_at };
             self.tangent.advance(step - next)?;
             let (state, replaced) = stand(&self.tangent, step - next)?;
             step = next;
-            returned = state;
+            way.see(state);
             let added = match is_read && step == read_at {
-                true => Some(turned(&read(run, step, returned.clone(), loss)?.1)),
+                true => Some(turned(&read(run, step, way.last.clone(), loss)?.1)),
                 false => None,
             };
             self.add_slopes();
@@ -253,11 +294,10 @@ impl<T: Coords> WayBack<T> {
             }
         }
         let start = turned_back(scaled(&self.tangent.vector(0), power(&self.tangent)).to_f64());
-        let return_error = distance(&begin.q, &returned.q).max(distance(&begin.p, &returned.p));
         if !numbers(&start).all(f64::is_finite) || !self.parameters.iter().all(|slope| slope.is_finite()) {
             return Err(Error::NoGradient { reason: "it exceeds the range of its precision\nhelp: take fewer steps" });
         }
-        Ok(Gradient { value: 0.0, start, parameters: self.parameters, return_error })
+        Ok((start, self.parameters))
     }
 
     /// Adds the derivatives with respect to parameters of the steps since the block began.
@@ -335,15 +375,4 @@ fn in_precision<C: Coords>(like: &Phase<C>, vector: &Phase<C::With<f64>>) -> Pha
 /// The scalar product of two halves of vectors.
 fn product<C: Coords>(a: &C, b: &C) -> f64 {
     a.flat().iter().zip(b.flat()).map(|(a, b)| a.to_f64() * b.to_f64()).sum()
-}
-
-/// The largest difference of two lists of coordinates, relative to the largest coordinate.
-fn distance<C: Coords>(a: &C, b: &C) -> f64 {
-    let (mut difference, mut largest) = (0.0_f64, 0.0_f64);
-    for (a, b) in a.flat().iter().zip(b.flat()) {
-        let (a, b) = (a.to_f64(), b.to_f64());
-        difference = difference.max((a - b).abs());
-        largest = largest.max(a.abs()).max(b.abs());
-    }
-    if difference == 0.0 { 0.0 } else { difference / largest }
 }

@@ -80,5 +80,5 @@ pub(crate) fn slopes_of<H: Hamiltonian>(
     vectors: Range<usize>,
 ) -> Vec<H::Parameters<f64>> {
     let none = H::SENSITIVE.len();
-    vectors.map(|vector| system.slopes(length, vector.checked_sub(first).unwrap_or(none))).collect()
+    vectors.map(|vector| system.parameter_slopes(length, vector.checked_sub(first).unwrap_or(none))).collect()
 }

@@ -204,7 +204,7 @@ impl Constants {
         let parameters = parameters.iter().map(ToString::to_string);
         Some(quote! {
             const SENSITIVE: &'static [&'static str] = &[#(#parameters),*];
-            fn slopes(&self, #length: usize, parameter: usize) -> #single { #body }
+            fn parameter_slopes(&self, #length: usize, parameter: usize) -> #single { #body }
         })
     }
 
