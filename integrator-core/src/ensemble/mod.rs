@@ -13,6 +13,7 @@ pub(crate) mod checkpoint;
 #[allow(unreachable_pub, reason = "what other crates of this repository call is reached by the private API")]
 pub(crate) mod elsewhere;
 pub(crate) mod energies;
+mod gradients;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]

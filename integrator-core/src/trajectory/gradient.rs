@@ -118,14 +118,11 @@ where
         let in_blocks = !parameters.is_empty();
         WayBack { tangent, in_blocks, parameters }.through(&run, &mut way, reads, loss, &mut stand)
     }?;
-    match way.return_error() {
-        error if error > LARGEST_RETURN_ERROR => Err(Error::WayBack { error }),
-        return_error => Ok(Gradient { value, start, parameters, return_error }),
-    }
+    way.gradient(value, start, parameters)
 }
 
 /// Why steps of a method by `-h` have no deviation vectors that are gradients of steps by `h`.
-fn refusal<H: Hamiltonian, X: Differentiable<H>>(method: X) -> Option<&'static str> {
+pub(crate) fn refusal<H: Hamiltonian, X: Differentiable<H>>(method: X) -> Option<&'static str> {
     let facts = method.claims();
     if const { H::COPIES } {
         Some("`split = symmetric` evolves two copies of the state\nhelp: use `split = none` with `GaussLegendre4`")
@@ -203,22 +200,41 @@ fn forward<C: Coords>(
 }
 
 /// The beginning of a run, the state that was seen last, and the sizes of positions and momenta on the way.
-struct Way<C> {
+pub(crate) struct Way<C> {
     begin: Phase<C>,
-    last: Phase<C>,
+    pub(crate) last: Phase<C>,
     sizes: [f64; 2],
 }
 
 impl<C: Coords> Way<C> {
-    fn from(begin: Phase<C>) -> Self {
+    pub(crate) fn from(begin: Phase<C>) -> Self {
         Self { last: begin.clone(), sizes: sizes(&begin), begin }
     }
 
-    fn see(&mut self, state: Phase<C>) {
+    pub(crate) fn see(&mut self, state: Phase<C>) {
         for (largest, size) in self.sizes.iter_mut().zip(sizes(&state)) {
             *largest = largest.max(size);
         }
         self.last = state;
+    }
+
+    /// The gradient of a function with a value and derivatives, if the way back ended at the last state.
+    ///
+    /// # Errors
+    /// [`Error::NoGradient`], [`Error::WayBack`]
+    pub(crate) fn gradient(
+        &self,
+        value: f64,
+        start: Phase<C::With<f64>>,
+        parameters: Vec<f64>,
+    ) -> Result<Gradient<C::With<f64>>, Error> {
+        if !numbers(&start).chain(parameters.iter().copied()).all(f64::is_finite) {
+            return Err(Error::NoGradient { reason: "it exceeds the range of its precision\nhelp: take fewer steps" });
+        }
+        match self.return_error() {
+            error if error > LARGEST_RETURN_ERROR => Err(Error::WayBack { error }),
+            return_error => Ok(Gradient { value, start, parameters, return_error }),
+        }
     }
 
     /// The distance between the beginning and the last state: [`Gradient::return_error`].
@@ -244,15 +260,25 @@ fn read<C: Coords>(
     state: Phase<C>,
     loss: &mut Loss<'_, C>,
 ) -> Result<(f64, Phase<C::With<f64>>), Error> {
+    let sample = Sample::new(run, run.clock.at(step), step, state);
+    let (value, derivatives) = loss(&sample);
+    check(&sample.state, &derivatives, step)?;
+    Ok((value, derivatives))
+}
+
+/// Checks that these are derivatives with respect to a state, after this number of steps.
+///
+/// # Errors
+/// [`Error::Loss`]
+pub(crate) fn check<C: Coords>(state: &Phase<C>, derivatives: &Phase<C::With<f64>>, step: u64) -> Result<(), Error> {
     let positions = state.q.flat().len();
-    let (value, derivatives) = loss(&Sample::new(run, run.clock.at(step), step, state));
     let lengths = [derivatives.q.flat().len(), derivatives.p.flat().len()];
     let fault = if lengths != [positions; 2] {
         VectorFault::Length { lengths, positions }
-    } else if !numbers(&derivatives).all(f64::is_finite) {
+    } else if !numbers(derivatives).all(f64::is_finite) {
         VectorFault::NotFinite
     } else {
-        return Ok((value, derivatives));
+        return Ok(());
     };
     Err(Error::Loss { step, fault })
 }
@@ -294,9 +320,6 @@ impl<T: Coords> WayBack<T> {
             }
         }
         let start = turned_back(scaled(&self.tangent.vector(0), power(&self.tangent)).to_f64());
-        if !numbers(&start).all(f64::is_finite) || !self.parameters.iter().all(|slope| slope.is_finite()) {
-            return Err(Error::NoGradient { reason: "it exceeds the range of its precision\nhelp: take fewer steps" });
-        }
         Ok((start, self.parameters))
     }
 
@@ -345,7 +368,7 @@ fn power<T: Coords>(tangent: &Tangent<T>) -> f64 {
 }
 
 /// Derivatives with respect to a state, turned to a deviation vector: J⁻¹ (λq, λp) = (-λp, λq).
-fn turned<C: Coords<Leaf = f64>>(derivatives: &Phase<C>) -> Phase<C> {
+pub(crate) fn turned<C: Coords<Leaf = f64>>(derivatives: &Phase<C>) -> Phase<C> {
     let mut vector = Phase { q: derivatives.p.clone(), p: derivatives.q.clone() };
     for number in vector.q.flat_mut() {
         *number = -*number;
@@ -354,7 +377,7 @@ fn turned<C: Coords<Leaf = f64>>(derivatives: &Phase<C>) -> Phase<C> {
 }
 
 /// A deviation vector, turned back to derivatives: J (δq, δp) = (δp, -δq).
-fn turned_back<C: Coords<Leaf = f64>>(vector: Phase<C>) -> Phase<C> {
+pub(crate) fn turned_back<C: Coords<Leaf = f64>>(vector: Phase<C>) -> Phase<C> {
     let mut derivatives = Phase { q: vector.p, p: vector.q };
     for number in derivatives.p.flat_mut() {
         *number = -*number;
@@ -363,7 +386,7 @@ fn turned_back<C: Coords<Leaf = f64>>(vector: Phase<C>) -> Phase<C> {
 }
 
 /// A vector in the precision and shape of a state.
-fn in_precision<C: Coords>(like: &Phase<C>, vector: &Phase<C::With<f64>>) -> Phase<C> {
+pub(crate) fn in_precision<C: Coords>(like: &Phase<C>, vector: &Phase<C::With<f64>>) -> Phase<C> {
     let mut shaped = like.clone();
     let leaves = shaped.q.flat_mut().iter_mut().chain(shaped.p.flat_mut());
     for (leaf, number) in leaves.zip(numbers(vector)) {

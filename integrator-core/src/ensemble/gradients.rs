@@ -1,0 +1,219 @@
+//! Gradients of a function of the ends of many runs, in SIMD lanes and on threads.
+
+use crate::{
+    ensemble::{Ensemble, in_lanes, in_lanes::InLanes, lane_scalars::LaneScalars, member},
+    error::Error,
+    hamiltonian::Hamiltonian,
+    state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
+    system::{energy::energy, motion::Prepared},
+    threads::{all_threads, on_threads},
+    trajectory::{
+        dispatch::{Deviations, Nothing},
+        engine::Engine,
+        gradient::{Gradient, Reads, Way, check, gradient, in_precision, refusal, turned, turned_back},
+        method::Differentiable,
+        motions::{Motions, load},
+    },
+};
+use std::{
+    ops::Range,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+/// The lanes of a member on its way back: its state, and one vector.
+const LANES_OF_MEMBER: usize = 2;
+
+/// The number of groups of members that a thread takes at a time. Those of a group go through the stages together.
+const GROUPS: usize = 4;
+
+impl<C: Coords> Ensemble<C> {
+    /// Computes a function of the end of the run of each `(system, start)` pair, and its gradient like
+    /// [`Hamiltonian::gradient`].
+    ///
+    /// `loss` is called with the index of a member and its end; it returns the value and the derivatives with respect to
+    /// positions and momenta. The gradient of a sum over members is the list of these gradients, and the sum of the derivatives
+    /// with respect to parameters that they share. Results are in the order of the pairs, and bitwise independent of the other
+    /// members and of the number of threads.
+    ///
+    /// Members share SIMD lanes, except for [reversible](Phase::reversible) starts and systems with `sensitive(...)`, whose
+    /// members are distributed over threads.
+    ///
+    /// ```
+    /// use integrator_core::prelude::*;
+    ///
+    /// struct Pendulum { length: f64 }
+    ///
+    /// #[hamiltonian]
+    /// impl Pendulum {
+    ///     fn kinetic(&self, p: [f64; 1]) -> f64 { p[0].powi(2) / (2.0 * self.length.powi(2)) }
+    ///     fn potential(&self, q: [f64; 1]) -> f64 { -9.81 * self.length * q[0].cos() }
+    /// }
+    ///
+    /// let members = (1..=100).map(|i| (Pendulum { length: i as f64 / 100.0 }, Phase::new([1.0_f64], [0.0])));
+    /// let loss = |_, end: &Phase<[f64; 1]>| (end.q[0], Phase::new([1.0], [0.0]));
+    /// let gradients = Ensemble::gradients(KahanLi8, members, 0.01, 100, loss);
+    /// let longest = gradients[99].as_ref().expect("a finite end");
+    /// assert!(longest.start.q[0].abs() < 2.0);
+    /// ```
+    ///
+    /// # Errors
+    /// Each member has a result of its own, with the errors of [`Hamiltonian::gradient`].
+    pub fn gradients<H, X>(
+        method: X,
+        members: impl IntoIterator<Item = (H, Phase<C>)>,
+        h: f64,
+        steps: u64,
+        loss: impl Fn(usize, &Phase<C>) -> (f64, Phase<H::Coords>) + Sync,
+    ) -> Vec<Result<Gradient<H::Coords>, Error>>
+    where
+        H: Hamiltonian + Sync,
+        X: InLanes<H> + Differentiable<H>,
+        C::Leaf: LaneScalars,
+        H::Coords: Coords<With<C::Leaf> = C>,
+        C: Coords<With<f64> = H::Coords>,
+    {
+        let members: Vec<_> = members.into_iter().collect();
+        let alone = |number: usize| {
+            let (system, start) = &members[number];
+            let reads = Reads::End(steps);
+            gradient::<H, X, C::Leaf>(system, method, start.clone(), h, reads, &mut |end| loss(number, &end.state))
+        };
+        if const { !H::SENSITIVE.is_empty() || C::Leaf::REVERSIBLE } {
+            return each(members.len(), 1, |_| false, &|batch| batch.map(alone).collect());
+        }
+        let has_energy = |prepared: &Arc<_>, state: &Phase<C>, time| {
+            energy::<H, C::Leaf>(prepared, state, time, None).admissible(time).is_ok()
+        };
+        let prepared = members.iter().map(|(system, start)| {
+            let prepared = member::<H, C::Leaf, X>(system, method, start, h).ok();
+            prepared.filter(|prepared| refusal::<H, X>(method).is_none() && has_energy(prepared, start, 0.0))
+        });
+        let parameters: Vec<Option<Arc<_>>> = prepared.collect();
+        // Those of members without parameters are never read.
+        let constants = parameters.iter().zip(&members).map(|(prepared, (system, start))| {
+            let prepared = prepared.clone();
+            method.constants(prepared.unwrap_or_else(|| Arc::new(system.parameters(start.q.length()))))
+        });
+        let constants = Arc::new(constants.collect::<Vec<_>>());
+        let there = in_lanes::<H, X, C::Leaf, Nothing>(constants.clone());
+        let back = in_lanes::<H, X, C::Leaf, Deviations<1>>(constants);
+        let shares = |number: usize| match (&parameters[number], &parameters[number - 1]) {
+            (Some(own), Some(before)) => {
+                <H::Parameters<f64> as Prepared<f64>>::alike(own, before)
+                    && members[number].1.q.length() == members[number - 1].1.q.length()
+            }
+            _ => false,
+        };
+        let group = back.lanes() * back.together() / LANES_OF_MEMBER * GROUPS;
+        let ends_with_energy = |number: usize, end: &Phase<C>, time: f64| {
+            parameters[number].as_ref().is_some_and(|prepared: &Arc<_>| has_energy(prepared, end, time))
+        };
+        let request = Request { h, steps, loss: &loss, ends_with_energy: &ends_with_energy };
+        each(members.len(), group, shares, &|batch| {
+            let starts: Vec<_> = batch.clone().map(|number| (number, &members[number].1)).collect();
+            let can_start = parameters[batch.start].is_some();
+            let together = if can_start { request.together(&*there, &*back, &starts) } else { None };
+            together.unwrap_or_else(|| batch.map(alone).collect())
+        })
+    }
+}
+
+/// The results for all members, in their order. Neighbours that share lanes go to a thread together, as many as a group has.
+fn each<T: Send>(
+    members: usize,
+    group: usize,
+    shares_with_last: impl Fn(usize) -> bool,
+    follow: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
+) -> Vec<T> {
+    let (mut batches, mut first) = (Vec::new(), 0);
+    while first < members {
+        let most = members.min(first + group);
+        let end = (first + 1..most).find(|next| !shares_with_last(*next)).unwrap_or(most);
+        batches.push(first..end);
+        first = end;
+    }
+    let count = batches.len();
+    let (batches, found) = (Mutex::new(batches.into_iter().enumerate()), Mutex::new(Vec::with_capacity(count)));
+    let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let work = || {
+        while let Some((number, batch)) = next() {
+            let results = follow(batch);
+            found.lock().unwrap_or_else(PoisonError::into_inner).push((number, results));
+        }
+    };
+    on_threads(all_threads().min(count), &work);
+    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    found.sort_unstable_by_key(|(number, _)| *number);
+    found.into_iter().flat_map(|(_, results)| results).collect()
+}
+
+/// What is asked of members in lanes.
+struct Request<'r, C: Coords> {
+    h: f64,
+    steps: u64,
+    loss: &'r (dyn Fn(usize, &Phase<C>) -> (f64, Phase<C::With<f64>>) + Sync),
+    /// Whether the energy of a member at its end is finite.
+    ends_with_energy: &'r (dyn Fn(usize, &Phase<C>, f64) -> bool + Sync),
+}
+
+impl<C: Coords> Request<'_, C> {
+    /// The gradients of members in lanes; nothing if one of them cannot take all steps on both ways, or has an error.
+    fn together(
+        &self,
+        there: &dyn Motions,
+        back: &dyn Motions,
+        starts: &[(usize, &Phase<C>)],
+    ) -> Option<Vec<Result<Gradient<C::With<f64>>, Error>>> {
+        let mut ways: Vec<_> = starts.iter().map(|(_, start)| Way::from((*start).clone())).collect();
+        let mut engine =
+            Engine::new(load(there, starts.iter().map(|(number, start)| (*number, *start as &dyn Point)).collect()));
+        let mut clock = Clock { t0: 0.0, h: self.h, steps: 0 };
+        clock.end(self.steps).ok()?;
+        for portion in [self.steps / 2, self.steps - self.steps / 2] {
+            take(&mut engine, &mut clock, portion)?;
+            for (lane, way) in ways.iter_mut().enumerate() {
+                way.see(lane_of(&engine, clock, lane, &way.last));
+            }
+        }
+        let (mut values, mut lanes) =
+            (Vec::with_capacity(starts.len()), Vec::with_capacity(LANES_OF_MEMBER * starts.len()));
+        for ((number, _), way) in starts.iter().zip(&ways) {
+            let (value, derivatives) = (self.loss)(*number, &way.last);
+            check(&way.last, &derivatives, self.steps).ok()?;
+            if !(self.ends_with_energy)(*number, &way.last, clock.at(self.steps)) {
+                return None;
+            }
+            values.push(value);
+            let vector = in_precision(&way.last, &turned(&derivatives));
+            lanes.extend([(*number, way.last.clone()), (*number, vector)]);
+        }
+        // Whole motions: those after the last member repeat it.
+        let last = lanes.len() - LANES_OF_MEMBER;
+        let count = lanes.len().next_multiple_of(back.lanes());
+        let lanes = lanes.iter().chain(lanes[last..].iter().cycle()).take(count);
+        let mut engine = Engine::new(load(back, lanes.map(|(number, point)| (*number, point as &dyn Point)).collect()));
+        let mut clock = Clock { t0: clock.at(self.steps), h: -self.h, steps: 0 };
+        take(&mut engine, &mut clock, self.steps)?;
+        let mut found = Vec::with_capacity(starts.len());
+        for ((member, way), value) in ways.iter_mut().enumerate().zip(values) {
+            way.see(lane_of(&engine, clock, LANES_OF_MEMBER * member, &way.last));
+            let vector = lane_of(&engine, clock, LANES_OF_MEMBER * member + 1, &way.last);
+            found.push(way.gradient(value, turned_back(vector.to_f64()), Vec::new()));
+        }
+        Some(found)
+    }
+}
+
+/// Takes steps with all members; nothing if one of them cannot take them all.
+fn take(engine: &mut Engine, clock: &mut Clock, steps: u64) -> Option<()> {
+    let mut taken = 0;
+    engine.advance(*clock, steps, &mut taken);
+    clock.steps += taken;
+    (taken == steps).then_some(())
+}
+
+fn lane_of<C: Coords>(engine: &Engine, clock: Clock, lane: usize, like: &Phase<C>) -> Phase<C> {
+    let mut point = like.clone();
+    engine.lane(clock, lane, &mut point);
+    point
+}
