@@ -4,6 +4,7 @@ use crate::{
     composition::visitor::{Visitor, visit_general},
     error::Error,
     methods::taylor::RecurrencesVisitor,
+    scalar::real::Real,
     state::{
         phase::{Phase, StartOf},
         precision::Precision,
@@ -58,6 +59,30 @@ pub trait Hamiltonian: System {
     fn parameter_slopes(&self, length: usize, _parameter: usize) -> Self::Parameters<f64> {
         // Nobody asks for the derivatives of a system without such parameters.
         self.parameters(length)
+    }
+
+    /// Whether [`add_slopes_of_kinetic`](Self::add_slopes_of_kinetic) and
+    /// [`add_slopes_of_potential`](Self::add_slopes_of_potential) were generated: for `H = T(p) + V(q)` with `sensitive(...)`.
+    const ENERGIES_HAVE_SLOPES: bool = false;
+
+    /// Adds `duration` times the derivatives of `T` with respect to the parameters in `sensitive(...)`.
+    #[inline(always)]
+    fn add_slopes_of_kinetic<R: Real, K: Precision>(
+        _motion: &Self::Motion<R, K>,
+        _duration: f64,
+        _time: f64,
+        _slopes: &mut [R],
+    ) {
+    }
+
+    /// Adds `duration` times the derivatives of `V` with respect to the parameters in `sensitive(...)`.
+    #[inline(always)]
+    fn add_slopes_of_potential<R: Real, K: Precision>(
+        _motion: &Self::Motion<R, K>,
+        _duration: f64,
+        _time: f64,
+        _slopes: &mut [R],
+    ) {
     }
 
     /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.

@@ -45,6 +45,8 @@ pub(crate) enum Sink {
     FirstDerivative(Element),
     /// It is added to the derivative of a quadratic form by two coordinates.
     SecondDerivative(Element, Element),
+    /// It is the derivative of an energy with respect to a parameter, by its number.
+    Slope(usize),
     /// It is what the function returns.
     Return,
     /// It is shown to what watches the edges of the formula.

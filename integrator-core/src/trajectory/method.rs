@@ -222,10 +222,13 @@ impl<H: System, X: Scheme + Composition<H>> Resumable<H> for X {}
 pub trait Differentiable<H: System>: Method<H> {
     /// Whether a run depends on its state and vectors only, so that vectors can be rescaled by powers of two.
     const FROM_STATES: bool = false;
+    /// Whether steps are those of the table in [`Facts`], without force gradients.
+    const IS_PLAIN_TABLE: bool = false;
 }
 
 impl<H: System, X: Scheme + Composition<H>> Differentiable<H> for X {
     const FROM_STATES: bool = true;
+    const IS_PLAIN_TABLE: bool = X::GRADIENT_EVALUATIONS == 0;
 }
 
 /// A method whose runs depend on positions and momenta only: compositions and implicit methods.

@@ -27,7 +27,7 @@ use flow::{
     Flows,
     constants::{Constants, with_count},
     device::DeviceText,
-    field, force_gradient, invariants, jacobi, nested,
+    field, force_gradient, invariants, jacobi, nested, parameter_slopes,
     pieces::Pieces,
     rated_field, transformed, user_energies,
 };
@@ -73,6 +73,8 @@ struct Stepper<'i> {
     stated: TokenStream,
     /// What is said to be conserved.
     invariants: Option<TokenStream>,
+    /// The derivatives of energies with respect to parameters.
+    slopes: Option<TokenStream>,
     /// The items for the runtime about named parts.
     parts: Option<TokenStream>,
     /// The item for the runtime about parts that take inner steps, and the checks of their compositions.
@@ -145,6 +147,7 @@ impl<'i> Stepper<'i> {
             )
         });
         let invariants = invariants::items(&flows, &mut emitter);
+        let slopes = parameter_slopes::items(&flows, &mut emitter, stated_energies);
         let taylor = input.taylor.map(|_| series(&mut emitter, stated_energies, [&kinetic, &potential], &pattern));
         let transformed = (autonomous && is_field_of_flows)
             .then(|| transformed::functions(&mut emitter, &kinetic, &potential, flows.are_of_bodies()));
@@ -177,6 +180,7 @@ impl<'i> Stepper<'i> {
             energies: (energies, in_lanes),
             stated,
             invariants,
+            slopes,
             parts,
             nested,
             order,
@@ -224,8 +228,8 @@ impl<'i> Stepper<'i> {
         let has_slopes = sensitive.is_some().then(|| implementation(quote!(#runtime::Sensitive), &TokenStream::new()));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
-        let hamiltonian = self.hamiltonian();
-        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &quote!(#hamiltonian #sensitive));
+        let (hamiltonian, slopes) = (self.hamiltonian(), &self.slopes);
+        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &quote!(#hamiltonian #sensitive #slopes));
         // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
         let device =
             self.device.as_ref().map(|device| implementation(quote!(#runtime::DeviceText), &device.items(names)));

@@ -7,6 +7,7 @@
 mod letters;
 #[cfg(feature = "check")]
 mod method;
+pub(crate) mod slopes;
 mod walk;
 
 #[cfg(feature = "check")]

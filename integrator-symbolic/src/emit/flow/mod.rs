@@ -14,6 +14,7 @@ pub(super) mod kepler;
 pub(super) mod lattice;
 pub(super) mod nested;
 pub(super) mod pairs;
+pub(super) mod parameter_slopes;
 pub(super) mod part_of_pairs;
 pub(super) mod pieces;
 pub(super) mod quadratic;

@@ -224,6 +224,11 @@ impl<'m> Block<'m> {
                 let value = printer.expression(fields, *value).tokens;
                 printer.contribution(fields, *contribution, value)
             }
+            Item::Sink(Sink::Slope(number), value) => {
+                let number = Literal::usize_unsuffixed(*number);
+                let value = printer.expression(fields, *value).tokens;
+                quote!(slopes[#number] = step.scale_add(#value, slopes[#number]);)
+            }
             Item::Sink(Sink::Return, value) => printer.expression(fields, *value).tokens,
             Item::Sink(Sink::Watch(watched), value) => printer.shown(fields, *watched, *value),
             Item::Sink(Sink::Update(element), value) => self.update(fields, *element, *value),

@@ -4,24 +4,27 @@
 //! of a step therefore become those with respect to its beginning by a step of `-h`: turned by J⁻¹ they are a deviation
 //! vector at the end, which the step multiplies by M⁻¹, and J turns the result back.
 
+mod by_slopes;
+mod by_tangent;
+mod way;
+
 use crate::{
     error::{Error, VectorFault},
     hamiltonian::Hamiltonian,
-    scalar::exact::power_of_two,
-    state::{coords::Coords, phase::Phase, precision::Precision},
+    state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::Shaped,
     trajectory::{
+        by_table::slopes::has_slopes,
         method::Differentiable,
         run::Run,
         samples::Sample,
-        sensitive::slopes_of,
-        tangent::{BETWEEN_SCALES, Beginning, Tangent, numbers, refused, scaled},
+        tangent::{BETWEEN_SCALES, numbers, refused, scaled},
     },
 };
-use alloc::{vec, vec::Vec};
-
-/// The largest [`Gradient::return_error`]: the derivatives have about this relative error.
-const LARGEST_RETURN_ERROR: f64 = 1e-3;
+use alloc::{boxed::Box, vec, vec::Vec};
+use by_slopes::BySlopes;
+use by_tangent::ByTangent;
+pub(crate) use way::Way;
 
 /// The value of a function of a run and its derivatives, returned by [`Hamiltonian::gradient`].
 #[derive(Clone, Debug, PartialEq)]
@@ -70,8 +73,8 @@ impl Reads {
 /// A function of the states of a run: its value and its derivatives with respect to the state.
 pub(crate) type Loss<'l, C> = dyn FnMut(&Sample<C>) -> (f64, Phase<<C as Coords>::With<f64>>) + 'l;
 
-/// What the way back stands at after some steps: the state, and what replaces the state beside the vector.
-type Stand<'s, C, T> = dyn FnMut(&Tangent<T>, u64) -> Result<(Phase<C>, Option<Phase<T>>), Error> + 's;
+/// From the state beside the vector after some steps back: the state of the run, and what replaces that beside the vector.
+type Stand<'s, C, T> = dyn FnMut(&Phase<T>, u64) -> Result<(Phase<C>, Option<Phase<T>>), Error> + 's;
 
 /// Computes the sum of a function over some states of a run, and its gradient.
 ///
@@ -97,26 +100,24 @@ where
     let mut run = Run::start::<H, X, K>(system, method, start, h)?;
     let (value, derivatives) = forward(&mut run, &mut way, reads, loss)?;
     let (end, time) = (run.state(), run.time());
-    let vector = turned(&derivatives);
+    let (vector, clock) = (turned(&derivatives), Clock { t0: time, h: -h, steps: 0 });
     let (start, parameters) = if const { K::REVERSIBLE } {
         // The states of the run itself, at which each block of steps of the vector begins.
         let mut back = Run::start::<H, X, K>(system, method, end.clone(), -h)?.at_time(time);
-        let mut stand = |_: &Tangent<_>, steps| {
+        let mut stand = |_: &Phase<_>, steps| {
             back.advance(steps)?;
             let state = back.state();
             let off_grid = state.to_f64();
             Ok((state, Some(off_grid)))
         };
-        let tangent = tangent::<H, X, f64>(system, method, end.to_f64(), vector, -h)?.at_time(time);
-        WayBack { tangent, in_blocks: true, parameters: no_slopes::<H>() }
-            .through(&run, &mut way, reads, loss, &mut stand)
+        let mut carrier = carrier::<H, X, f64>(system, method, end.to_f64(), vector, clock)?;
+        back_through(&mut *carrier, true, &run, &mut way, (reads, loss), &mut stand)
     } else {
         let vector = in_precision(&end, &vector);
-        let tangent = tangent::<H, X, K>(system, method, end, vector, -h)?.at_time(time);
-        let parameters = no_slopes::<H>();
-        let mut stand = |tangent: &Tangent<_>, _| Ok((tangent.state(), None));
-        let in_blocks = !parameters.is_empty();
-        WayBack { tangent, in_blocks, parameters }.through(&run, &mut way, reads, loss, &mut stand)
+        let mut carrier = carrier::<H, X, K>(system, method, end, vector, clock)?;
+        let in_blocks = carrier.begins_anew();
+        let mut stand = |state: &Phase<_>, _| Ok((state.clone(), None));
+        back_through(&mut *carrier, in_blocks, &run, &mut way, (reads, loss), &mut stand)
     }?;
     way.gradient(value, start, parameters)
 }
@@ -141,34 +142,48 @@ pub(crate) fn refusal<H: Hamiltonian, X: Differentiable<H>>(method: X) -> Option
     }
 }
 
-/// One derivative for each parameter, before the way back.
-fn no_slopes<H: Hamiltonian>() -> Vec<f64> {
-    vec![0.0; H::SENSITIVE.len()]
+/// What carries a deviation vector back, with the derivatives with respect to parameters.
+trait Carrier<C: Coords> {
+    /// Takes this number of steps back.
+    ///
+    /// # Errors
+    /// Those of a run.
+    fn back(&mut self, steps: u64) -> Result<(), Error>;
+    /// The number of parameters.
+    fn parameters(&self) -> usize;
+    /// Whether derivatives with respect to parameters are to begin anew after each block of steps.
+    fn begins_anew(&self) -> bool;
+    /// The state.
+    fn state(&self) -> Phase<C>;
+    /// The vector, and the power of two that it has to be multiplied by.
+    fn vector(&self) -> (Phase<C>, f64);
+    /// Adds the derivatives with respect to parameters since the block began.
+    fn add_slopes(&mut self, slopes: &mut [f64]);
+    /// Begins a block from another state if there is one, and from another vector that is to be multiplied by the same power.
+    fn begin_block(&mut self, state: Option<&Phase<C>>, vector: Phase<C>);
 }
 
-/// A run with one vector, and with the derivatives with respect to parameters if there are some.
-fn tangent<H, X, K>(
+/// The carrier from the end of a run.
+fn carrier<H, X, K>(
     system: &H,
     method: X,
-    start: Phase<Shaped<H, K>>,
+    end: Phase<Shaped<H, K>>,
     vector: Phase<Shaped<H, K>>,
-    h: f64,
-) -> Result<Tangent<Shaped<H, K>>, Error>
+    clock: Clock,
+) -> Result<Box<dyn Carrier<Shaped<H, K>>>, Error>
 where
     H: Hamiltonian,
     X: Differentiable<H>,
     K: Precision,
 {
-    refused::<H, K>(&start)?;
-    let (length, vectors, parameters) = (start.q.length(), vec![vector], H::SENSITIVE.len());
-    let beginning = Beginning { start, vectors, parameters, h, at: None };
+    refused::<H, K>(&end)?;
     // A constant, so that one of both is compiled.
-    if const { H::SENSITIVE.is_empty() } {
-        Tangent::begin::<H, X, K, false>(system, method, beginning, |_| Vec::new())
-    } else {
-        let slopes = |vectors| slopes_of(system, length, 1, vectors);
-        Tangent::begin::<H, X, K, true>(system, method, beginning, slopes)
+    if const { X::IS_PLAIN_TABLE && has_slopes::<H, K>() }
+        && let Some(table) = method.facts().table
+    {
+        return Ok(Box::new(BySlopes::new::<H, K>(system, table, end, vector, clock)));
     }
+    Ok(Box::new(ByTangent::new::<H, X, K>(system, method, end, vector, clock)?))
 }
 
 /// Takes all steps; the sum of the values, and the derivatives of the last one.
@@ -197,60 +212,6 @@ fn forward<C: Coords>(
         }
         run.advance(interval)?;
     }
-}
-
-/// The beginning of a run, the state that was seen last, and the sizes of positions and momenta on the way.
-pub(crate) struct Way<C> {
-    begin: Phase<C>,
-    pub(crate) last: Phase<C>,
-    sizes: [f64; 2],
-}
-
-impl<C: Coords> Way<C> {
-    pub(crate) fn from(begin: Phase<C>) -> Self {
-        Self { last: begin.clone(), sizes: sizes(&begin), begin }
-    }
-
-    pub(crate) fn see(&mut self, state: Phase<C>) {
-        for (largest, size) in self.sizes.iter_mut().zip(sizes(&state)) {
-            *largest = largest.max(size);
-        }
-        self.last = state;
-    }
-
-    /// The gradient of a function with a value and derivatives, if the way back ended at the last state.
-    ///
-    /// # Errors
-    /// [`Error::NoGradient`], [`Error::WayBack`]
-    pub(crate) fn gradient(
-        &self,
-        value: f64,
-        start: Phase<C::With<f64>>,
-        parameters: Vec<f64>,
-    ) -> Result<Gradient<C::With<f64>>, Error> {
-        if !numbers(&start).chain(parameters.iter().copied()).all(f64::is_finite) {
-            return Err(Error::NoGradient { reason: "it exceeds the range of its precision\nhelp: take fewer steps" });
-        }
-        match self.return_error() {
-            error if error > LARGEST_RETURN_ERROR => Err(Error::WayBack { error }),
-            return_error => Ok(Gradient { value, start, parameters, return_error }),
-        }
-    }
-
-    /// The distance between the beginning and the last state: [`Gradient::return_error`].
-    fn return_error(&self) -> f64 {
-        let differences = [(&self.begin.q, &self.last.q), (&self.begin.p, &self.last.p)].map(|(begin, last)| {
-            let pairs = begin.flat().iter().zip(last.flat());
-            pairs.fold(0.0_f64, |largest, (a, b)| largest.max((a.to_f64() - b.to_f64()).abs()))
-        });
-        let relative = |half: usize| if differences[half] == 0.0 { 0.0 } else { differences[half] / self.sizes[half] };
-        relative(0).max(relative(1))
-    }
-}
-
-/// The largest position and the largest momentum.
-fn sizes<C: Coords>(state: &Phase<C>) -> [f64; 2] {
-    [&state.q, &state.p].map(|half| half.flat().iter().fold(0.0, |largest: f64, leaf| largest.max(leaf.to_f64().abs())))
 }
 
 /// The value of the function and its derivatives for the state after this number of steps.
@@ -283,88 +244,42 @@ pub(crate) fn check<C: Coords>(state: &Phase<C>, derivatives: &Phase<C::With<f64
     Err(Error::Loss { step, fault })
 }
 
-/// The way back with a vector, in the shape `T`.
-struct WayBack<T: Coords> {
-    tangent: Tangent<T>,
-    /// Whether the state or the derivatives with respect to parameters begin anew after each block of steps.
+/// Goes back from the end of a run to its beginning. Returns the derivatives with respect to that and to parameters.
+fn back_through<C: Coords, T: Coords<With<f64> = C::With<f64>>>(
+    carrier: &mut dyn Carrier<T>,
     in_blocks: bool,
-    /// The derivatives of the function with respect to parameters.
-    parameters: Vec<f64>,
-}
-
-impl<T: Coords> WayBack<T> {
-    /// Goes back from the end of a run to its beginning. Returns the derivatives with respect to that and to parameters.
-    fn through<C: Coords<With<f64> = T::With<f64>>>(
-        mut self,
-        run: &Run<C>,
-        way: &mut Way<C>,
-        reads: Reads,
-        loss: &mut Loss<'_, C>,
-        stand: &mut Stand<'_, C, T>,
-    ) -> Result<(Phase<T::With<f64>>, Vec<f64>), Error> {
-        let mut step = reads.last();
-        while step > 0 {
-            let (read_at, is_read) = reads.before(step);
-            let next = if self.in_blocks { read_at.max(step.saturating_sub(BETWEEN_SCALES)) } else { read_at };
-            self.tangent.advance(step - next)?;
-            let (state, replaced) = stand(&self.tangent, step - next)?;
-            step = next;
-            way.see(state);
-            let added = match is_read && step == read_at {
-                true => Some(turned(&read(run, step, way.last.clone(), loss)?.1)),
-                false => None,
-            };
-            self.add_slopes();
-            if self.in_blocks || added.is_some() {
-                self.begin_block(replaced.as_ref(), added);
-            }
-        }
-        let start = turned_back(scaled(&self.tangent.vector(0), power(&self.tangent)).to_f64());
-        Ok((start, self.parameters))
-    }
-
-    /// Adds the derivatives with respect to parameters of the steps since the block began.
-    ///
-    /// If a step by `-h` leads to Φ(z, θ), the end of the step by `h` from Φ changes with θ by -M ∂Φ/∂θ, and the function by the
-    /// scalar product of this with its derivatives there: that of -∂Φ/∂θ with those at Φ.
-    fn add_slopes(&mut self) {
-        if self.parameters.is_empty() {
-            return;
-        }
-        let factor = power(&self.tangent);
-        let vectors = self.tangent.vectors();
-        let [vector, slopes @ ..] = &vectors[..] else { return };
-        for (sum, slope) in self.parameters.iter_mut().zip(slopes) {
-            *sum += factor * (product(&vector.q, &slope.p) - product(&vector.p, &slope.q));
-        }
-    }
-
-    /// Begins a block from another state if there is one, with an addition to the vector, and with derivatives with respect to
-    /// parameters that are zero.
-    fn begin_block(&mut self, state: Option<&Phase<T>>, added: Option<Phase<T::With<f64>>>) {
-        let factor = power(&self.tangent);
-        self.tangent.reopen(state, &mut |vectors| {
-            let [vector, slopes @ ..] = vectors else { return };
+    run: &Run<C>,
+    way: &mut Way<C>,
+    (reads, loss): (Reads, &mut Loss<'_, C>),
+    stand: &mut Stand<'_, C, T>,
+) -> Result<(Phase<C::With<f64>>, Vec<f64>), Error> {
+    let (mut step, mut slopes) = (reads.last(), vec![0.0; carrier.parameters()]);
+    while step > 0 {
+        let (read_at, is_read) = reads.before(step);
+        let next = if in_blocks { read_at.max(step.saturating_sub(BETWEEN_SCALES)) } else { read_at };
+        carrier.back(step - next)?;
+        let (state, replaced) = stand(&carrier.state(), step - next)?;
+        step = next;
+        way.see(state);
+        let added = match is_read && step == read_at {
+            true => Some(turned(&read(run, step, way.last.clone(), loss)?.1)),
+            false => None,
+        };
+        carrier.add_slopes(&mut slopes);
+        if in_blocks || added.is_some() {
+            let (mut vector, power) = carrier.vector();
             if let Some(added) = &added {
-                let added = added.q.flat().iter().chain(added.p.flat());
                 let leaves = vector.q.flat_mut().iter_mut().chain(vector.p.flat_mut());
-                for (leaf, added) in leaves.zip(added) {
+                for (leaf, number) in leaves.zip(numbers(added)) {
                     let [value, carried] = leaf.parts();
-                    *leaf = T::Leaf::from_parts([value + added / factor, carried]);
+                    *leaf = T::Leaf::from_parts([value + number / power, carried]);
                 }
             }
-            for slope in slopes {
-                *slope = scaled(slope, 0.0);
-            }
-        });
+            carrier.begin_block(replaced.as_ref(), vector);
+        }
     }
-}
-
-/// The power of two that the vector has to be multiplied by.
-fn power<T: Coords>(tangent: &Tangent<T>) -> f64 {
-    // Beyond these the vector overflows, or is lost to underflow.
-    let exponent = tangent.exponents().first().map_or(0, |exponent| (*exponent).clamp(-1022, 1023));
-    power_of_two(exponent as i32)
+    let (vector, power) = carrier.vector();
+    Ok((turned_back(scaled(&vector, power).to_f64()), slopes))
 }
 
 /// Derivatives with respect to a state, turned to a deviation vector: J⁻¹ (λq, λp) = (-λp, λq).
@@ -393,9 +308,4 @@ pub(crate) fn in_precision<C: Coords>(like: &Phase<C>, vector: &Phase<C::With<f6
         *leaf = C::Leaf::from_parts([number, 0.0]);
     }
     shaped
-}
-
-/// The scalar product of two halves of vectors.
-fn product<C: Coords>(a: &C, b: &C) -> f64 {
-    a.flat().iter().zip(b.flat()).map(|(a, b)| a.to_f64() * b.to_f64()).sum()
 }
