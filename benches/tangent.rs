@@ -8,8 +8,6 @@
 //!   for Hénon–Heiles and the outer solar system, and 2.2 for the others.
 //! - `ratio_tangent_<problem>_by_hand=` is the time with one vector divided by that of the hand-written stepper; the target is
 //!   1.1.
-//! - `ratio_gradient_<problem>_<composition>=` is the time of the gradient of a function of the end divided by that of the run;
-//!   the target is 2.5. `halo` has eight parameters in `sensitive(...)`.
 //! - `ratio_tangent_map_<composition>_<steps>=` is the time of a chaos map of Hénon–Heiles orbits divided by that of the
 //!   ensemble without vectors; the target is 2.2. Short orbits are sampled every few steps, long ones every 64.
 //! - `ratio_tangent_taylor_<problem>_one=` and `_four=` are times by Taylor's method divided by that of the run alone; the target
@@ -156,53 +154,6 @@ where
     [line("one", 1), line("four", 2)]
 }
 
-/// Measures the gradient of a function of the end, and the run alone. Returns a line with the ratio of their times.
-fn gradient<H, X, C>(name: &str, (system, start): (&H, &Phase<C>), method: X, h: f64) -> String
-where
-    H: Hamiltonian<Coords = C>,
-    X: Composition<H> + Memoryless<H>,
-    C: Coords<Leaf = f64, With<f64> = C>,
-{
-    let steps = EVALUATIONS / X::FORCE_EVALUATIONS as u64;
-    let alone = || {
-        let mut run = system.run_with::<f64, X>(method, start.clone(), h).expect("a start").with_threads(1);
-        run.advance(steps).expect("finite states");
-        run.state()
-    };
-    let loss = |end: &Phase<C>| (end.q.flat()[0], vectors(start)[0].clone());
-    let gradient = || system.gradient::<f64, X>(method, start.clone(), h, steps, loss).expect("a gradient");
-    let racers = vec![Racer::new("alone", alone), Racer::new("gradient", gradient)];
-    let times = race(ROUNDS, (steps * X::FORCE_EVALUATIONS as u64) as f64, racers);
-    println!("{name} by {}: {:.1}, with its gradient {:.1} ns a force", X::NAME, times.median(0), times.median(1));
-    format!("ratio_gradient_{name}_{}={:.3}", X::NAME.to_lowercase(), times.ratio(1, 0))
-}
-
-/// A galaxy: a flattened logarithmic halo, a disc and a bulge.
-struct Halo {
-    speed: f64,
-    core: f64,
-    flattening: f64,
-    disc: f64,
-    length: f64,
-    height: f64,
-    bulge: f64,
-    radius: f64,
-}
-
-#[hamiltonian(sensitive(speed, core, flattening, disc, length, height, bulge, radius))]
-impl Halo {
-    fn kinetic(&self, [px, py, pz]: [f64; 3]) -> f64 {
-        (px * px + py * py + pz * pz) / 2.0
-    }
-    fn potential(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let (square, height) = (x * x + y * y, (z * z + self.height.powi(2)).sqrt());
-        let halo = (self.core.powi(2) + square + (z / self.flattening).powi(2)).ln();
-        let disc = self.disc / (square + (self.length + height).powi(2)).sqrt();
-        let bulge = self.bulge / (square + z * z + self.radius.powi(2)).sqrt();
-        0.5 * self.speed.powi(2) * halo - disc - bulge
-    }
-}
-
 /// Measures chaos indicators of planets and the run alone. Returns lines with the ratios of their times.
 fn megno<X: Composition<Jacobi> + Memoryless<Jacobi>>(_: X) -> [String; 2] {
     let Problem { start, system: Solar { masses }, .. } = Problems::default().solar();
@@ -277,15 +228,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let problem = (&chain.system, &chain.start);
     report.compare("fput", problem, Verlet, 0.05, &by_hand);
     report.compare("fput", problem, KahanLi8, 0.05, &by_hand);
-
-    report.ratios.push(gradient("pendulum", (&pendulum.system, &pendulum.start), KahanLi8, 0.01));
-    report.ratios.push(gradient("henon", (&henon.system, &henon.start), KahanLi8, 0.01));
-    report.ratios.push(gradient("solar", (&solar.system, &solar.start), KahanLi8, 10.0));
-    report.ratios.push(gradient("fput", (&chain.system, &chain.start), KahanLi8, 0.05));
-    let halo =
-        Halo { speed: 1.0, core: 0.2, flattening: 0.8, disc: 1.0, length: 3.0, height: 0.3, bulge: 0.4, radius: 0.5 };
-    let start = Phase::new([1.0, 0.0, 0.2], [0.0, 1.2, 0.1]);
-    report.ratios.push(gradient("halo", (&halo, &start), KahanLi8, 0.01));
 
     report.ratios.extend(taylor(&pendulum, 0.05));
     report.ratios.extend(taylor(&henon, 0.05));
