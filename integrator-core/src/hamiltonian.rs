@@ -4,12 +4,11 @@ use crate::{
     composition::visitor::{Visitor, visit_general},
     error::Error,
     methods::taylor::RecurrencesVisitor,
-    scalar::real::Real,
     state::{
         phase::{Phase, StartOf},
         precision::Precision,
     },
-    system::{Shaped, System},
+    system::{Shaped, parameter_derivatives::ParameterDerivatives},
     trajectory::{
         gradient::{Gradient, Reads, gradient},
         method::{Differentiable, Memoryless, Method},
@@ -31,7 +30,7 @@ use crate::{state::coords::Coords, trajectory::checkpoint::CheckpointError};
     label = "has no generated stepper",
     note = "put `#[hamiltonian]` on an `impl {Self}` with the functions `kinetic` and `potential`"
 )]
-pub trait Hamiltonian: System {
+pub trait Hamiltonian: ParameterDerivatives {
     /// The composition of the annotation, or another method.
     type Compose: Memoryless<Self>;
 
@@ -50,40 +49,6 @@ pub trait Hamiltonian: System {
     /// assert_eq!(Oscillator::EQUATIONS, ["T = p[0]^2 / 2", "V = q[0]^2 / 2", "dq[0]/dt = p[0]", "dp[0]/dt = -q[0]"]);
     /// ```
     const EQUATIONS: &'static [&'static str] = &[];
-
-    /// The names of the parameters in `sensitive(...)`, in the order of the annotation.
-    const SENSITIVE: &'static [&'static str] = &[];
-
-    /// Returns the derivatives of the prepared constants with respect to a parameter in `sensitive(...)`; zeros if there is no
-    /// such parameter.
-    fn parameter_slopes(&self, length: usize, _parameter: usize) -> Self::Parameters<f64> {
-        // Nobody asks for the derivatives of a system without such parameters.
-        self.parameters(length)
-    }
-
-    /// Whether [`add_slopes_of_kinetic`](Self::add_slopes_of_kinetic) and
-    /// [`add_slopes_of_potential`](Self::add_slopes_of_potential) were generated: for `H = T(p) + V(q)` with `sensitive(...)`.
-    const ENERGIES_HAVE_SLOPES: bool = false;
-
-    /// Adds `duration` times the derivatives of `T` with respect to the parameters in `sensitive(...)`.
-    #[inline(always)]
-    fn add_slopes_of_kinetic<R: Real, K: Precision>(
-        _motion: &Self::Motion<R, K>,
-        _duration: f64,
-        _time: f64,
-        _slopes: &mut [R],
-    ) {
-    }
-
-    /// Adds `duration` times the derivatives of `V` with respect to the parameters in `sensitive(...)`.
-    #[inline(always)]
-    fn add_slopes_of_potential<R: Real, K: Precision>(
-        _motion: &Self::Motion<R, K>,
-        _duration: f64,
-        _time: f64,
-        _slopes: &mut [R],
-    ) {
-    }
 
     /// Calls `visitor` with each composition of the catalogue that can integrate this Hamiltonian.
     ///

@@ -140,6 +140,7 @@ pub use state::fixed::Fixed;
 pub use state::phase::{Phase, StartOf};
 pub use system::counts::OwnSteps;
 pub use system::flow_layout::Layouts;
+pub use system::parameter_derivatives::ParameterDerivatives;
 pub use system::{QuadraticKinetic, System};
 #[cfg(feature = "checkpoint")]
 pub use trajectory::checkpoint::CheckpointError;
@@ -183,13 +184,13 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
-    // Constants such as `PARTS`.
-    pub use crate::System as _;
+    // Constants such as `PARTS` and `SENSITIVE`.
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre, GaussLegendre4, GaussLegendre6,
         Hamiltonian, ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme,
         Sensitive, composition, hamiltonian, taylor::Taylor,
     };
+    pub use crate::{ParameterDerivatives as _, System as _};
 }
 
 /// The private API of generated code. Nothing here is stable.
@@ -284,6 +285,7 @@ pub mod __private {
             motion::{Motion, Moved, Plain, Prepared, Read as ReadOf, Solver, Solving, in_place},
             not_finite::{all_found, not_finite},
             pair_set::{Items, PairSet, Unlisted},
+            parameter_derivatives::ParameterDerivatives,
             prepared::in_lanes,
             read_by_methods::{Compared, Field, Hashed, ReadByMethods, Unknown},
             shared_table::{SharedTable, table},

@@ -72,6 +72,8 @@ macro_rules! parts_by_hand {
             type Compose = Verlet;
         }
 
+        impl ParameterDerivatives for $name {}
+
         impl System for $name {
             type Coords = [f64; $n];
             type Parameters<R: Real> = Self;

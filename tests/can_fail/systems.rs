@@ -30,6 +30,8 @@ macro_rules! by_hand {
             type Compose = Verlet;
         }
 
+        impl ParameterDerivatives for $name {}
+
         impl System for $name {
             type Coords = [f64; $n];
             type Parameters<R: Real> = Self;

@@ -3,9 +3,8 @@
 use crate::{
     ensemble::{Ensemble, in_lanes, in_lanes::InLanes, lane_scalars::LaneScalars, member},
     error::Error,
-    hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
-    system::{energy::energy, motion::Prepared},
+    system::{energy::energy, motion::Prepared, parameter_derivatives::ParameterDerivatives},
     threads::{all_threads, on_threads},
     trajectory::{
         dispatch::{Deviations, Nothing},
@@ -28,7 +27,7 @@ const GROUPS: usize = 4;
 
 impl<C: Coords> Ensemble<C> {
     /// Computes a function of the end of the run of each `(system, start)` pair, and its gradient like
-    /// [`Hamiltonian::gradient`].
+    /// [`Hamiltonian::gradient`](crate::Hamiltonian::gradient).
     ///
     /// `loss` is called with the index of a member and its end; it returns the value and the derivatives with respect to
     /// positions and momenta. The gradient of a sum over members is the list of these gradients, and the sum of the derivatives
@@ -57,7 +56,7 @@ impl<C: Coords> Ensemble<C> {
     /// ```
     ///
     /// # Errors
-    /// Each member has a result of its own, with the errors of [`Hamiltonian::gradient`].
+    /// Each member has a result of its own, with the errors of [`Hamiltonian::gradient`](crate::Hamiltonian::gradient).
     pub fn gradients<H, X>(
         method: X,
         members: impl IntoIterator<Item = (H, Phase<C>)>,
@@ -66,7 +65,7 @@ impl<C: Coords> Ensemble<C> {
         loss: impl Fn(usize, &Phase<C>) -> (f64, Phase<H::Coords>) + Sync,
     ) -> Vec<Result<Gradient<H::Coords>, Error>>
     where
-        H: Hamiltonian + Sync,
+        H: ParameterDerivatives + Sync,
         X: InLanes<H> + Differentiable<H>,
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,

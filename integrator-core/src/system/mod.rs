@@ -20,6 +20,8 @@ pub(crate) mod motion;
 pub(crate) mod not_finite;
 pub(crate) mod pair_set;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod parameter_derivatives;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod prepared;
 pub(crate) mod read_by_methods;
 pub(crate) mod shared_table;

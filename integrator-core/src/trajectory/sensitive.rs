@@ -2,13 +2,12 @@
 
 use crate::{
     error::Error,
-    hamiltonian::Hamiltonian,
     state::{
         coords::Coords,
         phase::{Phase, StartOf},
         precision::Precision,
     },
-    system::Shaped,
+    system::{Shaped, parameter_derivatives::ParameterDerivatives},
     trajectory::{
         method::Differentiable,
         tangent::{Beginning, Tangent},
@@ -25,11 +24,11 @@ use core::ops::Range;
     label = "the annotation has no `sensitive`",
     note = "name fields of `{Self}` that are numbers, as in `#[hamiltonian(sensitive(mass, length))]`"
 )]
-pub trait Sensitive: Hamiltonian {
+pub trait Sensitive: ParameterDerivatives {
     /// Starts a run from `start` with step `h` together with the derivatives of its state.
     ///
     /// The [vectors](Tangent::vectors) of the result are the images of `vectors`, which may be empty, followed by the
-    /// derivatives with respect to each parameter, in the order of [`Hamiltonian::SENSITIVE`]. They are exact derivatives of
+    /// derivatives with respect to each parameter, in the order of [`ParameterDerivatives::SENSITIVE`]. They are exact derivatives of
     /// the steps taken; the start does not depend on the parameters.
     ///
     /// ```
@@ -73,7 +72,7 @@ pub trait Sensitive: Hamiltonian {
 
 /// The derivatives of prepared constants that go with some vectors, of which the `first` ones lead along starts. These, and
 /// those that fill up a register after the last, leave parameters as they are.
-pub(crate) fn slopes_of<H: Hamiltonian>(
+pub(crate) fn slopes_of<H: ParameterDerivatives>(
     system: &H,
     length: usize,
     first: usize,

@@ -228,8 +228,9 @@ impl<'i> Stepper<'i> {
         let has_slopes = sensitive.is_some().then(|| implementation(quote!(#runtime::Sensitive), &TokenStream::new()));
         let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
-        let (hamiltonian, slopes) = (self.hamiltonian(), &self.slopes);
-        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &quote!(#hamiltonian #sensitive #slopes));
+        let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian());
+        let slopes = &self.slopes;
+        let by_parameters = implementation(quote!(#runtime::ParameterDerivatives), &quote!(#sensitive #slopes));
         // No part of the fingerprint: with text for devices or without, a checkpoint belongs to the same motion.
         let device =
             self.device.as_ref().map(|device| implementation(quote!(#runtime::DeviceText), &device.items(names)));
@@ -247,6 +248,7 @@ impl<'i> Stepper<'i> {
                 #hamiltonian
                 #system
                 #others
+                #by_parameters
                 #has_slopes
                 #device
             };

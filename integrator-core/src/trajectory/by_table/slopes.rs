@@ -6,24 +6,19 @@
 
 use crate::{
     composition::{Processor, Stages, corrected_durations::Between},
-    hamiltonian::Hamiltonian,
     scalar::{
         dual::Dual,
         instruction_set::InstructionSet,
         real::{Kernel, Real},
     },
     state::{clock::Clock, phase::Phase, precision::Precision},
-    system::{QuadraticKinetic, Shaped, flows::Flows, motion::Motion},
-    trajectory::by_table::{
-        Plain,
-        letters::Table,
-        walk::{Portion, Walk},
-    },
+    system::{Shaped, motion::Motion, parameter_derivatives::ParameterDerivatives},
+    trajectory::by_table::letters::{Flow, Letter, Table},
 };
 use alloc::{vec, vec::Vec};
 
 /// Whether a system has the derivatives that [`steps`] adds up, in a precision.
-pub(crate) const fn has_slopes<H: Hamiltonian, K: Precision>() -> bool {
+pub(crate) const fn has_slopes<H: ParameterDerivatives, K: Precision>() -> bool {
     H::ENERGIES_HAVE_SLOPES && !H::PIECEWISE_IN_TIME && K::PLAIN
 }
 
@@ -39,8 +34,8 @@ pub(crate) struct Steps<C> {
 /// A function that takes steps by a composition: with the constants of a system, from a state and a vector.
 pub(crate) type StepsOf<P, C> = fn((Stages, Processor), &P, [&Phase<C>; 2], Clock, u64) -> Steps<C>;
 
-/// Takes steps by a composition without force gradients.
-pub(crate) fn steps<H: Hamiltonian, K: Precision>(
+/// Takes steps from a clock that begins there, by a composition without force gradients.
+pub(crate) fn steps<H: ParameterDerivatives, K: Precision>(
     (stages, processor): (Stages, Processor),
     parameters: &H::Parameters<f64>,
     points: [&Phase<Shaped<H, K>>; 2],
@@ -57,7 +52,7 @@ pub(crate) fn steps<H: Hamiltonian, K: Precision>(
 }
 
 /// The same in a number with one derivative, with the point in lane 0 and the vector in lane 1.
-fn steps_in<H: Hamiltonian, R: Real, K: Precision>(
+fn steps_in<H: ParameterDerivatives, R: Real, K: Precision>(
     table: Table,
     parameters: &H::Parameters<f64>,
     [state, vector]: [&Phase<Shaped<H, K>>; 2],
@@ -67,11 +62,8 @@ fn steps_in<H: Hamiltonian, R: Real, K: Precision>(
     let mut motion = H::Motion::<R, K>::load(&[parameters; 2], &[state, vector]);
     motion.share_among(None);
     let mut slopes = vec![R::of(0.0); H::SENSITIVE.len()];
-    let end = Clock { steps: clock.steps + steps, ..clock };
-    let undoing = (!table.processor.after.rows.is_empty()).then_some((Portion::Undoing, end));
-    for (portion, clock) in [(Portion::Steps(steps), clock), (Portion::Closing, end)].into_iter().chain(undoing) {
-        R::enter(Take::<H, R, K> { motion: &mut motion, slopes: &mut slopes, table, clock, portion });
-    }
+    let lists = [table.opening(), table.cycle(), table.closing(), table.undoing()];
+    R::enter(Take::<H, R, K> { motion: &mut motion, slopes: &mut slopes, lists: &lists, clock, steps });
     let (mut at_end, mut image) = (state.clone(), vector.clone());
     motion.store(0, &mut at_end);
     motion.store(1, &mut image);
@@ -79,52 +71,48 @@ fn steps_in<H: Hamiltonian, R: Real, K: Precision>(
     Steps { state: at_end, vector: image, slopes: slopes.iter().map(|slope| slope.lane(1)).collect(), is_finite }
 }
 
-/// A portion of the flows.
-struct Take<'m, H: Hamiltonian, R: Real, K: Precision> {
+/// A number of steps from a closed state to another.
+struct Take<'m, H: ParameterDerivatives, R: Real, K: Precision> {
     motion: &'m mut H::Motion<R, K>,
     slopes: &'m mut [R],
-    table: Table,
+    /// The flows of the first step, of a later one, of the end of the last one, and of what undoes the processor.
+    lists: &'m [Vec<Letter>; 4],
     clock: Clock,
-    portion: Portion,
+    steps: u64,
 }
 
-impl<H: Hamiltonian, R: Real, K: Precision> Kernel for Take<'_, H, R, K> {
+impl<H: ParameterDerivatives, R: Real, K: Precision> Kernel for Take<'_, H, R, K> {
     type Out = ();
 
+    /// One loop, so that each flow is compiled once.
     #[inline(always)]
     fn call(self) {
-        let Self { motion, slopes, table, clock, portion } = self;
-        Walk::<_, H, Plain>::new(Adding::<H, R, K> { motion, slopes }, table, clock, portion).call();
-    }
-}
-
-/// The flows of one motion, which add the derivatives of their energies to a list.
-struct Adding<'m, H: Hamiltonian, R: Real, K: Precision> {
-    motion: &'m mut H::Motion<R, K>,
-    slopes: &'m mut [R],
-}
-
-impl<H: Hamiltonian, R: Real, K: Precision> Flows<H> for Adding<'_, H, R, K> {
-    const COMPENSATED: bool = false;
-
-    #[inline(always)]
-    fn drift(&mut self, duration: f64, time: f64) {
-        H::add_slopes_of_kinetic::<R, K>(self.motion, duration, time, self.slopes);
-        H::drift::<R, K>(self.motion, duration, time);
-    }
-    #[inline(always)]
-    fn kick(&mut self, duration: f64, time: f64) {
-        H::add_slopes_of_potential::<R, K>(self.motion, duration, time, self.slopes);
-        H::kick::<R, K>(self.motion, duration, time);
-    }
-    /// Does nothing, since there is no third part.
-    #[inline(always)]
-    fn middle(&mut self, _duration: f64, _time: f64, _backwards: bool) {}
-    /// Does nothing: compositions with these kicks take another way back.
-    #[inline(always)]
-    fn gradient_kick(&mut self, _duration: f64, _gradient: f64, _time: f64)
-    where
-        H: QuadraticKinetic,
-    {
+        let Self { motion, slopes, lists: [opening, cycle, closing, undoing], clock: Clock { t0, h, .. }, steps } =
+            self;
+        let Some(last) = steps.checked_sub(1) else { return };
+        for pass in 0..steps + 2 {
+            let letters = match pass {
+                0 => opening,
+                _ if pass < steps => cycle,
+                _ if pass == steps => closing,
+                _ => undoing,
+            };
+            let begin = t0 + pass.min(last) as f64 * h;
+            for letter in letters {
+                let (duration, time) = (h * letter.duration, begin + h * letter.time);
+                match letter.flow {
+                    Flow::Drift => {
+                        H::add_slopes_of_kinetic::<R, K>(motion, duration, time, slopes);
+                        H::drift::<R, K>(motion, duration, time);
+                    }
+                    Flow::Kick => {
+                        H::add_slopes_of_potential::<R, K>(motion, duration, time, slopes);
+                        H::kick::<R, K>(motion, duration, time);
+                    }
+                    // Compositions with these kicks take another way back, and there is no third part.
+                    Flow::GradientKick | Flow::Middle { .. } => {}
+                }
+            }
+        }
     }
 }

@@ -75,7 +75,7 @@ impl<H: System, G: Kicks<H>, R: Real, K: Precision> Kernel for WalkOne<'_, H, G,
 }
 
 /// The loop over flows.
-pub(super) struct Walk<F, H, G> {
+struct Walk<F, H, G> {
     flows: F,
     table: Table,
     clock: Clock,
@@ -84,7 +84,7 @@ pub(super) struct Walk<F, H, G> {
 }
 
 impl<F, H, G> Walk<F, H, G> {
-    pub(super) fn new(flows: F, table: Table, clock: Clock, portion: Portion) -> Self {
+    fn new(flows: F, table: Table, clock: Clock, portion: Portion) -> Self {
         Self { flows, table, clock, portion, marker: PhantomData }
     }
 }

@@ -5,9 +5,9 @@ use super::Carrier;
 use crate::{
     composition::{Processor, Stages},
     error::Error,
-    hamiltonian::Hamiltonian,
     scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
+    system::parameter_derivatives::ParameterDerivatives,
     trajectory::{
         by_table::slopes::{Steps, StepsOf, steps},
         tangent::{BETWEEN_SCALES, far_exponent, scaled},
@@ -38,7 +38,7 @@ impl<P, C: Coords> BySlopes<P, C> {
         clock: Clock,
     ) -> Self
     where
-        H: Hamiltonian<Parameters<f64> = P>,
+        H: ParameterDerivatives<Parameters<f64> = P>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
     {
@@ -83,7 +83,7 @@ impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
         self.slopes.len()
     }
 
-    fn begins_anew(&self) -> bool {
+    fn has_blocks(&self) -> bool {
         false
     }
 

@@ -3,9 +3,9 @@
 use super::Carrier;
 use crate::{
     error::Error,
-    hamiltonian::Hamiltonian,
     scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
+    system::parameter_derivatives::ParameterDerivatives,
     trajectory::{
         method::Differentiable,
         sensitive::slopes_of,
@@ -30,7 +30,7 @@ impl<C: Coords> ByTangent<C> {
         Clock { t0, h, .. }: Clock,
     ) -> Result<Self, Error>
     where
-        H: Hamiltonian,
+        H: ParameterDerivatives,
         X: Differentiable<H>,
         K: Precision,
         H::Coords: Coords<With<K> = C>,
@@ -64,7 +64,7 @@ impl<C: Coords> Carrier<C> for ByTangent<C> {
         self.parameters
     }
 
-    fn begins_anew(&self) -> bool {
+    fn has_blocks(&self) -> bool {
         self.parameters > 0
     }
 

@@ -10,9 +10,8 @@ mod way;
 
 use crate::{
     error::{Error, VectorFault},
-    hamiltonian::Hamiltonian,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
-    system::Shaped,
+    system::{Shaped, parameter_derivatives::ParameterDerivatives},
     trajectory::{
         by_table::slopes::has_slopes,
         method::Differentiable,
@@ -26,7 +25,7 @@ use by_slopes::BySlopes;
 use by_tangent::ByTangent;
 pub(crate) use way::Way;
 
-/// The value of a function of a run and its derivatives, returned by [`Hamiltonian::gradient`].
+/// The value of a function of a run and its derivatives, returned by [`Hamiltonian::gradient`](crate::Hamiltonian::gradient).
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Gradient<C: Coords> {
@@ -79,7 +78,7 @@ type Stand<'s, C, T> = dyn FnMut(&Phase<T>, u64) -> Result<(Phase<C>, Option<Pha
 /// Computes the sum of a function over some states of a run, and its gradient.
 ///
 /// # Errors
-/// Those of [`Hamiltonian::gradient_of_samples`].
+/// Those of [`Hamiltonian::gradient_of_samples`](crate::Hamiltonian::gradient_of_samples).
 pub(crate) fn gradient<H, X, K>(
     system: &H,
     method: X,
@@ -89,7 +88,7 @@ pub(crate) fn gradient<H, X, K>(
     loss: &mut Loss<'_, Shaped<H, K>>,
 ) -> Result<Gradient<H::Coords>, Error>
 where
-    H: Hamiltonian,
+    H: ParameterDerivatives,
     X: Differentiable<H>,
     K: Precision,
 {
@@ -115,7 +114,7 @@ where
     } else {
         let vector = in_precision(&end, &vector);
         let mut carrier = carrier::<H, X, K>(system, method, end, vector, clock)?;
-        let in_blocks = carrier.begins_anew();
+        let in_blocks = carrier.has_blocks();
         let mut stand = |state: &Phase<_>, _| Ok((state.clone(), None));
         back_through(&mut *carrier, in_blocks, &run, &mut way, (reads, loss), &mut stand)
     }?;
@@ -123,7 +122,7 @@ where
 }
 
 /// Why steps of a method by `-h` have no deviation vectors that are gradients of steps by `h`.
-pub(crate) fn refusal<H: Hamiltonian, X: Differentiable<H>>(method: X) -> Option<&'static str> {
+pub(crate) fn refusal<H: ParameterDerivatives, X: Differentiable<H>>(method: X) -> Option<&'static str> {
     let facts = method.claims();
     if const { H::COPIES } {
         Some("`split = symmetric` evolves two copies of the state\nhelp: use `split = none` with `GaussLegendre4`")
@@ -151,8 +150,8 @@ trait Carrier<C: Coords> {
     fn back(&mut self, steps: u64) -> Result<(), Error>;
     /// The number of parameters.
     fn parameters(&self) -> usize;
-    /// Whether derivatives with respect to parameters are to begin anew after each block of steps.
-    fn begins_anew(&self) -> bool;
+    /// Whether derivatives with respect to parameters begin at zero in each block of steps.
+    fn has_blocks(&self) -> bool;
     /// The state.
     fn state(&self) -> Phase<C>;
     /// The vector, and the power of two that it has to be multiplied by.
@@ -172,18 +171,19 @@ fn carrier<H, X, K>(
     clock: Clock,
 ) -> Result<Box<dyn Carrier<Shaped<H, K>>>, Error>
 where
-    H: Hamiltonian,
+    H: ParameterDerivatives,
     X: Differentiable<H>,
     K: Precision,
 {
     refused::<H, K>(&end)?;
     // A constant, so that one of both is compiled.
-    if const { X::IS_PLAIN_TABLE && has_slopes::<H, K>() }
-        && let Some(table) = method.facts().table
-    {
-        return Ok(Box::new(BySlopes::new::<H, K>(system, table, end, vector, clock)));
+    if const { X::IS_PLAIN_TABLE && has_slopes::<H, K>() } {
+        let reason = "the method has no table of stages\nhelp: use a composition, such as `KahanLi8`";
+        let table = method.facts().table.ok_or(Error::NoGradient { reason })?;
+        Ok(Box::new(BySlopes::new::<H, K>(system, table, end, vector, clock)))
+    } else {
+        Ok(Box::new(ByTangent::new::<H, X, K>(system, method, end, vector, clock)?))
     }
-    Ok(Box::new(ByTangent::new::<H, X, K>(system, method, end, vector, clock)?))
 }
 
 /// Takes all steps; the sum of the values, and the derivatives of the last one.
