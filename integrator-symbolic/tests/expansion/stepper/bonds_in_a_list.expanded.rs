@@ -685,4 +685,6 @@ const _: () = {
             energy
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Network {}
 };

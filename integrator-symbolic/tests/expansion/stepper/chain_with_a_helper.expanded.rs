@@ -538,4 +538,6 @@ const _: () = {
             [contribution_0, contribution_1]
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Chain {}
 };

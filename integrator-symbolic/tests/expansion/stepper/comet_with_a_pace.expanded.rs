@@ -356,4 +356,6 @@ const _: () = {
             motion.p[1].fma(-(shared_0 * q1), shared_2);
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Comet {}
 };

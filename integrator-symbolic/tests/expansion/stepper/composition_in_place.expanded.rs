@@ -286,4 +286,6 @@ const _: () = {
             motion.parameters.prepared_1.scale(q0) * q0
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Oscillator {}
 };

@@ -136,4 +136,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Driven {}
 };

@@ -491,4 +491,6 @@ const _: () = {
             [contribution_0_0_0]
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Field {}
 };

@@ -509,4 +509,6 @@ const _: () = {
             energy
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Cluster {}
 };

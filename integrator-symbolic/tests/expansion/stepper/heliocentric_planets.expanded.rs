@@ -365,4 +365,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Planets {}
 };

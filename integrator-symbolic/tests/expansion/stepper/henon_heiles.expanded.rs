@@ -235,4 +235,6 @@ const _: () = {
             shared_2
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for HenonHeiles {}
 };

@@ -337,4 +337,6 @@ const _: () = {
             motion.q[0].scale_add(step, motion.p[0].value());
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Nested {}
 };

@@ -257,4 +257,6 @@ const _: () = {
             motion.parameters.prepared_0
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Kepler {}
 };

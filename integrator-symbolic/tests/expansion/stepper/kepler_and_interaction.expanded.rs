@@ -411,4 +411,6 @@ const _: () = {
             motion.push(Scalar::of(-2.0 * gradient), &bent);
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Planets {}
 };

@@ -673,4 +673,6 @@ const _: () = {
             [contribution_0]
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Regression {}
 };

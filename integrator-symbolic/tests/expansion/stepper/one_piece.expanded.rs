@@ -182,4 +182,6 @@ const _: () = {
             runtime::StatedEnergy::Whole(Self::hamiltonian(self, *q, *p))
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for DoublePendulum {}
 };

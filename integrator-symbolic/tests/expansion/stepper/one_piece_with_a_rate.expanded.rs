@@ -240,4 +240,6 @@ const _: () = {
             moved.q[2].fma(step.scale(p2) * shared_4, shared_8);
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Geodesic {}
 };

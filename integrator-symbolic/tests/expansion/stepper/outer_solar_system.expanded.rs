@@ -488,4 +488,6 @@ const _: () = {
             energy
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Solar {}
 };

@@ -246,4 +246,6 @@ const _: () = {
             motion.parameters.prepared_1.scale(shared_0)
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Pendulum {}
 };

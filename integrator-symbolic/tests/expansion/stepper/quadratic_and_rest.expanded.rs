@@ -274,4 +274,6 @@ const _: () = {
             form.pp([1], [1], f64::of(1.0));
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for HenonHeiles {}
 };

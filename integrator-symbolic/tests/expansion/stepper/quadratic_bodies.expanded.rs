@@ -335,4 +335,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl<const N: usize> runtime::ParameterDerivatives for Frame<N> {}
 };

@@ -482,4 +482,6 @@ const _: () = {
             [contribution_0_0]
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Rotors {}
 };

@@ -17,6 +17,16 @@ const _: () = {
         prepared_5: Scalar,
         /// `overtones[k] sqrt(length + k)`
         prepared_6: runtime::SharedTable<Scalar>,
+        /// `1 / (2 mass^2 length^2)`
+        prepared_7: Scalar,
+        /// `1 / (mass length^3)`
+        prepared_8: Scalar,
+        /// `overtones[k] / (2 sqrt(length + k))`
+        prepared_9: runtime::SharedTable<Scalar>,
+        /// `gravity length`
+        prepared_10: Scalar,
+        /// `mass gravity`
+        prepared_11: Scalar,
     }
     impl Parameters<f64> {
         fn prepared_0(&self) -> &f64 {
@@ -37,6 +47,21 @@ const _: () = {
         fn prepared_6(&self) -> &runtime::SharedTable<f64> {
             &self.prepared_6
         }
+        fn prepared_7(&self) -> &f64 {
+            &self.prepared_7
+        }
+        fn prepared_8(&self) -> &f64 {
+            &self.prepared_8
+        }
+        fn prepared_9(&self) -> &runtime::SharedTable<f64> {
+            &self.prepared_9
+        }
+        fn prepared_10(&self) -> &f64 {
+            &self.prepared_10
+        }
+        fn prepared_11(&self) -> &f64 {
+            &self.prepared_11
+        }
     }
     impl<Scalar: runtime::Real> runtime::Prepared<Scalar> for Parameters<Scalar> {
         type Single = Parameters<f64>;
@@ -50,6 +75,11 @@ const _: () = {
                 prepared_4: runtime::in_lanes(members, Parameters::prepared_4),
                 prepared_5: runtime::in_lanes(members, Parameters::prepared_5),
                 prepared_6: runtime::in_lanes(members, Parameters::prepared_6),
+                prepared_7: runtime::in_lanes(members, Parameters::prepared_7),
+                prepared_8: runtime::in_lanes(members, Parameters::prepared_8),
+                prepared_9: runtime::in_lanes(members, Parameters::prepared_9),
+                prepared_10: runtime::in_lanes(members, Parameters::prepared_10),
+                prepared_11: runtime::in_lanes(members, Parameters::prepared_11),
             }
         }
         #[inline]
@@ -57,6 +87,7 @@ const _: () = {
             a.prepared_1.len() == b.prepared_1.len() && a.prepared_2 == b.prepared_2
                 && a.prepared_4.len() == b.prepared_4.len()
                 && a.prepared_6.len() == b.prepared_6.len()
+                && a.prepared_9.len() == b.prepared_9.len()
         }
         fn not_finite(single: &Self::Single) -> runtime::Vec<runtime::NotFinite> {
             runtime::all_found(
@@ -83,6 +114,19 @@ const _: () = {
                         &["k"],
                         &single.prepared_6,
                     ),
+                    runtime::not_finite(
+                        "1 / (2 mass^2 length^2)",
+                        &[],
+                        &single.prepared_7,
+                    ),
+                    runtime::not_finite("1 / (mass length^3)", &[], &single.prepared_8),
+                    runtime::not_finite(
+                        "overtones[k] / (2 sqrt(length + k))",
+                        &["k"],
+                        &single.prepared_9,
+                    ),
+                    runtime::not_finite("gravity length", &[], &single.prepared_10),
+                    runtime::not_finite("mass gravity", &[], &single.prepared_11),
                 ],
             )
         }
@@ -94,6 +138,11 @@ const _: () = {
             digest.add(&single.prepared_4);
             digest.add(&single.prepared_5);
             digest.add(&single.prepared_6);
+            digest.add(&single.prepared_7);
+            digest.add(&single.prepared_8);
+            digest.add(&single.prepared_9);
+            digest.add(&single.prepared_10);
+            digest.add(&single.prepared_11);
         }
     }
     /// The equations of motion, derived from `kinetic` and `potential`:
@@ -127,7 +176,7 @@ const _: () = {
             Parameters<Scalar>,
         >;
         const AUTONOMOUS: bool = true;
-        const FINGERPRINT: u64 = 15846396792266478111;
+        const FINGERPRINT: u64 = 5290808694649245244;
         fn parameters(&self, length: usize) -> Parameters<f64> {
             Parameters {
                 prepared_0: 2.0 / (2.0 * self.mass * (self.length * self.length)),
@@ -152,6 +201,23 @@ const _: () = {
                     (self.overtones.len()),
                     &|k: usize| self.overtones[k] * (self.length + (k as f64)).sqrt(),
                 ),
+                prepared_7: {
+                    let shared_0 = self.length * self.length;
+                    let shared_1 = 2.0 * self.mass * shared_0;
+                    2.0 / (shared_1 * shared_1) * shared_0
+                },
+                prepared_8: {
+                    let shared_0 = 2.0 * self.mass * (self.length * self.length);
+                    4.0 / (shared_0 * shared_0) * (self.length * self.mass)
+                },
+                prepared_9: runtime::table(
+                    (self.overtones.len()),
+                    &|k: usize| {
+                        0.5 / (self.length + (k as f64)).sqrt() * self.overtones[k]
+                    },
+                ),
+                prepared_10: self.gravity * self.length,
+                prepared_11: self.mass * self.gravity,
             }
         }
         #[inline(always)]
@@ -369,9 +435,9 @@ const _: () = {
         }
     }
     #[automatically_derived]
-    impl runtime::Sensitive for Pendulum {
+    impl runtime::ParameterDerivatives for Pendulum {
         const SENSITIVE: &'static [&'static str] = &["mass", "length"];
-        fn slopes(&self, length: usize, parameter: usize) -> Parameters<f64> {
+        fn parameter_slopes(&self, length: usize, parameter: usize) -> Parameters<f64> {
             match parameter {
                 0 => {
                     Parameters {
@@ -399,6 +465,26 @@ const _: () = {
                             (self.overtones.len()),
                             &|k: usize| 0.0,
                         ),
+                        prepared_7: {
+                            let shared_0 = self.length * self.length;
+                            let shared_1 = 2.0 * self.mass * shared_0;
+                            -(8.0 / (shared_1 * shared_1 * shared_1) * shared_0
+                                * shared_0)
+                        },
+                        prepared_8: {
+                            let shared_0 = self.length * self.length;
+                            let shared_1 = 1.0 / (2.0 * self.mass * shared_0);
+                            let shared_2 = shared_1 * shared_1;
+                            4.0 * self.length * shared_2
+                                - 16.0 * (shared_2 * shared_1) * shared_0
+                                    * (self.length * self.mass)
+                        },
+                        prepared_9: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_10: 0.0,
+                        prepared_11: self.gravity,
                     }
                 }
                 1 => {
@@ -433,6 +519,31 @@ const _: () = {
                                 0.5 / (self.length + (k as f64)).sqrt() * self.overtones[k]
                             },
                         ),
+                        prepared_7: {
+                            let shared_0 = self.length * self.length;
+                            let shared_1 = 1.0 / (2.0 * self.mass * shared_0);
+                            let shared_2 = shared_1 * shared_1;
+                            4.0 * self.length * shared_2
+                                - 16.0 * (shared_2 * shared_1) * (self.length * self.mass)
+                                    * shared_0
+                        },
+                        prepared_8: {
+                            let shared_0 = self.length * self.mass;
+                            let shared_1 = 1.0
+                                / (2.0 * self.mass * (self.length * self.length));
+                            let shared_2 = shared_1 * shared_1;
+                            4.0 * self.mass * shared_2
+                                - 32.0 * (shared_2 * shared_1) * shared_0 * shared_0
+                        },
+                        prepared_9: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| {
+                                let shared_0 = self.length + (k as f64);
+                                -(0.25 / (shared_0 * shared_0.sqrt()) * self.overtones[k])
+                            },
+                        ),
+                        prepared_10: self.gravity,
+                        prepared_11: 0.0,
                     }
                 }
                 _ => {
@@ -453,9 +564,60 @@ const _: () = {
                             (self.overtones.len()),
                             &|k: usize| 0.0,
                         ),
+                        prepared_7: 0.0,
+                        prepared_8: 0.0,
+                        prepared_9: runtime::table(
+                            (self.overtones.len()),
+                            &|k: usize| 0.0,
+                        ),
+                        prepared_10: 0.0,
+                        prepared_11: 0.0,
                     }
                 }
             }
         }
+        const ENERGIES_HAVE_SLOPES: bool = true;
+        #[inline(always)]
+        fn add_slopes_of_kinetic<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+            slopes: &mut [Scalar],
+        ) {
+            let step = Scalar::of(duration);
+            let p0 = motion.p[0].value();
+            let shared_0 = p0.square();
+            slopes[0] = step
+                .scale_add(-motion.parameters.prepared_7.scale(shared_0), slopes[0]);
+            slopes[1] = step
+                .scale_add(-motion.parameters.prepared_8.scale(shared_0), slopes[1]);
+        }
+        #[inline(always)]
+        fn add_slopes_of_potential<Scalar: runtime::Real, Leaf: runtime::Precision>(
+            motion: &Self::Motion<Scalar, Leaf>,
+            duration: f64,
+            _time: f64,
+            slopes: &mut [Scalar],
+        ) {
+            let step = Scalar::of(duration);
+            let q0 = motion.q[0].value();
+            let shared_0 = q0.cos();
+            let mut sum_0 = Scalar::of(0.0);
+            for k in 0..motion.parameters.prepared_2 {
+                sum_0 = motion
+                    .parameters
+                    .prepared_9[k]
+                    .scale_add(Scalar::of(k as f64).scale(q0).cos(), sum_0);
+            }
+            slopes[0] = step
+                .scale_add(-motion.parameters.prepared_10.scale(shared_0), slopes[0]);
+            slopes[1] = step
+                .scale_add(
+                    (-motion.parameters.prepared_11).scale_add(shared_0, sum_0),
+                    slopes[1],
+                );
+        }
     }
+    #[automatically_derived]
+    impl runtime::Sensitive for Pendulum {}
 };

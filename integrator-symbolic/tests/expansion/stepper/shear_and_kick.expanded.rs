@@ -186,4 +186,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Twist {}
 };

@@ -340,4 +340,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Charge {}
 };

@@ -243,4 +243,6 @@ const _: () = {
             }
         }
     }
+    #[automatically_derived]
+    impl runtime::ParameterDerivatives for Twisted {}
 };
