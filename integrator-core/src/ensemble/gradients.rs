@@ -9,7 +9,7 @@ use crate::{
     trajectory::{
         dispatch::{Deviations, Nothing},
         engine::Engine,
-        gradient::{Gradient, Reads, Way, check, gradient, in_precision, refusal, turned, turned_back},
+        gradient::{Derivatives, Gradient, Reads, Way, check, gradient, in_precision, refusal, turned, turned_back},
         method::Differentiable,
         motions::{Motions, load},
     },
@@ -146,11 +146,17 @@ fn each<T: Send>(
     found.into_iter().flat_map(|(_, results)| results).collect()
 }
 
+/// A function of the end of the run of a member, as [`Ensemble::gradients`] calls it.
+type LossOfMember<'l, C> = dyn Fn(usize, &Phase<C>) -> (f64, Derivatives<C>) + Sync + 'l;
+
+/// The result for a member.
+type Found<C> = Result<Gradient<<C as Coords>::With<f64>>, Error>;
+
 /// What is asked of members in lanes.
 struct Request<'r, C: Coords> {
     h: f64,
     steps: u64,
-    loss: &'r (dyn Fn(usize, &Phase<C>) -> (f64, Phase<C::With<f64>>) + Sync),
+    loss: &'r LossOfMember<'r, C>,
     /// Whether the energy of a member at its end is finite.
     ends_with_energy: &'r (dyn Fn(usize, &Phase<C>, f64) -> bool + Sync),
 }
@@ -162,7 +168,7 @@ impl<C: Coords> Request<'_, C> {
         there: &dyn Motions,
         back: &dyn Motions,
         starts: &[(usize, &Phase<C>)],
-    ) -> Option<Vec<Result<Gradient<C::With<f64>>, Error>>> {
+    ) -> Option<Vec<Found<C>>> {
         let mut ways: Vec<_> = starts.iter().map(|(_, start)| Way::from((*start).clone())).collect();
         let mut engine =
             Engine::new(load(there, starts.iter().map(|(number, start)| (*number, *start as &dyn Point)).collect()));

@@ -69,8 +69,11 @@ impl Reads {
     }
 }
 
+/// Derivatives with respect to a state.
+pub(crate) type Derivatives<C> = Phase<<C as Coords>::With<f64>>;
+
 /// A function of the states of a run: its value and its derivatives with respect to the state.
-pub(crate) type Loss<'l, C> = dyn FnMut(&Sample<C>) -> (f64, Phase<<C as Coords>::With<f64>>) + 'l;
+pub(crate) type Loss<'l, C> = dyn FnMut(&Sample<C>) -> (f64, Derivatives<C>) + 'l;
 
 /// From the state beside the vector after some steps back: the state of the run, and what replaces that beside the vector.
 type Stand<'s, C, T> = dyn FnMut(&Phase<T>, u64) -> Result<(Phase<C>, Option<Phase<T>>), Error> + 's;
@@ -192,7 +195,7 @@ fn forward<C: Coords>(
     way: &mut Way<C>,
     reads: Reads,
     loss: &mut Loss<'_, C>,
-) -> Result<(f64, Phase<C::With<f64>>), Error> {
+) -> Result<(f64, Derivatives<C>), Error> {
     let (first, interval) = match reads {
         Reads::End(steps) => (steps, 0),
         Reads::Every { interval: 0, .. } => return Err(Error::SampleInterval),
@@ -220,7 +223,7 @@ fn read<C: Coords>(
     step: u64,
     state: Phase<C>,
     loss: &mut Loss<'_, C>,
-) -> Result<(f64, Phase<C::With<f64>>), Error> {
+) -> Result<(f64, Derivatives<C>), Error> {
     let sample = Sample::new(run, run.clock.at(step), step, state);
     let (value, derivatives) = loss(&sample);
     check(&sample.state, &derivatives, step)?;
@@ -231,7 +234,7 @@ fn read<C: Coords>(
 ///
 /// # Errors
 /// [`Error::Loss`]
-pub(crate) fn check<C: Coords>(state: &Phase<C>, derivatives: &Phase<C::With<f64>>, step: u64) -> Result<(), Error> {
+pub(crate) fn check<C: Coords>(state: &Phase<C>, derivatives: &Derivatives<C>, step: u64) -> Result<(), Error> {
     let positions = state.q.flat().len();
     let lengths = [derivatives.q.flat().len(), derivatives.p.flat().len()];
     let fault = if lengths != [positions; 2] {
@@ -252,7 +255,7 @@ fn back_through<C: Coords, T: Coords<With<f64> = C::With<f64>>>(
     way: &mut Way<C>,
     (reads, loss): (Reads, &mut Loss<'_, C>),
     stand: &mut Stand<'_, C, T>,
-) -> Result<(Phase<C::With<f64>>, Vec<f64>), Error> {
+) -> Result<(Derivatives<C>, Vec<f64>), Error> {
     let (mut step, mut slopes) = (reads.last(), vec![0.0; carrier.parameters()]);
     while step > 0 {
         let (read_at, is_read) = reads.before(step);
@@ -301,7 +304,7 @@ pub(crate) fn turned_back<C: Coords<Leaf = f64>>(vector: Phase<C>) -> Phase<C> {
 }
 
 /// A vector in the precision and shape of a state.
-pub(crate) fn in_precision<C: Coords>(like: &Phase<C>, vector: &Phase<C::With<f64>>) -> Phase<C> {
+pub(crate) fn in_precision<C: Coords>(like: &Phase<C>, vector: &Derivatives<C>) -> Phase<C> {
     let mut shaped = like.clone();
     let leaves = shaped.q.flat_mut().iter_mut().chain(shaped.p.flat_mut());
     for (leaf, number) in leaves.zip(numbers(vector)) {

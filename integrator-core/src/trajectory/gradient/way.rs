@@ -1,6 +1,6 @@
 //! The way of a run there and back: where it began, where it is, and how large its coordinates are.
 
-use super::Gradient;
+use super::{Derivatives, Gradient};
 use crate::{
     error::Error,
     state::{coords::Coords, phase::Phase, precision::Precision},
@@ -37,7 +37,7 @@ impl<C: Coords> Way<C> {
     pub(crate) fn gradient(
         &self,
         value: f64,
-        start: Phase<C::With<f64>>,
+        start: Derivatives<C>,
         parameters: Vec<f64>,
     ) -> Result<Gradient<C::With<f64>>, Error> {
         if !numbers(&start).chain(parameters.iter().copied()).all(f64::is_finite) {
