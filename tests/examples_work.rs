@@ -33,6 +33,8 @@ mod star;
 mod storage_ring;
 #[path = "../examples/study/sweep.rs"]
 mod sweep;
+#[path = "../examples/transit_times/planets.rs"]
+mod transits;
 
 use integrator_core::prelude::*;
 use planets::system;
@@ -303,4 +305,45 @@ fn moons_of_jupiter_have_their_periods_and_the_resonance_of_laplace() {
     }
     // The free libration has an amplitude of 0.07 degrees (Lieske 1998); three osculating longitudes swing by less than a degree.
     assert!(least > 179.0 && largest < 181.0, "{least} to {largest}");
+}
+
+/// The gradient of the misses of transit times is the limit of differences, by an initial coordinate and by a mass.
+#[test]
+fn misses_of_transit_times_have_their_gradient() {
+    let orbit = |period: f64, longitude, mass: f64| transits::Orbit {
+        longitude,
+        period,
+        eccentricity: [0.01, -0.02],
+        mass: mass.ln(),
+    };
+    let orbits = [orbit(10.0, 1.1, 2e-5), orbit(15.7, 3.0, 3e-5), orbit(24.9, 5.2, 2e-5), orbit(38.9, 0.4, 4e-5)];
+    let (system, start) = transits::start(&orbits);
+    let found = transits::transits(&system, start, 2_600).expect("transits");
+    // Periods are changed by about the mass of a neighbour.
+    assert_eq!(found.iter().filter(|transit| transit.planet == 0).count(), 5);
+    let late: Vec<_> =
+        found.iter().map(|transit| transits::Transit { time: transit.time + 1e-3, ..*transit }).collect();
+    let value = |masses: [f64; 4], q: f64| {
+        let mut moved = start;
+        moved.q[2][1] += q;
+        transits::misses(&transits::System::of(masses), moved, &late, 1e-3).expect("misses")
+    };
+    let (gradient, by_masses) = value(system.masses(), 0.0);
+    // All measured times are late by one error, up to those of samples: two seconds, squared.
+    assert!((gradient.value / found.len() as f64 - 1.0).abs() < 0.1, "{}", gradient.value);
+    let moved = |by: f64| {
+        let mut masses = system.masses();
+        masses[2] += by;
+        value(masses, 0.0).0.value
+    };
+    for (name, slope, difference) in [
+        ("a mass", by_masses[2], (moved(1e-10) - moved(-1e-10)) / 2e-10),
+        ("a position", gradient.start.q[2][1], {
+            let at = |by| value(system.masses(), by).0.value;
+            (at(1e-10) - at(-1e-10)) / 2e-10
+        }),
+    ] {
+        // Values of about a hundred are rounded in their last digits after 2,600 steps: 1e-12 by the width and by slopes of 1e5.
+        assert!((slope / difference - 1.0).abs() < 1e-4, "{name}: {slope} and {difference}");
+    }
 }

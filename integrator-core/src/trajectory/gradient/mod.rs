@@ -268,6 +268,8 @@ fn back_through<C: Coords, T: Coords<With<f64> = C::With<f64>>>(
             true => Some(turned(&read(run, step, way.last.clone(), loss)?.1)),
             false => None,
         };
+        // Samples without measurements change nothing.
+        let added = added.filter(|added| numbers(added).any(|number| number != 0.0));
         carrier.add_slopes(&mut slopes);
         if in_blocks || added.is_some() {
             let (mut vector, power) = carrier.vector();
