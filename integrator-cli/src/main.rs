@@ -9,6 +9,7 @@ mod answer;
 mod catalogue;
 mod elements;
 mod expand;
+mod export;
 mod mistake;
 mod prove;
 mod show;
@@ -16,10 +17,12 @@ mod source;
 mod table;
 
 use clap::{Args, Parser, Subcommand};
+use mistake::Mistake;
 use source::Source;
 use std::{
+    fs,
     io::{self, Write},
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::ExitCode,
 };
 
@@ -69,6 +72,20 @@ enum Task {
     Expand {
         #[command(flatten)]
         file: File,
+    },
+    /// One C99 header with the steps, the energy and the tangent of the systems of a file
+    ///
+    /// The header needs nothing but the standard library. It has structs for parameters and state, and
+    /// for each composition NAME_advance_COMPOSITION, NAME_step_COMPOSITION and NAME_tangent_COMPOSITION.
+    /// Systems need code for devices: H in one piece, named parts without such code and slices of
+    /// coordinates are refused with the reason.
+    #[command(verbatim_doc_comment)]
+    Export {
+        /// A Rust file with annotated impls and the structs of their parameters
+        #[arg(value_name = "FILE.rs")]
+        path: PathBuf,
+        #[command(flatten)]
+        options: export::Options,
     },
     /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
@@ -133,6 +150,10 @@ struct File {
 
 fn main() -> ExitCode {
     let (answer, json) = match Command::parse().task {
+        Task::Export { path, options } => {
+            let header = Source::read(&path).and_then(|source| export::export(&source, &options));
+            return written(header, options.output.as_deref());
+        }
         Task::Show { file: File { path, json } } => (Source::read(&path).and_then(|source| show::show(&source)), json),
         Task::Expand { file: File { path, json } } => {
             (Source::read(&path).and_then(|source| expand::expand(&source)), json)
@@ -149,6 +170,25 @@ fn main() -> ExitCode {
             let _ = io::stdout().write_all(text.as_bytes());
             ExitCode::SUCCESS
         }
+        Err(mistake) => {
+            let _ = io::stderr().write_all(mistake.0.as_bytes());
+            ExitCode::from(1)
+        }
+    }
+}
+
+/// Writes a text to a file, or to standard output.
+fn written(text: Result<String, Mistake>, file: Option<&Path>) -> ExitCode {
+    let written = text.and_then(|text| match file {
+        None => {
+            let _ = io::stdout().write_all(text.as_bytes());
+            Ok(())
+        }
+        Some(file) => fs::write(file, text)
+            .map_err(|error| Mistake::plain(format!("{} cannot be written: {error}", file.display()))),
+    });
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
         Err(mistake) => {
             let _ = io::stderr().write_all(mistake.0.as_bytes());
             ExitCode::from(1)

@@ -1,6 +1,7 @@
 //! The program as one runs it: what it prints, where, and with which exit code.
 
 mod elements;
+mod export;
 mod inputs;
 mod prove;
 #[cfg(feature = "long")]
