@@ -1,4 +1,5 @@
-//! Inspects any Hamiltonian from the command line, `show`, `expand` and `prove`, and converts orbital elements, `elements`.
+//! Inspects any Hamiltonian from the command line, `show`, `expand` and `prove`, exports it to C, `export`, begins a crate, `new`, and
+//! converts orbital elements, `elements`.
 //!
 //! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
 //! wrong, 2 if the command is.
@@ -11,6 +12,7 @@ mod elements;
 mod expand;
 mod export;
 mod mistake;
+mod new;
 mod prove;
 mod show;
 mod source;
@@ -26,7 +28,8 @@ use std::{
     process::ExitCode,
 };
 
-/// Inspects Hamiltonians and compositions without running them, and converts orbital elements
+/// Inspects Hamiltonians and compositions without running them, exports them to C, begins new crates, and converts
+/// orbital elements
 ///
 /// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the
 /// command is.
@@ -86,6 +89,14 @@ enum Task {
         path: PathBuf,
         #[command(flatten)]
         options: export::Options,
+    },
+    /// A crate with one Hamiltonian, a run, and a test that certifies it
+    ///
+    /// With --python, the crate is a Python module for maturin, with a script in cells like a notebook.
+    #[command(verbatim_doc_comment)]
+    New {
+        #[command(flatten)]
+        options: new::Options,
     },
     /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
@@ -158,6 +169,7 @@ fn main() -> ExitCode {
         Task::Expand { file: File { path, json } } => {
             (Source::read(&path).and_then(|source| expand::expand(&source)), json)
         }
+        Task::New { options } => return written(new::new(&options), None),
         Task::Elements { path, options, json } => {
             (Source::read(&path).and_then(|source| elements::elements(&source, &options)), json)
         }

@@ -58,6 +58,10 @@ pub(crate) fn export(source: &Source, options: &Options) -> Result<String, Mista
     let (mut sections, mut names, mut mistakes) = (Vec::new(), Vec::new(), Vec::new());
     for annotated in chosen {
         match system(source, annotated, &options.compositions, &known, &items) {
+            Ok((name, _)) if names.contains(&name) => {
+                let message = format!("two systems have the name `{name}` in C\nhelp: rename one of them");
+                mistakes.push(Mistake::at(source, [(annotated.span, message)]));
+            }
             Ok((name, text)) => {
                 names.push(name);
                 sections.push(text);
@@ -83,7 +87,10 @@ fn system(
     let exported = exported(arguments.clone(), item.clone()).map_err(|error| Mistake::of(source, error, *span))?;
     let found: Vec<Composed> = match compositions {
         [] => vec![annotated_composition(source, *span, &exported, known)?],
-        names => names.iter().map(|name| composition(name, known)).collect::<Result<_, _>>()?,
+        names => {
+            let different = names.iter().enumerate().filter(|(number, name)| !names[..*number].contains(name));
+            different.map(|(_, name)| composition(name, known)).collect::<Result<_, _>>()?
+        }
     };
     if let Some(Composed { name, .. }) =
         found.iter().find(|found| found.proved.quadratic_kinetic && !exported.quadratic_kinetic)

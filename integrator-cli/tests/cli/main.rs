@@ -3,6 +3,7 @@
 mod elements;
 mod export;
 mod inputs;
+mod new;
 mod prove;
 #[cfg(feature = "long")]
 mod repository;

@@ -101,14 +101,13 @@ pub(crate) fn exported(
 
 /// An obstacle of device code, without advice about devices.
 fn reworded(obstacle: &str) -> String {
-    let advice = [
-        "\nhelp: leave out `gpu`",
-        ", or leave out `gpu`",
-        ", or the device's own, `gpu(functions = native)`",
-        "\nnote: the device's own functions are not bitwise identical to those of the processor",
-    ];
+    let advice =
+        ["\nhelp: leave out `gpu`", ", or leave out `gpu`", ", or the device's own, `gpu(functions = native)`"];
     let plain = advice.iter().fold(obstacle.to_owned(), |text, advice| text.replace(advice, ""));
-    plain.replace("`gpu`", "`export`")
+    let is_kept = |line: &&str| !line.starts_with("note: a device") && !line.starts_with("note: the device");
+    let lines: Vec<&str> = plain.lines().filter(is_kept).collect();
+    let plain = lines.join("\n").replace("`gpu`", "`export`");
+    plain.replace("devices integrate", "`export` supports").replace("devices do not", "`export` does not")
 }
 
 fn constant(emitter: &mut Emitter<'_>, read: Read, name: String) -> Result<ExportedConstant, String> {
@@ -129,13 +128,12 @@ fn constant(emitter: &mut Emitter<'_>, read: Read, name: String) -> Result<Expor
         levels.push((index.to_string(), length, inside));
     }
     let formula = content.and_then(Content::node).and_then(|node| Formulas::of(emitter.model).short(node));
-    let value =
-        if matches!(read, Read::Field(Content::Flag(_))) { quote!(if #value { 1.0 } else { 0.0 }) } else { value };
-    Ok(ExportedConstant {
-        formula: formula.unwrap_or_else(|| value.to_string()),
-        name,
-        is_integer: read.is_integer(),
-        levels,
-        value,
-    })
+    let formula = formula.unwrap_or_else(|| value.to_string().replace("self . ", "").replace(' ', ""));
+    let is_flag = matches!(read, Read::Field(Content::Flag(_)));
+    let (value, formula) = if is_flag {
+        (quote!(if #value { 1.0 } else { 0.0 }), format!("1 if {formula}, else 0"))
+    } else {
+        (value, formula)
+    };
+    Ok(ExportedConstant { formula, name, is_integer: read.is_integer(), levels, value })
 }
