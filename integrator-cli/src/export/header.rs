@@ -15,7 +15,8 @@ use std::{
 
 const FUNCTIONS: &str = include_str!("../../../integrator-gpu/src/cuda/functions.h");
 const PAIRS: &str = include_str!("../../../integrator-gpu/src/cuda/pairs.h");
-/// What the kernels need of the machine, and sums in the order of lanes.
+/// What the kernels need of the machine, and sums in the order of lanes. Here and below, a line after `@feature|` is for systems
+/// with this feature alone.
 const MACHINE: &str = include_str!("machine.h");
 const STEPPER: &str = include_str!("stepper.h");
 
@@ -151,7 +152,10 @@ fn code(prefix: &str, exported: &Exported, compositions: &[Composed]) -> String 
         dimension,
         called: BTreeSet::new(),
     };
-    let flows: String = functions[of_pairs..].iter().map(|function| function.in_c(&mut scope, "") + "\n").collect();
+    // Two flows have none between them.
+    let is_needed = |function: &&Function<'_>| function.name != "middle" || exported.parts > 2;
+    let flows = functions[of_pairs..].iter().filter(is_needed).map(|function| function.in_c(&mut scope, ""));
+    let flows = flows.collect::<Vec<_>>().join("\n");
     let in_pairs: String = match has_pairs {
         true => functions[kernels..of_pairs].iter().map(|function| function.in_c(&mut scope, "pairs_")).collect(),
         false => String::new(),
@@ -171,25 +175,18 @@ fn code(prefix: &str, exported: &Exported, compositions: &[Composed]) -> String 
         "sums" => flows.contains("partial_sums"),
         "reduced" => kernels.contains("reduced"),
         "kernels" => !kernels.is_empty(),
-        _ => kernels.contains("bits("),
+        "bits" => kernels.contains("bits("),
+        _ => false,
     };
     let place = dimension.map_or("[i]".to_owned(), |dimension| format!("[i / {dimension}][i % {dimension}]"));
     let chosen = |text: &str| {
-        let lines = text.lines().filter_map(|line| match line.strip_prefix('@') {
-            None => Some(line),
-            Some(marked) => {
-                let end = marked.find(|letter: char| !letter.is_ascii_lowercase()).unwrap_or(marked.len());
-                let features =
-                    ["tangent", "plain", "gradient", "middle", "paired", "sums", "reduced", "kernels", "bits"];
-                let feature = features.into_iter().find(|feature| marked[..end].starts_with(feature))?;
-                has(feature).then(|| &marked[feature.len()..])
-            }
-        });
-        lines
-            .map(|line| {
-                line.replace(" PLACE", &place).replace("NAME_", prefix).replace("COUNT", &count.to_string()) + "\n"
-            })
-            .collect::<String>()
+        let lines =
+            text.lines().filter_map(|line| match line.strip_prefix('@').and_then(|line| line.split_once('|')) {
+                None => Some(line),
+                Some((feature, line)) => has(feature).then_some(line),
+            });
+        let text: String = lines.map(|line| line.to_owned() + "\n").collect();
+        text.replace(" PLACE", &place).replace("NAME_", prefix).replace("COUNT", &count.to_string())
     };
     let mut text = chosen(MACHINE) + &kernels;
     text += "\n/* The flows of the parts of H, exact for a duration from a time on, and the energy. */\n";

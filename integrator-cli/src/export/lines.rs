@@ -202,10 +202,10 @@ impl<'l, 's> Lines<'l, 's> {
                 }
                 _ => {}
             }
-            if !text.is_empty() {
-                out += if text.starts_with([' ', '.']) && texts[0] == "." { "" } else { space };
-                out += &text;
+            if texts[0] != "typedef" {
+                out += space;
             }
+            out += &text;
             if matches!(texts[0], ";" | "{" | "}") {
                 statement = out.len();
             }

@@ -15,11 +15,11 @@ pub(crate) struct Options {
     #[arg(long)]
     python: bool,
     /// The clone of the repository that the crate depends on; the one that this program was built from by default
-    #[arg(long, value_name = "CLONE", conflicts_with = "git")]
+    #[arg(long, value_name = "CLONE", conflicts_with = "repository")]
     path: Option<PathBuf>,
     /// The address of the repository that the crate depends on, in place of a clone
     #[arg(long, value_name = "URL")]
-    git: Option<String>,
+    repository: Option<String>,
 }
 
 const SYSTEM: &str = include_str!("system.rs.in");
@@ -136,7 +136,7 @@ fn type_of(module: &str) -> String {
 
 /// Where a package is, in the words of Cargo.
 fn dependency(options: &Options, package: &str) -> Result<String, Mistake> {
-    if let Some(address) = &options.git {
+    if let Some(address) = &options.repository {
         return Ok(format!("git = {address:?}"));
     }
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -145,7 +145,7 @@ fn dependency(options: &Options, package: &str) -> Result<String, Mistake> {
     let folder = folder.ok_or_else(|| {
         let clone = clone.display();
         Mistake::plain(format!(
-            "`{clone}` has no `{package}`\nhelp: write `--path CLONE` with a clone of the repository, or `--git URL`"
+            "`{clone}` has no `{package}`\nhelp: write `--path CLONE` with a clone of the repository, or `--repository URL`"
         ))
     })?;
     Ok(format!("path = {:?}", folder.display().to_string()))

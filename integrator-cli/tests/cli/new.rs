@@ -45,7 +45,7 @@ fn a_crate_is_complete() {
     assert!(text("README.md").starts_with("# two-wells\n") && text(".gitignore") == "/target\n");
     let (code, found) = new(&folder, &["two-wells"]);
     assert_eq!((code, found.lines().next()), (Some(1), Some("error: `two-wells` exists in this folder")));
-    let (_, _) = new(&folder, &["remote", "--git", "https://example.org/integrator"]);
+    let (_, _) = new(&folder, &["remote", "--repository", "https://example.org/integrator"]);
     let manifest = fs::read_to_string(folder.join("remote/Cargo.toml")).expect("a file");
     assert!(manifest.contains("integrator-core = { git = \"https://example.org/integrator\" }"), "{manifest}");
 }

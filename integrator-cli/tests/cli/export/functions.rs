@@ -23,7 +23,9 @@ impl Precise {
         let (a, b) = (0.3 * x.sin(), 0.5 * (UNIT * y).cos());
         let smooth = a.asin() + b.acos() + a.tan() + (a * b).atan() + (1.0 + a).atan2(b + 2.0) + b.exp();
         let powers = (2.0 + a).ln() + b.ln_1p() + (a + b).cbrt() + (2.0 + b).powf(a) + (1.0 + a * a).sqrt();
-        let steps = (a - b).abs() + a.max(b) + a.min(0.1) + 0.01 * x * (3.0 * y).floor();
+        let round =
+            (3.0 * y).floor() + (2.0 * y).ceil() + (2.5 * y).round() + (1.5 * y).round_ties_even() + (4.0 * y).trunc();
+        let steps = (a - b).abs() + a.max(b) + a.min(0.1) + 0.01 * x * (round + x.signum() + (5.0 * y) % 0.7);
         self.scale.powi(3) * (smooth + powers + steps) + 0.5 * (x * x + y * y)
     }
 }

@@ -1,5 +1,7 @@
 //! Exported headers: compiled without warnings, with the bits of Rust runs.
 
+#[cfg(feature = "long")]
+mod corpus;
 mod functions;
 mod guide;
 mod refused;
