@@ -2,8 +2,9 @@
 
 use super::{
     functions::{Declared, Function},
+    items::Items,
     lines::{Scope, tokens},
-    parameters::{Field, Items, Obstacle},
+    parameters::{Obstacle, Parameters},
 };
 use crate::source::Source;
 use integrator_symbolic::{Exported, ExportedConstant, Proved, identifier};
@@ -54,18 +55,20 @@ pub(super) fn section(
     let mut text = format!("\n/* {system} of {}:\n", source.name.rsplit(['/', '\\']).next().unwrap_or_default());
     exported.equations.iter().for_each(|equation| text += &format!("     {}\n", equation.replace("*/", "* /")));
     text += "   All quantities have the units of the parameters. */\n";
-    let fields = items.fields(system);
+    let parameters = Parameters { items, system };
     let read: String = exported.constants.iter().map(|constant| format!(" {}", constant.value)).collect();
-    let has_parameters = tokens(&read).iter().any(|token| token.text == "self");
+    let read = tokens(&read);
+    let has_parameters = read.iter().any(|token| token.text == "self");
     if has_parameters {
-        let fields = fields.ok_or_else(|| {
-            (Span::call_site(), format!("`struct {system}` is declared in another file\nhelp: `export` reads the types of its fields; declare it in this one"))
-        })?;
-        text += &parameters(&name, &fields, &read)?;
+        let is_read = |name: &str| {
+            read.windows(3).any(|words| words[0].text == "self" && words[1].text == "." && words[2].text == name)
+        };
+        let members = parameters.members(is_read)?;
+        let _ = writeln!(text, "\n/* The parameters. */\ntypedef struct {{\n{members}}} {name}_parameters;");
     }
     text += &types(&name, exported);
     text += &code(&prefix, exported, compositions);
-    text += &prepare(&name, exported, items, has_parameters)?;
+    text += &prepare(&name, exported, &parameters, has_parameters)?;
     for composed in compositions {
         text += &callable(exported, composed, has_parameters).replace("NAME_", &prefix);
     }
@@ -84,21 +87,6 @@ fn snake(name: &str) -> String {
         before = letter;
     }
     identifier(&snake)
-}
-
-/// The struct of the fields that are read.
-fn parameters(name: &str, fields: &[Field], read: &str) -> Result<String, Obstacle> {
-    let read = tokens(read);
-    let is_read = |name: &str| {
-        read.windows(3).any(|words| words[0].text == "self" && words[1].text == "." && words[2].text == name)
-    };
-    let mut text = "\n/* The parameters. */\ntypedef struct {\n".to_owned();
-    for Field { name, kind, documentation } in fields.iter().filter(|field| is_read(&field.name)) {
-        let (kind, lengths) = kind.clone()?;
-        let documentation = if documentation.is_empty() { String::new() } else { format!(" /* {documentation} */") };
-        let _ = writeln!(text, "    {kind} {}{lengths};{documentation}", identifier(name));
-    }
-    Ok(text + &format!("}} {name}_parameters;\n"))
 }
 
 /// The structs of the state, of prepared constants and of a motion.
@@ -223,7 +211,12 @@ fn prototype(pairs: &str, prefix: &str) -> String {
 }
 
 /// The functions that compute constants and load a state.
-fn prepare(name: &str, exported: &Exported, items: &Items, has_parameters: bool) -> Result<String, Obstacle> {
+fn prepare(
+    name: &str,
+    exported: &Exported,
+    parameters: &Parameters<'_>,
+    has_parameters: bool,
+) -> Result<String, Obstacle> {
     let argument = if has_parameters { format!("const {name}_parameters *parameters, ") } else { String::new() };
     let mut lines = String::new();
     for ExportedConstant { name: constant, levels, value, .. } in &exported.constants {
@@ -231,7 +224,7 @@ fn prepare(name: &str, exported: &Exported, items: &Items, has_parameters: bool)
             levels.iter().map(|(index, ..)| (index.clone(), identifier(index))).collect();
         let in_c = |text: &proc_macro2::TokenStream| {
             let expression = syn::parse2(text.clone()).map_err(|error| (Span::call_site(), error.to_string()))?;
-            items.expression(&expression, &known)
+            parameters.expression(&expression, &known)
         };
         let mut value = in_c(value)?;
         let (mut indent, mut at) = ("    ".to_owned(), String::new());

@@ -5,6 +5,7 @@
 
 mod functions;
 mod header;
+mod items;
 mod lines;
 mod parameters;
 
@@ -17,7 +18,7 @@ use crate::{
 use clap::Args;
 use header::{Composed, section};
 use integrator_symbolic::{Exported, Proved, exported, nearest, sequence};
-use parameters::Items;
+use items::Items;
 use proc_macro2::Span;
 use std::{fmt::Write, path::PathBuf};
 

@@ -1,90 +1,54 @@
-//! The user's fields and constants in C, and expressions that read them.
+//! The user's parameters in C: the members of a struct, and expressions that read them.
 //!
-//! In: the struct and the constants of a file, and Rust expressions of parameters. Out: members and expressions of C99, in the
-//! order of operations of the Rust text; or the place that has no equivalent.
+//! In: the fields of a type, and Rust expressions of parameters. Out: members and expressions of C99, in the order of operations
+//! of the Rust text; or the place that has no equivalent.
 
+use super::items::Items;
 use integrator_symbolic::identifier;
-use proc_macro2::{Span, TokenStream, TokenTree};
-use std::collections::BTreeMap;
-use syn::{BinOp, Block, Expr, Fields, ItemConst, ItemStruct, Lit, Pat, Stmt, Type, UnOp, spanned::Spanned};
+use proc_macro2::Span;
+use quote::ToTokens;
+use std::{collections::BTreeMap, fmt::Write};
+use syn::{BinOp, Block, Expr, ExprPath, Lit, Pat, Stmt, Type, UnOp, spanned::Spanned};
 
 /// What cannot be translated, and where.
 pub(super) type Obstacle = (Span, String);
 
-/// A field of the user's struct.
-pub(super) struct Field {
-    pub(super) name: String,
-    /// The type in C, and the lengths of an array; the type in Rust where C has none.
-    pub(super) kind: Result<(&'static str, String), (Span, String)>,
-    pub(super) documentation: String,
+/// The parameters of a system.
+pub(super) struct Parameters<'i> {
+    pub(super) items: &'i Items,
+    pub(super) system: &'i str,
 }
 
-/// Structs and constants of a file, by name; those of an impl by `Self::NAME`.
-#[derive(Default)]
-pub(super) struct Items {
-    structs: BTreeMap<String, ItemStruct>,
-    constants: BTreeMap<String, Expr>,
-}
-
-impl Items {
-    /// The items in tokens, however deep.
-    pub(super) fn of(tokens: TokenStream) -> Self {
-        let mut items = Self::default();
-        items.add(tokens);
-        items
-    }
-
-    fn add(&mut self, tokens: TokenStream) {
-        let trees: Vec<TokenTree> = tokens.into_iter().collect();
-        let ends = |tree: &TokenTree, is_struct: bool| match tree {
-            TokenTree::Punct(mark) => mark.as_char() == ';',
-            TokenTree::Group(group) => is_struct && group.delimiter() == proc_macro2::Delimiter::Brace,
-            _ => false,
-        };
-        for (at, tree) in trees.iter().enumerate() {
-            match tree {
-                TokenTree::Ident(word) if word == "struct" || word == "const" => {
-                    let length = trees[at..]
-                        .iter()
-                        .position(|tree| ends(tree, word == "struct"))
-                        .map_or(trees.len() - at, |end| end + 1);
-                    let item: TokenStream = trees[at..at + length].iter().cloned().collect();
-                    if let Ok(found) = syn::parse2::<ItemStruct>(item.clone()) {
-                        self.structs.insert(found.ident.to_string(), found);
-                    } else if let Ok(found) = syn::parse2::<ItemConst>(item) {
-                        self.constants.insert(found.ident.to_string(), *found.expr);
-                    }
-                }
-                TokenTree::Group(group) => self.add(group.stream()),
-                _ => {}
+impl Parameters<'_> {
+    /// The members of the struct: the fields that H reads, with their documentation.
+    pub(super) fn members(&self, is_read: impl Fn(&str) -> bool) -> Result<String, Obstacle> {
+        let fields = self.items.fields(self.system).ok_or_else(|| {
+            let message = format!(
+                "`struct {}` is declared in another file, or several times in this one\nhelp: `export` reads the types of its fields; \
+                 declare it once in this file",
+                self.system
+            );
+            (Span::call_site(), message)
+        })?;
+        let mut members = String::new();
+        for field in fields {
+            let name = field.ident.as_ref().map(ToString::to_string).unwrap_or_default();
+            if !is_read(&name) {
+                continue;
             }
+            let (kind, lengths) = self.kind(&field.ty)?;
+            let documentation: Vec<String> = field.attrs.iter().filter_map(documented).collect();
+            let comment =
+                if documentation.is_empty() { String::new() } else { format!(" /* {} */", documentation.join(" ")) };
+            let _ = writeln!(members, "    {kind} {}{lengths};{comment}", identifier(&name));
         }
-    }
-
-    /// The fields of a struct; `None` if it is declared elsewhere.
-    pub(super) fn fields(&self, system: &str) -> Option<Vec<Field>> {
-        let Fields::Named(fields) = &self.structs.get(system)?.fields else { return Some(Vec::new()) };
-        let field = |field: &syn::Field| {
-            let name = field.ident.as_ref()?.to_string();
-            let documentation = field.attrs.iter().filter_map(|attribute| match &attribute.meta {
-                syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-                    Expr::Lit(text) => match &text.lit {
-                        Lit::Str(text) => Some(text.value().trim().replace("*/", "* /")),
-                        _ => None,
-                    },
-                    _ => None,
-                },
-                _ => None,
-            });
-            Some(Field { kind: self.kind(&field.ty), documentation: documentation.collect::<Vec<_>>().join(" "), name })
-        };
-        Some(fields.named.iter().filter_map(field).collect())
+        Ok(members)
     }
 
     /// A type in C, and the lengths of an array.
     fn kind(&self, kind: &Type) -> Result<(&'static str, String), Obstacle> {
         let other = || {
-            let text = quote::ToTokens::to_token_stream(kind).to_string().replace(' ', "");
+            let text = kind.to_token_stream().to_string().replace(' ', "");
             (
                 kind.span(),
                 format!(
@@ -114,7 +78,7 @@ impl Items {
     pub(super) fn expression(&self, expression: &Expr, known: &BTreeMap<String, String>) -> Result<String, Obstacle> {
         let in_c = |expression: &Expr| self.expression(expression, known);
         let refused = || {
-            let text = quote::ToTokens::to_token_stream(expression).to_string();
+            let text = expression.to_token_stream().to_string();
             Err((
                 expression.span(),
                 format!(
@@ -140,6 +104,9 @@ impl Items {
                 _ => return refused(),
             },
             Expr::Binary(binary) => {
+                if matches!(binary.op, BinOp::Rem(_)) && !self.is_integer(expression, known) {
+                    return Ok(format!("fmod({}, {})", in_c(&binary.left)?, in_c(&binary.right)?));
+                }
                 let sign = match binary.op {
                     BinOp::Add(_) => "+",
                     BinOp::Sub(_) => "-",
@@ -176,14 +143,12 @@ impl Items {
             }
             Expr::Reference(reference) => in_c(&reference.expr)?,
             Expr::Block(block) => self.block(&block.block, known)?,
-            Expr::Path(path) => {
-                let name = path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
-                match (known.get(&name), self.constants.get(&name), of_std(&name)) {
-                    (Some(text), ..) => text.clone(),
-                    (None, Some(value), _) => in_parentheses(&in_c(value)?),
-                    (None, None, Some(value)) => value.to_owned(),
-                    _ => return refused(),
-                }
+            Expr::Path(path) => match self.named(path, known)? {
+                Some(text) => text,
+                None => return refused(),
+            },
+            Expr::MethodCall(call) if self.is_integer(&call.receiver, known) && call.method != "has" => {
+                return refused();
             }
             Expr::MethodCall(call) => {
                 let arguments =
@@ -205,6 +170,48 @@ impl Items {
         })
     }
 
+    /// A name: an index, a constant of `std`, of a type or of a module.
+    fn named(&self, path: &ExprPath, known: &BTreeMap<String, String>) -> Result<Option<String>, Obstacle> {
+        let segments: Vec<String> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let [before @ .., name] = &segments[..] else { return Ok(None) };
+        if let ([], Some(text)) = (before, known.get(name).filter(|text| !text.is_empty())) {
+            return Ok(Some(text.clone()));
+        }
+        let owner = before.last().map(|owner| if owner == "Self" { self.system } else { owner });
+        let constant = [owner, None].into_iter().find_map(|owner| self.items.constant(owner, name));
+        // A constant that is made from itself is no Rust.
+        let key = segments.join("::");
+        match constant.filter(|_| !known.contains_key(&key) && before.last().is_none_or(|owner| owner != "consts")) {
+            Some(value) => {
+                let text = self
+                    .expression(value, &BTreeMap::from_iter([(key, String::new())].into_iter().chain(known.clone())))?;
+                Ok(Some(in_parentheses(&text)))
+            }
+            None => Ok(of_std(name).map(str::to_owned)),
+        }
+    }
+
+    /// Whether an expression is an integer: its operators are others in C.
+    fn is_integer(&self, expression: &Expr, known: &BTreeMap<String, String>) -> bool {
+        let is_of = |kind: &Type| self.kind(kind).is_ok_and(|(kind, _)| kind == "long long");
+        match expression {
+            Expr::Lit(literal) => matches!(&literal.lit, Lit::Int(number) if number.suffix() != "f64"),
+            Expr::Paren(inner) => self.is_integer(&inner.expr, known),
+            Expr::Group(inner) => self.is_integer(&inner.expr, known),
+            Expr::Unary(unary) => self.is_integer(&unary.expr, known),
+            Expr::Index(index) => self.is_integer(&index.expr, known),
+            Expr::Binary(binary) => self.is_integer(&binary.left, known) || self.is_integer(&binary.right, known),
+            Expr::Cast(cast) => is_of(&cast.ty),
+            Expr::Path(path) => path.path.get_ident().is_some_and(|name| is_index(&name.to_string(), known)),
+            Expr::Field(field) => {
+                let fields = self.items.fields(self.system).unwrap_or_default();
+                let name = field.member.to_token_stream().to_string();
+                fields.iter().any(|field| field.ident.as_ref().is_some_and(|known| *known == name) && is_of(&field.ty))
+            }
+            _ => false,
+        }
+    }
+
     /// A block whose lets are written where they are read.
     fn block(&self, block: &Block, known: &BTreeMap<String, String>) -> Result<String, Obstacle> {
         let (mut known, mut value) = (known.clone(), String::new());
@@ -222,6 +229,22 @@ impl Items {
             }
         }
         Ok(value)
+    }
+}
+
+/// Whether a name is the index of a loop, which keeps its name in C.
+fn is_index(name: &str, known: &BTreeMap<String, String>) -> bool {
+    known.get(name).is_some_and(|text| *text == identifier(name))
+}
+
+/// The text of a documentation comment.
+fn documented(attribute: &syn::Attribute) -> Option<String> {
+    match &attribute.meta {
+        syn::Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+            Expr::Lit(syn::ExprLit { lit: Lit::Str(text), .. }) => Some(text.value().trim().replace("*/", "* /")),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

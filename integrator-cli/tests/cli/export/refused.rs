@@ -28,7 +28,7 @@ fn reasons_have_a_place() {
         ),
         (
             changed("elsewhere.rs", "pub struct Oscillator { stiffness: f64 }", ""),
-            "error: `struct Oscillator` is declared in another file\n --> ",
+            "error: `struct Oscillator` is declared in another file, or several times in this one\n --> ",
             "#[hamiltonian]",
         ),
         (
@@ -111,4 +111,35 @@ fn a_file_may_have_several_systems() {
         answer(&["export", "--c", &path, "--system", "TwoWells", "--composition", "Verlet", "--composition", "Chin4A"]);
     assert!(!found.contains("oscillator_") && found.contains("two_wells_step_Chin4A("), "{found}");
     assert!(found.contains("/* No tangent with Chin4A: "), "{found}");
+}
+
+/// Constants of modules and of types, and remainders.
+#[test]
+fn constants_are_those_of_the_type() {
+    let constants = "
+const PI: f64 = std::f64::consts::PI;
+const G: f64 = 2.0 * PI;
+impl Other { const K: f64 = 1.0; }
+pub struct Other;
+";
+    let own = OSCILLATOR.replace("impl Oscillator {", "impl Oscillator {\n    const K: f64 = 3.0 * G;");
+    let text = [constants, &own.replace("self.stiffness", "Self::K * (self.stiffness % 0.7)")].concat();
+    let found = answer(&["export", "--c", &file("constants.rs", &text)]);
+    for part in ["(3.0 * (2.0 * 3.141592653589793))", "fmod(parameters->stiffness, 0.7)"] {
+        assert!(found.contains(part), "lacks {part}: {found}");
+    }
+    // A circle, which is no Rust, and two constants in different modules.
+    for constants in
+        ["const G: f64 = F; const F: f64 = G;", "mod a { const G: f64 = 1.0; } mod b { const G: f64 = 2.0; }"]
+    {
+        let found = refusal(&[
+            "export",
+            "--c",
+            &file("circle.rs", [constants, &own.replace("self.stiffness", "Self::K")].concat()),
+        ]);
+        assert!(found.starts_with("error: `export` has no C code for the parameter expression `"), "{found}");
+    }
+    // Nothing overflows the stack.
+    let deep = format!("const D: f64 = {}1.0{};", "(".repeat(5_000), ")".repeat(5_000));
+    assert_eq!(answer(&["export", "--c", &file("deep.rs", [&deep, OSCILLATOR].concat())]).matches("#endif").count(), 2);
 }
