@@ -54,7 +54,14 @@ pub(super) fn section(
     let prefix = format!("{name}_");
     let mut text = format!("\n/* {system} of {}:\n", source.name.rsplit(['/', '\\']).next().unwrap_or_default());
     exported.equations.iter().for_each(|equation| text += &format!("     {}\n", equation.replace("*/", "* /")));
-    text += "   All quantities have the units of the parameters. */\n";
+    let names: Vec<String> =
+        compositions.iter().map(|Composed { name, .. }| format!("{prefix}advance_{name}")).collect();
+    let _ = writeln!(
+        text,
+        "   All quantities have the units of the parameters. Programs call {} and {prefix}energy, which are\n   \
+         at the end; all else is internal. */",
+        names.join(", ")
+    );
     let parameters = Parameters { items, system };
     let read: String = exported.constants.iter().map(|constant| format!(" {}", constant.value)).collect();
     let read = tokens(&read);
