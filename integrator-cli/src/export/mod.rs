@@ -10,7 +10,7 @@ mod lines;
 mod parameters;
 
 use crate::{
-    catalogue::catalogue,
+    catalogue::{Catalogue, catalogue},
     mistake::Mistake,
     show::own_compositions,
     source::{Annotated, Source},
@@ -38,6 +38,25 @@ pub(crate) struct Options {
     pub(crate) output: Option<PathBuf>,
 }
 
+/// The compositions of the file, which hide those of the catalogue, and these.
+struct Known<'k> {
+    own: &'k [Proved],
+    catalogue: &'k Catalogue,
+}
+
+impl Known<'_> {
+    fn all(&self) -> impl Iterator<Item = &Proved> {
+        self.own.iter().chain(self.catalogue.iter())
+    }
+
+    fn find(&self, name: &str) -> Option<&Proved> {
+        self.own
+            .iter()
+            .find(|proved| proved.name == name)
+            .or_else(|| self.catalogue.iter().find(|proved| proved.name == name))
+    }
+}
+
 /// The header of the systems of a file.
 pub(crate) fn export(source: &Source, options: &Options) -> Result<String, Mistake> {
     let seen = source.seen()?;
@@ -45,7 +64,7 @@ pub(crate) fn export(source: &Source, options: &Options) -> Result<String, Mista
         return Err(Mistake::plain(format!("no impl in {} is annotated with `#[hamiltonian]`", source.name)));
     }
     let (own, catalogue) = (own_compositions(source, &seen)?, catalogue());
-    let known: Vec<&Proved> = own.iter().chain(catalogue.iter()).collect();
+    let known = Known { own: &own, catalogue: &catalogue };
     let items = Items::of(source.tokens()?);
     let named = |annotated: &&Annotated| match &options.system {
         Some(name) => annotated.system() == *name,
@@ -81,7 +100,7 @@ fn system(
     source: &Source,
     annotated: &Annotated,
     compositions: &[String],
-    known: &[&Proved],
+    known: &Known<'_>,
     items: &Items,
 ) -> Result<(String, String), Mistake> {
     let Annotated { arguments, item, span } = annotated;
@@ -114,11 +133,11 @@ fn annotated_composition(
     source: &Source,
     span: Span,
     exported: &Exported,
-    known: &[&Proved],
+    known: &Known<'_>,
 ) -> Result<Composed, Mistake> {
     let name = exported.compose.rsplit("::").next().unwrap_or_default().trim();
-    if let Some(proved) = known.iter().find(|proved| proved.name == name) {
-        return Ok(Composed { name: name.to_owned(), proved: (*proved).clone() });
+    if let Some(proved) = known.find(name) {
+        return Ok(Composed { name: name.to_owned(), proved: proved.clone() });
     }
     let proved = exported.compose.parse().ok().and_then(|tokens| sequence(tokens, None).ok());
     proved.map(|proved| Composed { name: "composed".to_owned(), proved }).ok_or_else(|| {
@@ -130,11 +149,11 @@ fn annotated_composition(
 }
 
 /// A composition that the command names.
-fn composition(name: &str, known: &[&Proved]) -> Result<Composed, Mistake> {
-    match known.iter().find(|proved| proved.name == name) {
-        Some(proved) => Ok(Composed { name: name.to_owned(), proved: (*proved).clone() }),
+fn composition(name: &str, known: &Known<'_>) -> Result<Composed, Mistake> {
+    match known.find(name) {
+        Some(proved) => Ok(Composed { name: name.to_owned(), proved: proved.clone() }),
         None => {
-            let names: Vec<String> = known.iter().map(|proved| proved.name.clone()).collect();
+            let names: Vec<String> = known.all().map(|proved| proved.name.clone()).collect();
             Err(unknown("--composition", "composition", name, &names))
         }
     }
