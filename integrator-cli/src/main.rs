@@ -1,4 +1,5 @@
-//! Inspects any Hamiltonian from the command line, `show`, `expand` and `prove`, and converts orbital elements, `elements`.
+//! Inspects any Hamiltonian from the command line, `show`, `expand` and `prove`, exports it to C, `export`, begins a crate, `new`, and
+//! converts orbital elements, `elements`.
 //!
 //! The answer goes to standard output, messages to standard error. Exit codes: 0 if all is well, 1 if the input is
 //! wrong, 2 if the command is.
@@ -9,21 +10,26 @@ mod answer;
 mod catalogue;
 mod elements;
 mod expand;
+mod export;
 mod mistake;
+mod new;
 mod prove;
 mod show;
 mod source;
 mod table;
 
 use clap::{Args, Parser, Subcommand};
+use mistake::Mistake;
 use source::Source;
 use std::{
+    fs,
     io::{self, Write},
-    path::PathBuf,
+    path::{Path, PathBuf},
     process::ExitCode,
 };
 
-/// Inspects Hamiltonians and compositions without running them, and converts orbital elements
+/// Inspects Hamiltonians and compositions without running them, exports them to C, begins new crates, and converts
+/// orbital elements
 ///
 /// Exit codes: 0 if all is well, 1 if the input is wrong (messages on standard error), 2 if the
 /// command is.
@@ -69,6 +75,28 @@ enum Task {
     Expand {
         #[command(flatten)]
         file: File,
+    },
+    /// One C99 header with the steps, the energy and the tangent of the systems of a file
+    ///
+    /// The header needs nothing but the standard library. It has structs for parameters and state, and
+    /// for each composition NAME_advance_COMPOSITION, NAME_step_COMPOSITION and NAME_tangent_COMPOSITION.
+    /// Systems need code for devices: H in one piece, named parts without such code and slices of
+    /// coordinates are refused with the reason.
+    #[command(verbatim_doc_comment)]
+    Export {
+        /// A Rust file with annotated impls and the structs of their parameters
+        #[arg(value_name = "FILE.rs")]
+        path: PathBuf,
+        #[command(flatten)]
+        options: export::Options,
+    },
+    /// A crate with one Hamiltonian, a run, and a test that certifies it
+    ///
+    /// With --python, the crate is a Python module for maturin, with a script in cells like a notebook.
+    #[command(verbatim_doc_comment)]
+    New {
+        #[command(flatten)]
+        options: new::Options,
     },
     /// Order, symmetry, stability limit and error terms of a sequence of stages
     ///
@@ -133,10 +161,15 @@ struct File {
 
 fn main() -> ExitCode {
     let (answer, json) = match Command::parse().task {
+        Task::Export { path, options } => {
+            let header = Source::read(&path).and_then(|source| export::export(&source, &options));
+            return written(header, options.output.as_deref());
+        }
         Task::Show { file: File { path, json } } => (Source::read(&path).and_then(|source| show::show(&source)), json),
         Task::Expand { file: File { path, json } } => {
             (Source::read(&path).and_then(|source| expand::expand(&source)), json)
         }
+        Task::New { options } => return written(new::new(&options), None),
         Task::Elements { path, options, json } => {
             (Source::read(&path).and_then(|source| elements::elements(&source, &options)), json)
         }
@@ -149,6 +182,25 @@ fn main() -> ExitCode {
             let _ = io::stdout().write_all(text.as_bytes());
             ExitCode::SUCCESS
         }
+        Err(mistake) => {
+            let _ = io::stderr().write_all(mistake.0.as_bytes());
+            ExitCode::from(1)
+        }
+    }
+}
+
+/// Writes a text to a file, or to standard output.
+fn written(text: Result<String, Mistake>, file: Option<&Path>) -> ExitCode {
+    let written = text.and_then(|text| match file {
+        None => {
+            let _ = io::stdout().write_all(text.as_bytes());
+            Ok(())
+        }
+        Some(file) => fs::write(file, text)
+            .map_err(|error| Mistake::plain(format!("{} cannot be written: {error}", file.display()))),
+    });
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
         Err(mistake) => {
             let _ = io::stderr().write_all(mistake.0.as_bytes());
             ExitCode::from(1)

@@ -42,13 +42,11 @@ pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &Catalogue) -> Re
     if seen.systems.is_empty() {
         return Err(Mistake::plain(format!("no impl in {} is annotated with `#[hamiltonian]`", source.name)));
     }
-    let (mut found, mut own, mut mistakes) = (Vec::new(), Vec::new(), Vec::new());
-    for declarations in &seen.declarations {
-        match declared(declarations.clone()) {
-            Ok(proved) => own.extend(proved),
-            Err(error) => mistakes.push(Mistake::of(source, error, Span::call_site())),
-        }
-    }
+    let (mut found, mut mistakes) = (Vec::new(), Vec::new());
+    let own = own_compositions(source, seen).unwrap_or_else(|mistake| {
+        mistakes.push(mistake);
+        Vec::new()
+    });
     for annotated in &seen.systems {
         match system(source, annotated, &own, catalogue) {
             Ok(system) => found.push(system),
@@ -56,6 +54,18 @@ pub(crate) fn systems(source: &Source, seen: &Seen, catalogue: &Catalogue) -> Re
         }
     }
     if mistakes.is_empty() { Ok(found) } else { Err(Mistake::joined(mistakes)) }
+}
+
+/// The compositions that a file declares, or everything that is wrong with them.
+pub(crate) fn own_compositions(source: &Source, seen: &Seen) -> Result<Vec<Proved>, Mistake> {
+    let (mut own, mut mistakes) = (Vec::new(), Vec::new());
+    for declarations in &seen.declarations {
+        match declared(declarations.clone()) {
+            Ok(proved) => own.extend(proved),
+            Err(error) => mistakes.push(Mistake::of(source, error, Span::call_site())),
+        }
+    }
+    if mistakes.is_empty() { Ok(own) } else { Err(Mistake::joined(mistakes)) }
 }
 
 fn system(source: &Source, annotated: &Annotated, own: &[Proved], catalogue: &Catalogue) -> Result<System, Mistake> {

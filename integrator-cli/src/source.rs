@@ -27,6 +27,17 @@ pub(crate) struct Annotated {
     pub(crate) span: Span,
 }
 
+impl Annotated {
+    /// The name of the annotated type; empty if the item is no impl.
+    pub(crate) fn system(&self) -> String {
+        let Ok(item) = syn::parse2::<syn::ItemImpl>(self.item.clone()) else { return String::new() };
+        match &*item.self_ty {
+            syn::Type::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default(),
+            _ => String::new(),
+        }
+    }
+}
+
 /// What the macros see of a file.
 #[derive(Default)]
 pub(crate) struct Seen {

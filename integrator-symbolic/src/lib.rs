@@ -34,6 +34,7 @@ mod stencil;
 mod syntax;
 mod taylor;
 
+pub use emit::{Exported, ExportedConstant};
 use errors::Errors;
 use fragments::without_groups;
 pub use graph::Tally;
@@ -43,7 +44,7 @@ pub use other_names::named_otherwise;
 use proc_macro2::TokenStream;
 use quote::quote;
 pub use report::{Each, Flow, FlowOfPart, Place, Report, Slower};
-pub use scheme::{Proved, ProvedStage, ProvedViolation};
+pub use scheme::{Proved, ProvedStage, ProvedTable, ProvedViolation};
 pub use spelling::nearest;
 use syntax::{Compose, Input};
 
@@ -89,6 +90,26 @@ pub fn report(arguments: TokenStream, item: TokenStream) -> syn::Result<Report> 
     outcome(report, errors)
 }
 
+/// Returns the code of a system for programs in other languages, in the C++ of device code.
+///
+/// # Errors
+/// All mistakes in the arguments and the impl, combined into one error; also the reason why a system has no device code.
+pub fn exported(arguments: TokenStream, item: TokenStream) -> syn::Result<Exported> {
+    let mut errors = Errors::default();
+    let exported = read(arguments, item, &mut errors).and_then(|input| {
+        let model = laid_out_model(&input, &mut errors)?;
+        let Report { system, compose, .. } = report::report(&input, valid_model(&input, &mut errors)?);
+        match emit::exported(&input, model) {
+            Ok(exported) => Some(Exported { system, compose, ..exported }),
+            Err(obstacle) => {
+                errors.at(&input.item.self_ty, obstacle);
+                None
+            }
+        }
+    });
+    outcome(exported, errors)
+}
+
 /// Returns the names of the methods of `f64` that a Hamiltonian may apply to coordinates.
 pub fn known_functions() -> impl Iterator<Item = &'static str> {
     model::known_functions()
@@ -97,6 +118,11 @@ pub fn known_functions() -> impl Iterator<Item = &'static str> {
 /// Returns the names of the functions that device code may call, with the bits of the processor.
 pub fn device_functions() -> impl Iterator<Item = &'static str> {
     emit::device_functions()
+}
+
+/// Returns a name of the user's as it is spelled in device code, where keywords of C and C++ get an underscore.
+pub fn identifier(name: &str) -> String {
+    emit::identifier_of(name)
 }
 
 /// Returns the proved properties of the compositions that a `composition!` block declares.

@@ -1,7 +1,9 @@
 //! The program as one runs it: what it prints, where, and with which exit code.
 
 mod elements;
+mod export;
 mod inputs;
+mod new;
 mod prove;
 #[cfg(feature = "long")]
 mod repository;

@@ -42,8 +42,6 @@ template <class R> DEVICE R pattern_less(unsigned long long word, R x) {
 }
 template <class R> DEVICE R abs(R x) { return bits_xor(x, sign(x)); }
 template <class R> DEVICE R not_a_number() { return R(0.0) / R(0.0); }
-template <class R> DEVICE R least() { return R(sizeof(R) == sizeof(double) ? 0x1p-511 : 0x1p-63); }
-template <class R> DEVICE R huge() { return R(sizeof(R) == sizeof(double) ? 0x1p+896 : 0x1p+112); }
 template <class R> DEVICE R infinity() { return R(1.0) / R(0.0); }
 
 // Error-free transformations, and the beginnings of polynomials.
@@ -92,6 +90,7 @@ template <> struct Format<double> {
     static constexpr unsigned long long RECIPROCAL = 0x7fde624dd2f1a9fb, HALF_RECIPROCAL_ROOT = 0x5fd6eb851eb851eb;
     static constexpr double ESTIMATE = 6004800933347021.0;
     static constexpr unsigned long long HALF_ROUNDED = 1ull << 35, ROUNDED = ~0ull << 36;
+    static constexpr double LEAST_ROOT = 0x1p-511, HUGE_ONE = 0x1p+896;
     static constexpr double TWO_THIRDS = 2.0 / 3.0, SECOND_TWO_THIRDS = 3.700743415417188e-17;
 };
 template <> struct Format<float> {
@@ -109,8 +108,12 @@ template <> struct Format<float> {
     static constexpr unsigned long long RECIPROCAL = 0x7ef3126e, HALF_RECIPROCAL_ROOT = 0x5eb75c28;
     static constexpr double ESTIMATE = 13958053.0;
     static constexpr unsigned long long HALF_ROUNDED = 1ull << 15, ROUNDED = ~0ull << 16;
+    static constexpr double LEAST_ROOT = 0x1p-63, HUGE_ONE = 0x1p+112;
     static constexpr double TWO_THIRDS = 0.6666666865348816, SECOND_TWO_THIRDS = -1.9868215517249155e-8;
 };
+
+template <class R> DEVICE R least() { return R(Format<R>::LEAST_ROOT); }
+template <class R> DEVICE R huge() { return R(Format<R>::HUGE_ONE); }
 
 constexpr double PI_HALF = 1.5707963267948966, TWO_OVER_PI = 0.6366197723675814, ONE_OVER_PI = 0.3183098861837907;
 constexpr double LOG2_E = 1.4426950408889634;
@@ -179,7 +182,8 @@ template <class R> DEVICE Reduced<R> reduce(R x) {
     const R close = fma(n, R(-F::QUARTER), x);
     const R second = n * R(F::SECOND_QUARTER);
     const R r = close - second;
-    return Reduced<R>{quarters, r, fma(n, R(F::THIRD_QUARTER), (r - close) + second)};
+    const Reduced<R> reduced = {quarters, r, fma(n, R(F::THIRD_QUARTER), (r - close) + second)};
+    return reduced;
 }
 template <class R> DEVICE R coefficient(bool odd, double sine, double cosine) { return odd ? R(cosine) : R(sine); }
 // The rows of sine and cosine. A device loads a row in fewer instructions than it chooses between pairs of constants.
@@ -211,7 +215,7 @@ template <class R> DEVICE R sin_or_cos(bool odd, const Reduced<R>& reduced, R& e
     error = fma(outer, sum, base - value);
     return value;
 }
-template <class R> DEVICE R sin_or_cos(bool odd, const Reduced<R>& reduced) {
+template <class R> DEVICE R rounded_sin_or_cos(bool odd, const Reduced<R>& reduced) {
     R error;
     return sin_or_cos(odd, reduced, error);
 }
@@ -221,18 +225,18 @@ template <class R> DEVICE R with_sign_of(R value, R quarters) {
 template <class R> DEVICE bool is_near(R x) { return abs(x) <= R(Format<R>::FARTHEST_ANGLE); }
 template <class R> DEVICE R sin(R x) {
     const Reduced<R> reduced = reduce(x);
-    const R value = sin_or_cos(is_odd(reduced.quarters), reduced);
+    const R value = rounded_sin_or_cos(is_odd(reduced.quarters), reduced);
     return is_near(x) ? with_sign_of(value, reduced.quarters) : library_sin(x);
 }
 template <class R> DEVICE R cos(R x) {
     const Reduced<R> reduced = reduce(x);
     const R ahead = reduced.quarters + R(1.0);
-    const R value = sin_or_cos(is_odd(ahead), reduced);
+    const R value = rounded_sin_or_cos(is_odd(ahead), reduced);
     return is_near(x) ? with_sign_of(value, ahead) : library_cos(x);
 }
 template <class R> DEVICE void sin_cos(R x, R& sine, R& cosine) {
     const Reduced<R> reduced = reduce(x);
-    const R of_rest = sin_or_cos(false, reduced), other = sin_or_cos(true, reduced);
+    const R of_rest = rounded_sin_or_cos(false, reduced), other = rounded_sin_or_cos(true, reduced);
     const bool odd = is_odd(reduced.quarters);
     const R ahead = reduced.quarters + R(1.0);
     sine = is_near(x) ? with_sign_of(odd ? other : of_rest, reduced.quarters) : library_sin(x);

@@ -41,7 +41,9 @@ template <class System, class R, class K> struct Pairs {
         }
         const R step = R(-duration);
         for (int i = 0; i < BODIES; ++i) {
-            for (int d = 0; d < DIMENSION; ++d) motion.momentum(i * DIMENSION + d).fma(step, sum[i][d]);
+            for (int d = 0; d < DIMENSION; ++d) {
+                motion.momentum(i * DIMENSION + d).fma(step, sum[i][d]);
+            }
         }
     }
 };

@@ -23,15 +23,16 @@ use crate::{
     syntax::{Compose, Gpu, Input, names::Names},
 };
 use fingerprint::fingerprint;
+pub use flow::device::exported::{Exported, ExportedConstant};
 use flow::{
     Flows,
     constants::{Constants, with_count},
-    device::DeviceText,
+    device::{DeviceText, exported},
     field, force_gradient, invariants, jacobi, nested, parameter_slopes,
     pieces::Pieces,
     rated_field, transformed, user_energies,
 };
-pub(crate) use printer::cuda::device_functions;
+pub(crate) use printer::cuda::{device_functions, identifier_of};
 use printer::{block::Emitter, fields::Fields};
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
@@ -47,6 +48,28 @@ use taylor::{
 pub(crate) fn stepper(input: &Input, model: Model) -> (TokenStream, Option<String>) {
     let (stepper, obstacle) = Stepper::of(input, model);
     (stepper.tokens(), obstacle)
+}
+
+/// Returns the code of a system for programs in other languages, or the reason why there is none.
+pub(crate) fn exported(input: &Input, mut model: Model) -> Result<Exported, String> {
+    let mut energies = [model.kinetic, model.potential];
+    let of_parts: Vec<_> = model.parts.iter().map(|part| part.energy).collect();
+    model.choose_in_the_middle();
+    let mut found = gradients(&mut model);
+    let equations = equations(&mut model, &found[0], &found[1]);
+    let pattern = recognise(&mut model, [&found[0], &found[1]]);
+    if pattern.restate(&mut model, &mut energies[1]) {
+        found = gradients(&mut model);
+    }
+    let names = Names::new(input);
+    let graph = &mut model.graph;
+    let energy = match of_parts.into_iter().reduce(|sum, part| graph.add(sum, part)) {
+        Some(energy) => energy,
+        None => graph.add(energies[0], energies[1]),
+    };
+    let mut emitter = Emitter { model: &mut model, names: &names, fields: Fields::default() };
+    let exported = exported::exported(&mut emitter, [&found[0], &found[1]], energy, &pattern)?;
+    Ok(Exported { equations, ..exported })
 }
 
 /// What is emitted for a Hamiltonian, each part by the module that knows it.

@@ -34,7 +34,7 @@ use proc_macro2::TokenStream;
 use syn::ext::IdentExt;
 
 use self::lower::Known;
-pub use self::proved::{Proved, ProvedStage, ProvedViolation};
+pub use self::proved::{Proved, ProvedStage, ProvedTable, ProvedViolation};
 pub(crate) use self::{
     in_place::InPlace,
     prove::Class,

@@ -62,6 +62,28 @@ pub struct Proved {
     /// The violated condition of degree `order + 1` with the largest residual; `None` for the highest order that is
     /// proved.
     pub violation: Option<ProvedViolation>,
+    /// The table over which a run loops.
+    pub table: ProvedTable,
+}
+
+/// The table of a composition: lists of stages, one drift and one kick each, in the order in which a run applies them.
+///
+/// A row has the fractions of the step of its drift, its kick and the gradient of its kick, the times at which drift and kick
+/// begin, and the durations of the parts between and after them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProvedTable {
+    /// Whether a kick comes first in every row.
+    pub leads_with_kick: bool,
+    /// The first row of the first step.
+    pub opening: [f64; 7],
+    /// The row that completes a step.
+    pub closing: [f64; 7],
+    /// One step in the middle of a run.
+    pub cycle: Vec<[f64; 7]>,
+    /// The processor, and whether a kick comes first in its rows.
+    pub before: (bool, Vec<[f64; 7]>),
+    /// The inverse of the processor.
+    pub after: (bool, Vec<[f64; 7]>),
 }
 
 /// A stage of a step.
@@ -147,6 +169,7 @@ impl Proved {
                 .map(|(word, factor)| (word.bracket(scheme.letters), *factor))
                 .collect(),
             violation,
+            table: facts.table.proved(),
         }
     }
 }

@@ -15,6 +15,7 @@ use syn::Path;
 use super::{
     double::Double,
     prove::Scheme,
+    proved::ProvedTable,
     stages::{Element, Letter},
 };
 
@@ -85,6 +86,20 @@ impl Table {
                 cycle: &[#(#cycle),*],
                 closing: #closing,
             }
+        }
+    }
+
+    /// The same as numbers.
+    pub(super) fn proved(&self) -> ProvedTable {
+        let (cycle, closing) = self.cycle();
+        let rows = |rows: &Rows| (rows.lead == Letter::V, rows.rows.iter().map(Row::numbers).collect());
+        ProvedTable {
+            leads_with_kick: self.step.lead == Letter::V,
+            opening: self.step.rows.first().map_or([0.0; 7], Row::numbers),
+            closing: closing.numbers(),
+            cycle: cycle.iter().map(Row::numbers).collect(),
+            before: rows(&self.before),
+            after: rows(&self.after),
         }
     }
 
@@ -207,13 +222,16 @@ impl Row {
         self.drift == Double::ZERO || (self.kick == Double::ZERO && self.gradient == Double::ZERO)
     }
 
+    fn numbers(&self) -> [f64; 7] {
+        let [within, behind] = self.middle;
+        [self.drift, self.kick, self.gradient, self.drift_time, self.kick_time, within, behind].map(Double::value)
+    }
+
     fn literal(&self, root: &Path) -> TokenStream {
         if *self == Self::NONE {
             return quote!(#root::__private::Stage::NONE);
         }
-        let [drift, kick, gradient, drift_time, kick_time] =
-            [self.drift, self.kick, self.gradient, self.drift_time, self.kick_time].map(|value| number(value.value()));
-        let [within, behind] = self.middle.map(|gamma| number(gamma.value()));
+        let [drift, kick, gradient, drift_time, kick_time, within, behind] = self.numbers().map(number);
         quote! {
             #root::__private::Stage {
                 drift: #drift,

@@ -398,6 +398,27 @@ pub(crate) fn extents(model: &mut Model, names: &Names, content: Content) -> Vec
     Table::of(model, names, content).levels.iter().map(|level| level.literal).collect()
 }
 
+/// The loops of a table of prepared constants: the index, the number of elements if that is known, and whether an element is read.
+pub(crate) fn level_texts(
+    emitter: &mut Emitter<'_>,
+    content: Content,
+) -> Vec<(Ident, Option<u64>, Option<TokenStream>)> {
+    let levels = Table::of(emitter.model, emitter.names, content).levels;
+    levels.into_iter().map(|Level { index, literal, inside, .. }| (index, literal, inside)).collect()
+}
+
+/// The expression of an element of a prepared constant, of a flag its condition; `None` of what is no expression of each element.
+pub(crate) fn value_text(emitter: &mut Emitter<'_>, content: Content) -> Option<TokenStream> {
+    if !Values::of(emitter.model, content).lists.is_empty() || table_of_pairs(emitter.model, content).is_some() {
+        return None;
+    }
+    match content {
+        Content::Number(id) => Some(prepared_number(emitter, id)),
+        Content::Integer(id) | Content::Flag(id) => Some(emitter.model.text(id)),
+        Content::Middle | Content::External(_) | Content::InnerSteps(_) | Content::OwnFlow(_) => None,
+    }
+}
+
 /// The loops that a prepared constant depends on, with how far each runs.
 struct Table {
     levels: Vec<Level>,

@@ -5,6 +5,7 @@
 //! the same programs.
 
 mod bodies;
+pub(crate) mod exported;
 mod line;
 mod nested;
 mod parts;
@@ -55,21 +56,9 @@ impl DeviceText {
         pattern: &Pattern,
         functions: DeviceFunctions,
     ) -> Result<Self, String> {
-        let shape = Shape::of(emitter.model)?;
-        parts::check(emitter.model)?;
         let mut reads = Reads::of(functions);
-        let mut flows = match emitter.model.split {
-            Split::Nested => nested::flows(emitter, &mut reads, &shape)?,
-            _ if emitter.model.is_separable() => {
-                separable(emitter, &mut reads, &shape, gradients, pattern)? + &parts::middle(2)
-            }
-            _ => parts::flows(emitter, &mut reads, &shape, 0)?,
-        };
-        let bends = emitter.model.quadratic && emitter.model.is_separable();
-        if bends {
-            flows += &hessian(emitter, &mut reads, &shape)?;
-        }
-        Self::with(emitter, &shape, reads, &flows, bends)
+        let Flows { text, shape, bends } = Flows::of(emitter, &mut reads, gradients, pattern)?;
+        Self::with(emitter, &shape, reads, &text, bends)
     }
 
     /// The struct around the flows.
@@ -161,6 +150,38 @@ impl DeviceText {
             fn push_constants(#parameters: &Self::Parameters<f64>, #numbers: &mut #runtime::Vec<f64>) { #pushes }
             #push_inner_stages
         }
+    }
+}
+
+/// The functions of a system.
+struct Flows {
+    text: String,
+    shape: Shape,
+    /// Whether one of them multiplies by the Hessian of `V`.
+    bends: bool,
+}
+
+impl Flows {
+    fn of(
+        emitter: &mut Emitter<'_>,
+        reads: &mut Reads,
+        gradients: [&[Contribution]; 2],
+        pattern: &Pattern,
+    ) -> Result<Self, String> {
+        let shape = Shape::of(emitter.model)?;
+        parts::check(emitter.model)?;
+        let mut text = match emitter.model.split {
+            Split::Nested => nested::flows(emitter, reads, &shape)?,
+            _ if emitter.model.is_separable() => {
+                separable(emitter, reads, &shape, gradients, pattern)? + &parts::middle(2)
+            }
+            _ => parts::flows(emitter, reads, &shape, 0)?,
+        };
+        let bends = emitter.model.quadratic && emitter.model.is_separable();
+        if bends {
+            text += &hessian(emitter, reads, &shape)?;
+        }
+        Ok(Self { text, shape, bends })
     }
 }
 

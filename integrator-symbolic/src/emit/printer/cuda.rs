@@ -29,6 +29,7 @@ use crate::{
 };
 pub(crate) use functions::device_functions;
 use identifier::identifier;
+pub(crate) use identifier::identifier_of;
 use partial_sums::{PartialSums, partial_sums};
 use proc_macro2::Ident;
 pub(crate) use reads::{Read, Reads};

@@ -5,8 +5,12 @@ use proc_macro2::Ident;
 
 /// A name of the user's as C++ may have it; two names stay two.
 pub(super) fn identifier(name: &Ident) -> String {
-    let name = name.to_string();
-    let name = name.strip_prefix("r#").unwrap_or(&name);
+    identifier_of(&name.to_string())
+}
+
+/// The same of a name that is text.
+pub(crate) fn identifier_of(name: &str) -> String {
+    let name = name.strip_prefix("r#").unwrap_or(name);
     let mut plain = String::new();
     for letter in name.chars() {
         match letter {
@@ -32,8 +36,8 @@ fn is_taken(name: &str) -> bool {
     is_numbered || is_reserved || is_function || TAKEN.contains(&name)
 }
 
-/// Names that mean something in C++, or in the text around the lines.
-const TAKEN: [&str; 112] = [
+/// Names that mean something in C++ or C, or in the text around the lines.
+const TAKEN: [&str; 113] = [
     "Motion",
     "Parameters",
     "PartialSums",
@@ -115,6 +119,7 @@ const TAKEN: [&str; 112] = [
     "register",
     "reinterpret_cast",
     "requires",
+    "restrict",
     "return",
     "short",
     "signed",
