@@ -1,4 +1,4 @@
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -8,20 +8,12 @@ class RunError(RuntimeError):
     samples: Samples
     members: list[tuple[int, str]]
 
-class CertificationError(RunError): ...
-
-class Samples:
-    @property
-    def t(self) -> np.ndarray: ...
-    @property
-    def q(self) -> np.ndarray: ...
-    @property
-    def p(self) -> np.ndarray: ...
-    @property
-    def energy(self) -> np.ndarray: ...
-    @property
-    def invariants(self) -> dict[str, np.ndarray]: ...
-    def __len__(self) -> int: ...
+class Samples(NamedTuple):
+    t: np.ndarray
+    q: np.ndarray
+    p: np.ndarray
+    energy: np.ndarray
+    invariants: dict[str, np.ndarray]
 
 class Equations:
     @property
@@ -76,7 +68,6 @@ class Ensemble:
     def energy(self) -> np.ndarray: ...
     def advance(self, steps: int, *, progress: bool = False) -> None: ...
     def run_of(self, member: int) -> Run: ...
-    def invariant(self, name: str) -> np.ndarray: ...
     def watch_energy(self, bound: float) -> None: ...
     def __len__(self) -> int: ...
 
@@ -97,25 +88,15 @@ class System:
         h: float,
         *,
         composition: str | None = None,
-        scalar: str = "f64",
         time: float = 0.0,
         **parameters: ArrayLike,
     ) -> Ensemble: ...
     def certify(
         self, q: ArrayLike, p: ArrayLike, h: float, *, composition: str | None = None, time: float = 0.0
     ) -> str: ...
-    def lyapunov_spectrum(
-        self, q: ArrayLike, p: ArrayLike, h: float, steps: int, *, composition: str | None = None
-    ) -> list[np.ndarray]: ...
+    def lyapunov_spectrum(self, q: ArrayLike, p: ArrayLike, h: float, steps: int) -> list[np.ndarray]: ...
     def chaos_map(
-        self,
-        q: ArrayLike,
-        p: ArrayLike,
-        h: float,
-        steps: int,
-        *,
-        indicator: str = "megno",
-        composition: str | None = None,
+        self, q: ArrayLike, p: ArrayLike, h: float, steps: int, *, indicator: str = "megno"
     ) -> np.ndarray: ...
     def equations(self) -> Equations: ...
     def replace(self, **parameters: Any) -> Any: ...

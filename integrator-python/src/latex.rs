@@ -1,17 +1,39 @@
 //! Formulas of the generator as LaTeX.
 
-/// The functions that LaTeX has a command for, and names that are Greek letters.
+/// Names that are commands of LaTeX: functions and Greek letters.
 const COMMANDS: &str = " sin cos tan sinh cosh tanh exp ln min max alpha beta gamma delta epsilon zeta eta theta iota kappa lambda \
                         mu nu xi rho sigma tau upsilon phi chi psi omega ";
 
-/// Translates a formula such as `dp[0]/dt = -gm q[0] / r^3`, one line of `Hamiltonian::EQUATIONS`.
+/// Words between formulas.
+const WORDS: &str = " if else for in where ";
+
+/// Operators with a space on both sides.
+const OPERATORS: [(&str, &str); 12] = [
+    ("+=", "\\mathrel{+}="),
+    ("<=", "\\le"),
+    (">=", "\\ge"),
+    ("==", "="),
+    ("+", "+"),
+    ("-", "-"),
+    ("/", "/"),
+    ("%", "\\bmod"),
+    ("=", "="),
+    ("<", "<"),
+    (">", ">"),
+    ("", "\\,"),
+];
+
+/// Translates a formula such as `dp[0]/dt = -gm q[0] / r^3`, one line of `Hamiltonian::EQUATIONS`. The first relation is aligned.
 pub(crate) fn line(formula: &str) -> String {
-    let (left, right) = formula.split_once(" = ").unwrap_or(("", formula));
-    let left = match left.strip_suffix("/dt").and_then(|rate| rate.strip_prefix('d')) {
-        Some(rate) => format!("\\dot {}", translated(rate)),
-        None => translated(left),
+    let rate = formula.split_once("/dt").and_then(|(rate, rest)| Some((rate.strip_prefix('d')?, rest)));
+    let latex = match rate {
+        Some((rate, rest)) => format!("\\dot {}{}", translated(rate), translated(rest)),
+        None => translated(formula),
     };
-    format!("{left} &= {}", translated(right))
+    match latex.find("\\mathrel{+}=").or_else(|| latex.find("= ")) {
+        Some(at) => format!("{}&{}", &latex[..at], &latex[at..]),
+        None => latex,
+    }
 }
 
 /// Words, brackets and operators, one after the other.
@@ -20,73 +42,76 @@ fn translated(formula: &str) -> String {
     // What ends the brackets that are open.
     let mut closing = Vec::new();
     while let Some(first) = rest.chars().next() {
-        let is_of_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
-        let length = rest.find(|c| !is_of_word(c)).unwrap_or(rest.len());
-        if length > 0 && first != '_' {
-            let word = &rest[..length];
-            rest = &rest[length..];
-            if let (true, Some(after)) = (word == "sqrt", rest.strip_prefix('(')) {
+        let length = length_of_word(rest);
+        let (word, after) = rest.split_at(length.max(first.len_utf8()));
+        rest = after;
+        match first {
+            _ if word == "sqrt" && rest.starts_with('(') => {
                 latex.push_str("\\sqrt{");
                 closing.push("}");
-                rest = after;
-            } else {
-                latex.push_str(&named(word));
+                rest = &rest[1..];
             }
-            continue;
-        }
-        rest = &rest[first.len_utf8()..];
-        match first {
-            // The exponent is a word or in parentheses.
-            '^' if !rest.starts_with('(') => {
-                let sign = usize::from(rest.starts_with('-'));
-                let length = rest[sign..].find(|c| !is_of_word(c)).map_or(rest.len(), |length| length + sign);
-                latex.push_str(&format!("^{{{}}}", translated(&rest[..length])));
-                rest = &rest[length..];
+            _ if length > 0 => latex.push_str(&named(word)),
+            ' ' => {
+                rest = rest.trim_start_matches(' ');
+                let (operator, translation) =
+                    OPERATORS.into_iter().find(|(operator, _)| rest.starts_with(operator)).unwrap_or_default();
+                rest = rest[operator.len()..].trim_start_matches(' ');
+                latex.push_str(&format!(" {translation} "));
             }
-            '[' if latex.ends_with('}') && latex.contains("_{") && rest_of_index(&latex) => {
-                latex.pop();
-                latex.push(',');
+            '^' if rest.starts_with('(') => {
+                latex.push_str("^{");
                 closing.push("}");
+                rest = &rest[1..];
+            }
+            '^' => {
+                let sign = usize::from(rest.starts_with('-'));
+                let (exponent, after) = rest.split_at(sign + length_of_word(&rest[sign..]));
+                latex.push_str(&format!("^{{{}}}", translated(exponent)));
+                rest = after;
             }
             '[' => {
                 latex.push_str("_{");
                 closing.push("}");
             }
-            '_' if rest.starts_with('{') => {
-                latex.push_str("_{");
+            ']' if rest.starts_with('[') => {
+                latex.push(',');
                 rest = &rest[1..];
+            }
+            'Σ' => {
+                latex.push_str("\\sum_{");
                 closing.push("}");
+                rest = rest.strip_prefix("_{").unwrap_or(rest);
             }
             '(' | '{' => {
                 latex.push_str(if first == '(' { "\\left(" } else { "\\left\\{" });
                 closing.push(if first == '(' { "\\right)" } else { "\\right\\}" });
             }
             ')' | ']' | '}' => latex.push_str(closing.pop().unwrap_or_default()),
-            'Σ' => latex.push_str("\\sum"),
-            ' ' => latex.push_str(if rest.starts_with(['+', '-', '/', '=', '<', '>']) { " " } else { "\\, " }),
-            '%' => latex.push_str("\\bmod "),
+            ',' => latex.push_str(",\\;"),
             other => latex.push(other),
         }
     }
     latex
 }
 
-/// Whether LaTeX ends with a subscript, to which further indices are added.
-fn rest_of_index(latex: &str) -> bool {
-    latex.rfind("_{").is_some_and(|begin| !latex[begin..latex.len() - 1].contains('}'))
+/// The number of bytes of the name or number at the beginning; names of types, `f64::from`, are parts of it.
+fn length_of_word(text: &str) -> usize {
+    let is_of_word = |c: char| c != 'Σ' && (c.is_alphanumeric() || "_.:".contains(c));
+    text.find(|c| !is_of_word(c)).unwrap_or(text.len())
 }
 
 /// A number, a letter, a Greek letter, a word between formulas, or a name of several letters.
 fn named(word: &str) -> String {
     let head = word.trim_end_matches(|c: char| c.is_ascii_digit());
     let digits = &word[head.len()..];
-    let head = match head {
+    let latex = match head {
         _ if word.starts_with(|c: char| c.is_ascii_digit()) => return word.replace("..", " \\ldots "),
-        "PI" => "\\pi".to_owned(),
-        "if" | "else" | "for" | "in" => format!("\\text{{ {head} }}"),
+        "PI" => "\\pi ".to_owned(),
+        _ if WORDS.contains(&format!(" {head} ")) => format!("\\text{{ {head} }}"),
         _ if COMMANDS.contains(&format!(" {head} ")) => format!("\\{head} "),
         _ if head.chars().count() == 1 => head.to_owned(),
         _ => format!("\\mathrm{{{}}}", head.replace('_', "\\_")),
     };
-    if digits.is_empty() { head } else { format!("{head}_{{{digits}}}") }
+    if digits.is_empty() { latex } else { format!("{latex}_{{{digits}}}") }
 }

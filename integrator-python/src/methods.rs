@@ -16,7 +16,18 @@ use integrator_core::{
 use pyo3::PyResult;
 
 /// The compositions of a module that lists none, if they can integrate its system.
-const USUAL: [&str; 4] = ["Verlet", "Yoshida4", "BlanesMoan6", "KahanLi8"];
+const USUAL: [&str; 10] = [
+    "Verlet",
+    "Yoshida4",
+    "BlanesMoan4",
+    "BlanesMoan6",
+    "BlanesMoanSrkn11",
+    "BlanesMoanSrkn14",
+    "KahanLi8",
+    "BlanesCasasMurua8",
+    "Abah1064",
+    "WisdomHolmanTouma17",
+];
 
 /// The tolerance of the Taylor method.
 const TOLERANCE: f64 = 1e-16;
@@ -52,11 +63,11 @@ pub struct Row {
     pub(crate) run: Start1<Box<dyn AnyRun>>,
     /// Starts an ensemble of one system, or of one for each member.
     pub(crate) ensemble: StartAll<Box<dyn AnyEnsemble>>,
+    pub(crate) certify: Start1<String>,
 }
 
-/// What only the composition of the annotation does, since each takes seconds to compile: certificates, and indicators of chaos.
+/// Indicators of chaos, by the composition of the annotation: for each composition they would take seconds to compile.
 pub(crate) struct Checks {
-    pub(crate) certify: Start1<String>,
     pub(crate) spectrum: Exponents,
     pub(crate) map: Map,
 }
@@ -64,10 +75,6 @@ pub(crate) struct Checks {
 impl Checks {
     pub(crate) fn of<H: Exported>() -> Self {
         Self {
-            certify: Box::new(|system, from| {
-                let start = phase::<H::Coords>(&from)?.at_time(from.time);
-                Ok(certify(of::<H>(system)?, H::Compose::default(), start, from.h)?.to_string())
-            }),
             spectrum: Box::new(|system, from, steps| {
                 let start = phase::<H::Coords>(&from)?;
                 Ok(chaos::lyapunov_spectrum(of::<H>(system)?, H::Compose::default(), start, from.h, steps)?)
@@ -103,6 +110,10 @@ impl Row {
                     members.push((of::<H>(system)?.clone(), start));
                 }
                 Ok(Box::new(Ensemble::new(method, members, from.h)?.at_time(from.time)))
+            }),
+            certify: Box::new(move |system, from| {
+                let start = phase::<H::Coords>(&from)?.at_time(from.time);
+                Ok(certify(of::<H>(system)?, method, start, from.h)?.to_string())
             }),
         }
     }

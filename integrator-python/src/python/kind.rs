@@ -14,6 +14,25 @@ use std::sync::Arc;
 #[pyclass(name = "_Kind", frozen)]
 pub(crate) struct PyKind(pub(crate) Arc<Kind>);
 
+/// A function of the user as a method of a class: functions that are not written in Python do not bind to instances themselves.
+#[pyclass(name = "_Method", frozen)]
+struct PyMethod(Py<PyAny>);
+
+#[pymethods]
+impl PyMethod {
+    fn __get__<'py>(
+        &self,
+        instance: Option<&Bound<'py, PyAny>>,
+        _class: &Bound<'py, PyAny>,
+        py: Python<'py>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        match instance {
+            Some(instance) => py.import("types")?.getattr("MethodType")?.call1((&self.0, instance)),
+            None => Ok(self.0.bind(py).clone()),
+        }
+    }
+}
+
 /// Adds the class of a kind of system to a module; returns its text in the type stubs.
 pub(crate) fn add_class<H: Exported>(module: &Bound<'_, PyModule>) -> PyResult<String> {
     let py = module.py();
@@ -24,9 +43,8 @@ pub(crate) fn add_class<H: Exported>(module: &Bound<'_, PyModule>) -> PyResult<S
     contents.set_item("__module__", module.name()?)?;
     contents.set_item("__slots__", PyTuple::empty(py))?;
     contents.set_item("__signature__", signature(py, &kind)?)?;
-    let as_method = py.import("functools")?.getattr("partialmethod")?;
     for Function { name, function, .. } in &functions {
-        contents.set_item(name, as_method.call1((function,))?)?;
+        contents.set_item(name, PyMethod(function.clone().into_any().unbind()))?;
     }
     let bases = PyTuple::new(py, [PyType::new::<PySystem>(py)])?;
     module.add(kind.name, py.get_type::<PyType>().call1((kind.name, bases, contents))?)?;

@@ -11,9 +11,6 @@ use integrator_core::Direction;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::{prelude::*, sync::PyOnceLock, types::PyDict};
 
-/// The most steps in which `crossings` searches, if the call does not say otherwise.
-const SEARCHED: u64 = 1_000_000;
-
 /// A trajectory that is being integrated. `System.run` starts it.
 #[pyclass(name = "Run")]
 pub(crate) struct PyRun {
@@ -94,7 +91,7 @@ impl PyRun {
     /// a Python function f(q, p, t) of flat arrays, which is slower. `direction` is "rising", "falling" or "either". At most
     /// `steps` steps are taken. Returns a named tuple like `samples`; the run stays at the end of the step with the last
     /// crossing.
-    #[pyo3(signature = (function, *, direction = "rising", n = 100, steps = SEARCHED))]
+    #[pyo3(signature = (function, *, direction = "rising", n = 100, steps = 1_000_000))]
     fn crossings<'py>(
         &mut self,
         py: Python<'py>,

@@ -155,20 +155,21 @@ impl PySystem {
         Ok(PyEnsemble { ensemble, shape: self.kind.shape.clone(), composition: row.name })
     }
 
-    /// Verifies by measurement that the composition of the annotation integrates this system from q and p as it claims.
+    /// Verifies by measurement that a composition integrates this system from q and p as it claims.
     ///
     /// Returns the text of the certificate. Raises `RunError` with all measurements if a property does not hold.
-    #[pyo3(signature = (q, p, h, *, time = 0.0))]
+    #[pyo3(signature = (q, p, h, *, composition = None, time = 0.0))]
     fn certify(
         &self,
         py: Python<'_>,
         q: &Bound<'_, PyAny>,
         p: &Bound<'_, PyAny>,
         h: f64,
+        composition: Option<&str>,
         time: f64,
     ) -> Result<String, Fault> {
-        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time }, false)?;
-        py.detach(|| (self.kind.checks.certify)(&self.system, start))
+        let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time }, false)?;
+        py.detach(|| (row.certify)(&self.system, start))
     }
 
     /// Computes all Lyapunov exponents of an orbit, in units of 1 / time.

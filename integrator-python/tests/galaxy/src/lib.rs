@@ -11,7 +11,7 @@ struct Galaxy {
     flattening: f64,
 }
 
-#[hamiltonian(compose = BlanesMoanSrkn11, taylor)]
+#[hamiltonian(compose = BlanesMoanSrkn11)]
 impl Galaxy {
     fn kinetic(&self, p: [f64; 3]) -> f64 {
         (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0
@@ -106,7 +106,7 @@ impl Bodies {
 #[derive(Clone, Deserialize, Serialize)]
 struct Rotor;
 
-#[hamiltonian]
+#[hamiltonian(taylor)]
 impl Rotor {
     fn kinetic(&self, p: [f64; 1]) -> f64 {
         p[0] * p[0] / 2.0
