@@ -85,6 +85,7 @@ impl From<Fault> for PyErr {
             | Error::NoEnergy { .. }
             | Error::Crossing { .. }
             | Error::Vector { .. }
+            | Error::WayBack { .. }
             | Error::Misread(_) => vec![],
             _ => return input_error(message),
         };

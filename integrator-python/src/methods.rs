@@ -57,6 +57,18 @@ pub(crate) type Exponents = Box<dyn Fn(&AnySystem, Start, u64) -> Result<Spectru
 pub(crate) type Map =
     Box<dyn Fn(&AnySystem, Start, u64, Indicator, &(dyn Fn() -> bool + Sync)) -> Result<Vec<f64>, Fault> + Send + Sync>;
 
+/// The value of a function of the end of a run, and its derivatives with respect to the start and to parameters.
+pub(crate) struct Derivatives {
+    pub(crate) value: f64,
+    pub(crate) by_start: [Vec<f64>; 2],
+    pub(crate) by_parameters: Vec<f64>,
+}
+
+/// A function of the positions and momenta at the end: its value and its derivatives.
+pub(crate) type Loss<'l> = &'l mut (dyn FnMut(&[f64], &[f64]) -> (f64, [Vec<f64>; 2]) + Send);
+
+type ByStart = Box<dyn Fn(&AnySystem, Start, u64, Loss<'_>) -> Result<Derivatives, Fault> + Send + Sync>;
+
 /// What one method can do with a system.
 pub struct Row {
     pub(crate) name: &'static str,
@@ -66,8 +78,10 @@ pub struct Row {
     pub(crate) certify: Start1<String>,
 }
 
-/// Indicators of chaos, by the composition of the annotation: for each composition they would take seconds to compile.
+/// Gradients and indicators of chaos, by the composition of the annotation: for each composition they would take seconds to
+/// compile.
 pub(crate) struct Checks {
+    pub(crate) gradient: ByStart,
     pub(crate) spectrum: Exponents,
     pub(crate) map: Map,
 }
@@ -75,6 +89,20 @@ pub(crate) struct Checks {
 impl Checks {
     pub(crate) fn of<H: Exported>() -> Self {
         Self {
+            gradient: Box::new(|system, from, steps, loss| {
+                let (start, method) = (phase::<H::Coords>(&from)?, H::Compose::default());
+                let mut at_end = |end: &Phase<H::Coords>| {
+                    let (value, [q, p]) = loss(end.q.flat(), end.p.flat());
+                    let mut cotangent = end.clone();
+                    for (half, numbers) in [(&mut cotangent.q, q), (&mut cotangent.p, p)] {
+                        half.flat_mut().iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
+                    }
+                    (value, cotangent)
+                };
+                let found = of::<H>(system)?.gradient(method, start, from.h, steps, &mut at_end)?;
+                let by_start = [found.start.q.flat().to_vec(), found.start.p.flat().to_vec()];
+                Ok(Derivatives { value: found.value, by_start, by_parameters: found.parameters })
+            }),
             spectrum: Box::new(|system, from, steps| {
                 let start = phase::<H::Coords>(&from)?;
                 Ok(chaos::lyapunov_spectrum(of::<H>(system)?, H::Compose::default(), start, from.h, steps)?)

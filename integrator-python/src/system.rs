@@ -51,6 +51,7 @@ pub(crate) struct Kind {
     pub(crate) fields: Option<&'static [&'static str]>,
     pub(crate) equations: &'static [&'static str],
     pub(crate) invariants: &'static [&'static str],
+    pub(crate) sensitive: &'static [&'static str],
     pub(crate) rows: Vec<Row>,
     pub(crate) checks: Checks,
     /// Builds a system from keyword arguments; returns it with its parameters.
@@ -66,6 +67,7 @@ impl Kind {
             fields: parameters::field_names::<H>(),
             equations: H::EQUATIONS,
             invariants: H::INVARIANTS,
+            sensitive: H::SENSITIVE,
             rows: H::rows(),
             checks: Checks::of::<H>(),
             build: |keywords| {

@@ -98,6 +98,14 @@ class System:
     def chaos_map(
         self, q: ArrayLike, p: ArrayLike, h: float, steps: int, *, indicator: str = "megno"
     ) -> np.ndarray: ...
+    def value_and_grad(
+        self,
+        loss: Callable[[np.ndarray, np.ndarray], tuple[float, tuple[ArrayLike, ArrayLike]]],
+        q: ArrayLike,
+        p: ArrayLike,
+        h: float,
+        steps: int,
+    ) -> tuple[float, tuple[np.ndarray, np.ndarray, dict[str, float]]]: ...
     def equations(self) -> Equations: ...
     def replace(self, **parameters: Any) -> Any: ...
 

@@ -154,6 +154,56 @@ class Orbits(unittest.TestCase):
         self.assertIn("row 1", str(caught.exception))
 
 
+class Gradients(unittest.TestCase):
+    GOAL = np.array([0.5, 0.5, 0.1])
+
+    def loss(self, q, p):
+        miss = q - self.GOAL
+        return miss @ miss, (2 * miss, np.zeros_like(p))
+
+    def value(self, system, q, p, steps):
+        run = system.run(q, p, H)
+        run.advance(steps)
+        return self.loss(run.q, run.p)[0]
+
+    def test_derivatives_are_those_of_differences(self):
+        value, (by_q, by_p, by_parameters) = SYSTEM.value_and_grad(self.loss, Q, P, H, 500)
+        self.assertEqual(value, self.value(SYSTEM, Q, P, 500))
+        # Central differences have a truncation error of the order d² and rounding of the order 2^-53 / d.
+        d = 1e-5
+        for index, step in enumerate(d * np.eye(3)):
+            difference = self.value(SYSTEM, Q + step, P, 500) - self.value(SYSTEM, Q - step, P, 500)
+            self.assertAlmostEqual(by_q[index], difference / (2 * d), delta=1e-6)
+            difference = self.value(SYSTEM, Q, P + step, 500) - self.value(SYSTEM, Q, P - step, 500)
+            self.assertAlmostEqual(by_p[index], difference / (2 * d), delta=1e-6)
+        self.assertEqual(list(by_parameters), ["core", "flattening"])
+        for name, derivative in by_parameters.items():
+            of = lambda step: SYSTEM.replace(**{name: getattr(SYSTEM, name) + step})
+            difference = self.value(of(d), Q, P, 500) - self.value(of(-d), Q, P, 500)
+            self.assertAlmostEqual(derivative, difference / (2 * d), delta=1e-6)
+        self.assertGreater(np.abs(by_q).max(), 1e-2)
+
+    def test_points_keep_their_shape(self):
+        bodies = galaxy.Bodies(mass=[1.0, 1e-3])
+        q, p = [[0, 0], [1, 0]], [[0, -1e-3], [0, 1e-3]]
+        loss = lambda q, p: (q[1, 0], (np.array([[0, 0], [1, 0]]), np.zeros((2, 2))))
+        value, (by_q, by_p, by_parameters) = bodies.value_and_grad(loss, q, p, 0.01, 100)
+        self.assertEqual((by_q.shape, by_p.shape, by_parameters), ((2, 2), (2, 2), {}))
+        # A shift of all bodies shifts the end, up to the rounding of some hundreds of steps.
+        self.assertAlmostEqual(by_q[:, 0].sum(), 1.0, delta=1e3 * 2.0**-53)
+
+    def test_mistakes_of_the_loss_are_errors(self):
+        for loss, error, part in [
+            (lambda q, p: 1.0, galaxy.InputError, "expected (value, (derivatives by q, derivatives by p))"),
+            (lambda q, p: (1.0, (q[:2], p)), galaxy.InputError, "the derivatives by q has the shape (2,): expected (3,)"),
+            (lambda q, p: q[7], IndexError, "out of bounds"),
+            (lambda q, p: (1.0, (q * np.nan, p)), galaxy.InputError, "not finite"),
+        ]:
+            with self.assertRaises(error) as caught:
+                SYSTEM.value_and_grad(loss, Q, P, H, 10)
+            self.assertIn(part, str(caught.exception))
+
+
 class Equations(unittest.TestCase):
     def test_equations_are_text_and_latex(self):
         equations = SYSTEM.equations()

@@ -1,15 +1,15 @@
 //! The Python class of a system, of which the class of each kind is a subclass.
 
 use crate::{
-    arrays::read,
+    arrays::{Shape, array, read},
     errors::{Fault, input_error, nearest, unknown},
     interrupt::interruptible,
-    methods::{Row, SCALARS, Start, of},
+    methods::{Derivatives, Row, SCALARS, Start, of},
     python::{ensemble::PyEnsemble, equations::PyEquations, kind::PyKind, run::PyRun},
     system::{AnySystem, Exported, Kind},
 };
 use integrator_core::chaos::Indicator;
-use numpy::PyArray1;
+use numpy::{PyArray1, PyArrayDyn};
 use pyo3::{
     exceptions::{PyAttributeError, PyTypeError},
     prelude::*,
@@ -84,6 +84,26 @@ impl PySystem {
         };
         (0..count).map(of_member).collect()
     }
+}
+
+type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
+type Gradient<'py> = (f64, (Array<'py>, Array<'py>, Bound<'py, PyDict>));
+
+/// The value of a function of Python at the end of a run, and its derivatives there.
+fn cotangent(loss: &Bound<'_, PyAny>, q: &[f64], p: &[f64], shape: &Shape) -> PyResult<(f64, [Vec<f64>; 2])> {
+    let [at_q, at_p] = [q, p].map(|half| array(loss.py(), half.to_vec(), shape, None));
+    let returned = loss.call1((at_q, at_p))?;
+    let (value, (by_q, by_p)): (f64, (Bound<'_, PyAny>, Bound<'_, PyAny>)) = returned.extract().map_err(|_| {
+        input_error(format!("loss(q, p) returned {returned}: expected (value, (derivatives by q, derivatives by p))"))
+    })?;
+    let derivatives = [("the derivatives by q", by_q, q), ("the derivatives by p", by_p, p)];
+    let [by_q, by_p] = derivatives.map(|(name, object, half)| {
+        let numbers = read(name, &object, shape, false)?.flat;
+        let (given, expected) = (numbers.len(), half.len());
+        let wrong = || input_error(format!("{name} have {given} numbers: expected {expected}"));
+        if given == expected { Ok(numbers) } else { Err(wrong()) }
+    });
+    Ok((value, [by_q?, by_p?]))
 }
 
 #[pymethods]
@@ -213,6 +233,42 @@ impl PySystem {
         let found =
             interruptible(py, |goes_on| (self.kind.checks.map)(&self.system, start, steps, indicator, goes_on))?;
         Ok(PyArray1::from_vec(py, found))
+    }
+
+    /// Computes a function of the end of a run, and its derivatives by a run back, whatever their number.
+    ///
+    /// `loss(q, p)` returns its value at the end of the run, and its derivatives with respect to q and p there, as a pair of
+    /// arrays in the shape of q: `(value, (by_q, by_p))`. The method is the composition of the annotation, which has to be
+    /// symmetric. Returns `(value, (by_q, by_p, by_parameters))`: the derivatives with respect to the start, and a dictionary of
+    /// those with respect to the parameters in `sensitive(...)` of the annotation. They are exact for the steps taken.
+    fn value_and_grad<'py>(
+        &self,
+        py: Python<'py>,
+        loss: &Bound<'py, PyAny>,
+        q: &Bound<'_, PyAny>,
+        p: &Bound<'_, PyAny>,
+        h: f64,
+        steps: u64,
+    ) -> Result<Gradient<'py>, Fault> {
+        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
+        let (mut raised, loss, shape) = (None, loss.clone().unbind(), &self.kind.shape);
+        let mut at_end = |q: &[f64], p: &[f64]| {
+            // NaN ends the computation.
+            Python::attach(|py| cotangent(loss.bind(py), q, p, shape)).unwrap_or_else(|error| {
+                raised = Some(error);
+                (f64::NAN, [q, p].map(|half| vec![f64::NAN; half.len()]))
+            })
+        };
+        let found = py.detach(|| (self.kind.checks.gradient)(&self.system, start, steps, &mut at_end));
+        let Derivatives { value, by_start: [q, p], by_parameters } = match raised {
+            Some(raised) => return Err(raised.into()),
+            None => found?,
+        };
+        let parameters = PyDict::new(py);
+        for (name, derivative) in self.kind.sensitive.iter().zip(by_parameters) {
+            parameters.set_item(name, derivative)?;
+        }
+        Ok((value, (array(py, q, shape, None), array(py, p, shape, None), parameters)))
     }
 
     /// Returns the energies and the equations of motion, which notebooks show as formulas.

@@ -11,7 +11,7 @@ struct Galaxy {
     flattening: f64,
 }
 
-#[hamiltonian(compose = BlanesMoanSrkn11)]
+#[hamiltonian(compose = BlanesMoanSrkn11, sensitive(core, flattening))]
 impl Galaxy {
     fn kinetic(&self, p: [f64; 3]) -> f64 {
         (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0
