@@ -36,7 +36,6 @@ mod ensemble;
 mod errors;
 mod expression;
 mod interrupt;
-mod latex;
 mod methods;
 mod module;
 mod parameters;

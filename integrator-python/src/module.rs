@@ -2,7 +2,12 @@
 
 use crate::{
     errors::{InputError, RunError},
-    python::{ensemble::PyEnsemble, equations::PyEquations, kind::add_class, run::PyRun, system::PySystem},
+    python::{
+        ensemble::PyEnsemble,
+        kind::{add_class, classes},
+        run::PyRun,
+        system::PySystem,
+    },
     system::Exported,
 };
 use pyo3::{prelude::*, types::PyCFunction};
@@ -125,15 +130,15 @@ impl<'m, 'py> Contents<'m, 'py> {
     /// Python has no memory left.
     pub fn finish(self) -> PyResult<()> {
         let (module, py, stubs) = (self.module, self.module.py(), self.stubs);
-        let classes = [
-            ("System", py.get_type::<PySystem>()),
-            ("Run", py.get_type::<PyRun>()),
-            ("Ensemble", py.get_type::<PyEnsemble>()),
-            ("Equations", py.get_type::<PyEquations>()),
-            ("InputError", py.get_type::<InputError>()),
-            ("RunError", py.get_type::<RunError>()),
-        ];
-        for (name, class) in classes {
+        for (name, class) in [
+            ("System", py.get_type::<PySystem>().into_any()),
+            ("Run", py.get_type::<PyRun>().into_any()),
+            ("Ensemble", py.get_type::<PyEnsemble>().into_any()),
+            ("InputError", py.get_type::<InputError>().into_any()),
+            ("RunError", py.get_type::<RunError>().into_any()),
+            ("Samples", classes(py)?.getattr("Samples")?),
+            ("Equations", classes(py)?.getattr("Equations")?),
+        ] {
             class.setattr("__module__", module.name()?)?;
             module.add(name, class)?;
         }

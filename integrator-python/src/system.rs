@@ -43,6 +43,9 @@ pub struct Function<'py> {
 /// A system of any type.
 pub(crate) type AnySystem = Arc<dyn Any + Send + Sync>;
 
+/// A system, and its parameters by their names.
+type Built<'py> = (AnySystem, Bound<'py, PyDict>);
+
 /// A kind of system: what is known without parameters.
 pub(crate) struct Kind {
     pub(crate) name: &'static str,
@@ -55,7 +58,7 @@ pub(crate) struct Kind {
     pub(crate) rows: Vec<Row>,
     pub(crate) checks: Checks,
     /// Builds a system from keyword arguments; returns it with its parameters.
-    pub(crate) build: for<'py> fn(&Bound<'py, PyDict>) -> PyResult<(AnySystem, Bound<'py, PyDict>)>,
+    pub(crate) build: for<'py> fn(&Bound<'py, PyDict>) -> PyResult<Built<'py>>,
 }
 
 impl Kind {

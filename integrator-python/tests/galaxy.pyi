@@ -16,8 +16,8 @@ class Samples(NamedTuple):
     invariants: dict[str, np.ndarray]
 
 class Equations:
-    @property
-    def lines(self) -> list[str]: ...
+    lines: list[str]
+    def __init__(self, lines: list[str]) -> None: ...
     def _repr_latex_(self) -> str | None: ...
 
 class Run:

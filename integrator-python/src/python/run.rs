@@ -5,11 +5,12 @@ use crate::{
     errors::{Fault, input_error, unknown},
     expression::Expression,
     interrupt::{Pulse, portions, signalled},
+    python::kind::classes,
     run::{AnyRun, Columns, Crossed},
 };
 use integrator_core::Direction;
 use numpy::{PyArray1, PyArrayDyn};
-use pyo3::{prelude::*, sync::PyOnceLock, types::PyDict};
+use pyo3::{prelude::*, types::PyDict};
 
 /// A trajectory that is being integrated. `System.run` starts it.
 #[pyclass(name = "Run")]
@@ -182,16 +183,11 @@ fn finished<'py>(
 
 /// Moves columns into arrays, without copying them.
 fn named_tuple<'py>(py: Python<'py>, columns: Columns, shape: &Shape) -> PyResult<Bound<'py, PyAny>> {
-    static CLASS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let class = CLASS.get_or_try_init(py, || {
-        let fields = ["t", "q", "p", "energy", "invariants"];
-        py.import("collections")?.call_method1("namedtuple", ("Samples", fields)).map(Bound::unbind)
-    })?;
     let (count, invariants) = (Some(columns.t.len()), PyDict::new(py));
     for (name, values) in columns.invariants {
         invariants.set_item(name, PyArray1::from_vec(py, values))?;
     }
     let [q, p] = [columns.q, columns.p].map(|flat| array(py, flat, shape, count));
     let [t, energy] = [columns.t, columns.energy].map(|column| PyArray1::from_vec(py, column));
-    class.bind(py).call1((t, q, p, energy, invariants))
+    classes(py)?.getattr("Samples")?.call1((t, q, p, energy, invariants))
 }

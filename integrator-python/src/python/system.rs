@@ -5,7 +5,11 @@ use crate::{
     errors::{Fault, input_error, nearest, unknown},
     interrupt::interruptible,
     methods::{Derivatives, Row, SCALARS, Start, of},
-    python::{ensemble::PyEnsemble, equations::PyEquations, kind::PyKind, run::PyRun},
+    python::{
+        ensemble::PyEnsemble,
+        kind::{PyKind, classes},
+        run::PyRun,
+    },
     system::{AnySystem, Exported, Kind},
 };
 use integrator_core::chaos::Indicator;
@@ -56,14 +60,13 @@ impl PySystem {
         let row = row.ok_or_else(|| unknown(py, "composition", how.composition.unwrap_or_default(), &names))?;
         let scalar = SCALARS.iter().find(|(name, _)| *name == how.scalar).map(|(_, scalar)| *scalar);
         let scalar = scalar.ok_or_else(|| unknown(py, "scalar", how.scalar, &SCALARS.map(|(name, _)| name)))?;
-        let state @ [q, p] =
-            &[read("q", q, &self.kind.shape, of_members)?, read("p", p, &self.kind.shape, of_members)?];
-        if q.rows != p.rows {
-            let (of_q, of_p) = (q.rows, p.rows);
+        let state = [read("q", q, &self.kind.shape, of_members)?, read("p", p, &self.kind.shape, of_members)?];
+        let [of_q, of_p] = [state[0].rows, state[1].rows];
+        if of_q != of_p {
             let message = format!("q has {of_q} rows, but p has {of_p}: expected one row each for every member");
             return Err(input_error(message));
         }
-        Ok((row, Start { state: state.clone(), scalar, h: how.h, time: how.time }))
+        Ok((row, Start { state, scalar, h: how.h, time: how.time }))
     }
 
     /// The systems of members whose parameters are arrays with one row for each member.
@@ -158,7 +161,6 @@ impl PySystem {
     #[pyo3(signature = (q, p, h, *, composition = None, time = 0.0, **parameters))]
     fn ensemble(
         &self,
-        py: Python<'_>,
         q: &Bound<'_, PyAny>,
         p: &Bound<'_, PyAny>,
         h: f64,
@@ -166,6 +168,7 @@ impl PySystem {
         time: f64,
         parameters: Option<Bound<'_, PyDict>>,
     ) -> Result<PyEnsemble, Fault> {
+        let py = q.py();
         let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time }, true)?;
         let members = match parameters {
             Some(parameters) => self.members(py, start.state[0].rows, &parameters)?,
@@ -272,8 +275,8 @@ impl PySystem {
     }
 
     /// Returns the energies and the equations of motion, which notebooks show as formulas.
-    fn equations(&self) -> PyEquations {
-        PyEquations { lines: self.kind.equations.to_vec() }
+    fn equations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        classes(py)?.getattr("Equations")?.call1((self.kind.equations.to_vec(),))
     }
 
     /// Returns a system with some parameters changed.
