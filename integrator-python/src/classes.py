@@ -3,6 +3,7 @@
 import collections
 import functools
 import inspect
+import keyword
 import re
 
 Samples = collections.namedtuple("Samples", ["t", "q", "p", "energy", "invariants"])
@@ -81,6 +82,9 @@ def word(token):
 
 def system_class(base, module, kind, doc, shape, fields, compositions, functions):
     """The class of a kind of system, and its text in the type stubs. Functions are written in Rust."""
+    for name in filter(keyword.iskeyword, fields or []):
+        help = f'help: write `#[serde(rename = "{name}_")]` above this field'
+        raise ImportError(f"the field `{name}` of {kind.name} is a keyword of Python\n{help}")
     parameters = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY) for name in fields or []]
     contents = {"_kind": kind, "__module__": module, "__slots__": (), "__signature__": inspect.Signature(parameters)}
     contents["__doc__"] = (

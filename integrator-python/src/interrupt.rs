@@ -1,6 +1,6 @@
 //! Long calls: without the GIL, stopped by Ctrl-C, with a bar of progress.
 
-use crate::errors::Fault;
+use crate::errors::{Fault, input_error};
 use pyo3::{exceptions::PyRuntimeError, prelude::*};
 use std::{
     io::{Write, stderr},
@@ -117,5 +117,15 @@ pub(crate) fn interruptible<T: Send>(
                 }
             }
         })
+    })
+}
+
+/// Reads a number of steps or of samples.
+pub(crate) fn count(object: &Bound<'_, PyAny>) -> PyResult<u64> {
+    object.extract().map_err(|_| {
+        input_error(format!(
+            "a number of steps or samples is {object}: expected an integer that is not negative\nhelp: runs with a negative h \
+             go backwards"
+        ))
     })
 }

@@ -114,6 +114,8 @@ class Failures(unittest.TestCase):
             (lambda: SYSTEM.run(Q, P, H).samples(3, every=0), galaxy.InputError, "the interval between samples is 0"),
             (lambda: SYSTEM.run(Q, P, H, composition="KahanLi9"), galaxy.InputError, "help: write `KahanLi8`"),
             (lambda: SYSTEM.run(Q, P, H, scalar="f46"), galaxy.InputError, "help: write `f64`"),
+            (lambda: SYSTEM.run(Q, P, H).advance(-5), galaxy.InputError, "is -5: expected an integer"),
+            (lambda: SYSTEM.run(Q, P, H).samples(1.5), galaxy.InputError, "is 1.5: expected an integer"),
             (lambda: SYSTEM.run(Q, P, H).invariant("energy"), galaxy.InputError, "angular_momentum"),
             (lambda: SYSTEM.run(Q, P, H).watch_energy(-1.0), galaxy.InputError, "has to be positive"),
             (lambda: SYSTEM.run(Q, P, H).advance_to(-1.0), galaxy.InputError, "lead away"),

@@ -51,6 +51,15 @@ class Parameters(unittest.TestCase):
             for part in parts:
                 self.assertIn(part, str(caught.exception))
 
+    def test_keywords_of_python_are_no_parameters(self):
+        # What the classes are built by, in place of a module that cannot be imported.
+        of = {"__name__": "classes"}
+        exec((pathlib.Path(__file__).parents[1] / "src/classes.py").read_text(), of)
+        kind = type("Kind", (), {"name": "Laser"})
+        with self.assertRaises(ImportError) as caught:
+            of["system_class"](object, "m", kind, "", "(1,)", ["lambda"], [], [])
+        self.assertIn('`#[serde(rename = "lambda_")]`', str(caught.exception))
+
     def test_functions_are_methods_with_documentation(self):
         self.assertEqual(SYSTEM.circular_velocity(1.0), 1.0 / np.sqrt(0.1**2 + 1.0))
         self.assertEqual(SYSTEM.circular_velocity(radius=0.0), 0.0)

@@ -4,7 +4,7 @@ use crate::{
     arrays::{Shape, array},
     ensemble::AnyEnsemble,
     errors::{Fault, input_error},
-    interrupt::portions,
+    interrupt::{count, portions},
     python::run::PyRun,
 };
 use numpy::{PyArray1, PyArrayDyn};
@@ -74,7 +74,12 @@ impl PyEnsemble {
     /// The GIL is released, and Ctrl-C stops all members after the same step. With `progress=True`, a bar is drawn on stderr.
     /// Raises `RunError` with `members` if members fail; the others have then taken all steps.
     #[pyo3(signature = (steps, *, progress = false))]
-    fn advance(&mut self, py: Python<'_>, steps: u64, progress: bool) -> Result<(), Fault> {
+    fn advance(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = count)] steps: u64,
+        progress: bool,
+    ) -> Result<(), Fault> {
         portions(py, progress, |report| self.ensemble.advance(steps, report))
     }
 

@@ -4,7 +4,7 @@ use crate::{
     arrays::{Shape, array},
     errors::{Fault, input_error, unknown},
     expression::Expression,
-    interrupt::{Pulse, portions, signalled},
+    interrupt::{Pulse, count, portions, signalled},
     python::kind::classes,
     run::{AnyRun, Columns, Crossed},
 };
@@ -65,7 +65,12 @@ impl PyRun {
     /// The GIL is released, and Ctrl-C stops the run after a whole step. With `progress=True`, a bar is drawn on stderr.
     /// Raises `RunError` if the state diverges; the run then stays at its last finite state.
     #[pyo3(signature = (steps, *, progress = false))]
-    fn advance(&mut self, py: Python<'_>, steps: u64, progress: bool) -> Result<(), Fault> {
+    fn advance(
+        &mut self,
+        py: Python<'_>,
+        #[pyo3(from_py_with = count)] steps: u64,
+        progress: bool,
+    ) -> Result<(), Fault> {
         portions(py, progress, |report| self.run.advance(steps, report))
     }
 
@@ -80,7 +85,13 @@ impl PyRun {
     /// a state; and the dictionary `invariants` with an array for each conserved quantity. The run stays at the last sample.
     /// If it fails, the exception has the samples before in `samples`.
     #[pyo3(signature = (n, *, every = 1, progress = false))]
-    fn samples<'py>(&mut self, py: Python<'py>, n: u64, every: u64, progress: bool) -> PyResult<Bound<'py, PyAny>> {
+    fn samples<'py>(
+        &mut self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = count)] n: u64,
+        #[pyo3(from_py_with = count)] every: u64,
+        progress: bool,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let mut columns = Columns::default();
         let outcome = portions(py, progress, |report| self.run.sample(n, every, &mut columns, report));
         finished(py, outcome, columns, &self.shape)
@@ -98,8 +109,8 @@ impl PyRun {
         py: Python<'py>,
         function: &Bound<'_, PyAny>,
         direction: &str,
-        n: u64,
-        steps: u64,
+        #[pyo3(from_py_with = count)] n: u64,
+        #[pyo3(from_py_with = count)] steps: u64,
     ) -> PyResult<Bound<'py, PyAny>> {
         let direction = match direction {
             "rising" => Direction::Rising,

@@ -3,7 +3,7 @@
 use crate::{
     arrays::{Shape, array, read},
     errors::{Fault, input_error, nearest, unknown},
-    interrupt::interruptible,
+    interrupt::{count, interruptible},
     methods::{Derivatives, Row, SCALARS, Start, of},
     python::{
         ensemble::PyEnsemble,
@@ -205,7 +205,7 @@ impl PySystem {
         q: &Bound<'_, PyAny>,
         p: &Bound<'_, PyAny>,
         h: f64,
-        steps: u64,
+        #[pyo3(from_py_with = count)] steps: u64,
     ) -> Result<[Bound<'py, PyArray1<f64>>; 2], Fault> {
         let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
         let spectrum = py.detach(|| (self.kind.checks.spectrum)(&self.system, start, steps))?;
@@ -223,7 +223,7 @@ impl PySystem {
         q: &Bound<'_, PyAny>,
         p: &Bound<'_, PyAny>,
         h: f64,
-        steps: u64,
+        #[pyo3(from_py_with = count)] steps: u64,
         indicator: &str,
     ) -> Result<Bound<'py, PyArray1<f64>>, Fault> {
         let indicator = match indicator {
@@ -251,7 +251,7 @@ impl PySystem {
         q: &Bound<'_, PyAny>,
         p: &Bound<'_, PyAny>,
         h: f64,
-        steps: u64,
+        #[pyo3(from_py_with = count)] steps: u64,
     ) -> Result<Gradient<'py>, Fault> {
         let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
         let (mut raised, loss, shape) = (None, loss.clone().unbind(), &self.kind.shape);
