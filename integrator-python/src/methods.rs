@@ -78,15 +78,15 @@ pub struct Row {
     pub(crate) certify: Start1<String>,
 }
 
-/// Gradients and indicators of chaos, by the composition of the annotation: for each composition they would take seconds to
+/// What deviation vectors compute, by the composition of the annotation: for each composition it would take seconds to
 /// compile.
-pub(crate) struct Checks {
+pub(crate) struct Tangents {
     pub(crate) gradient: ByStart,
     pub(crate) spectrum: Exponents,
     pub(crate) map: Map,
 }
 
-impl Checks {
+impl Tangents {
     pub(crate) fn of<H: Exported>() -> Self {
         Self {
             gradient: Box::new(|system, from, steps, loss| {

@@ -2,7 +2,7 @@
 
 use crate::{
     arrays::Shape,
-    methods::{Checks, Row},
+    methods::{Tangents, Row},
     parameters::{self, Parameters},
 };
 use integrator_core::{Hamiltonian, InLanes};
@@ -56,7 +56,7 @@ pub(crate) struct Kind {
     pub(crate) invariants: &'static [&'static str],
     pub(crate) sensitive: &'static [&'static str],
     pub(crate) rows: Vec<Row>,
-    pub(crate) checks: Checks,
+    pub(crate) tangents: Tangents,
     /// Builds a system from keyword arguments; returns it with its parameters.
     pub(crate) build: for<'py> fn(&Bound<'py, PyDict>) -> PyResult<Built<'py>>,
 }
@@ -72,7 +72,7 @@ impl Kind {
             invariants: H::INVARIANTS,
             sensitive: H::SENSITIVE,
             rows: H::rows(),
-            checks: Checks::of::<H>(),
+            tangents: Tangents::of::<H>(),
             build: |keywords| {
                 let system = parameters::build::<H>(H::NAME, keywords)?;
                 let parameters = parameters::listed(keywords.py(), &system)?;

@@ -5,7 +5,7 @@ import time
 import galaxy
 
 Q, P, H = [1.0, 0.0, 0.0], [0.0, 0.6, 0.4], 0.01
-STEPS, SAMPLES, REPEATS = 2_000_000, 1_000_000, 9
+STEPS, SAMPLES, REPEATS = 2_000_000, 1_000_000, 15
 system = galaxy.Galaxy(core=0.1, flattening=0.8)
 
 

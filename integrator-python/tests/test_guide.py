@@ -30,8 +30,8 @@ class Guide(unittest.TestCase):
                     continue
                 with contextlib.redirect_stdout(io.StringIO()):
                     exec(program, names)
-        # What the first two programs computed.
-        self.assertLess(names["np"].ptp(names["samples"].energy), 1e-13)
+        # What the first two programs computed. Energies of compensated steps have their own roundings.
+        self.assertLess(names["np"].ptp(names["samples"].energy), 1e3 * 2.0**-53)
         self.assertEqual(names["megno"].shape, (100,))
         if skipped:
             print(f"SKIPPED: {', '.join(skipped)} are not installed, so that their programs in the guide did not run")

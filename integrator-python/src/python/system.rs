@@ -208,7 +208,7 @@ impl PySystem {
         #[pyo3(from_py_with = count)] steps: u64,
     ) -> Result<[Bound<'py, PyArray1<f64>>; 2], Fault> {
         let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
-        let spectrum = py.detach(|| (self.kind.checks.spectrum)(&self.system, start, steps))?;
+        let spectrum = py.detach(|| (self.kind.tangents.spectrum)(&self.system, start, steps))?;
         Ok([spectrum.exponents, spectrum.uncertainties].map(|numbers| PyArray1::from_vec(py, numbers)))
     }
 
@@ -234,7 +234,7 @@ impl PySystem {
         };
         let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, true)?;
         let found =
-            interruptible(py, |goes_on| (self.kind.checks.map)(&self.system, start, steps, indicator, goes_on))?;
+            interruptible(py, |goes_on| (self.kind.tangents.map)(&self.system, start, steps, indicator, goes_on))?;
         Ok(PyArray1::from_vec(py, found))
     }
 
@@ -262,7 +262,7 @@ impl PySystem {
                 (f64::NAN, [q, p].map(|half| vec![f64::NAN; half.len()]))
             })
         };
-        let found = py.detach(|| (self.kind.checks.gradient)(&self.system, start, steps, &mut at_end));
+        let found = py.detach(|| (self.kind.tangents.gradient)(&self.system, start, steps, &mut at_end));
         let Derivatives { value, by_start: [q, p], by_parameters } = match raised {
             Some(raised) => return Err(raised.into()),
             None => found?,
