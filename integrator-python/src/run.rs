@@ -26,7 +26,7 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// Adds a sample, and makes room for so many.
+    /// Adds a sample; the first one makes room for `count`.
     fn push<C: Coords>(&mut self, sample: &Sample<C>, count: u64) {
         let state = sample.state.to_f64();
         if self.t.is_empty() {

@@ -2,7 +2,7 @@
 
 use crate::{
     arrays::Shape,
-    methods::{Tangents, Row},
+    methods::{Row, Tangents},
     parameters::{self, Parameters},
 };
 use integrator_core::{Hamiltonian, InLanes};

@@ -88,7 +88,7 @@ impl PyEnsemble {
         let run = self.ensemble.run_of(member).ok_or_else(|| {
             let members = self.ensemble.members();
             input_error(format!(
-                "member {member} is not active: there are {members} members, of which some may have failed"
+                "member {member} is not active: there are {members} members, and failed ones are not active"
             ))
         })?;
         Ok(PyRun { run, shape: self.shape.clone(), composition: self.composition })

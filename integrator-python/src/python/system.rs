@@ -1,4 +1,4 @@
-//! The Python class of a system, of which the class of each kind is a subclass.
+//! The Python class of a system. The class of each kind of system is a subclass.
 
 use crate::{
     arrays::{Shape, array, read},
