@@ -218,7 +218,7 @@ fn imports_are_found() {
     );
 }
 
-/// What `integrator-gpu` and `integrator-mpi`, which no command at the root compiles, take of the core: names that this has.
+/// What `integrator-gpu`, `integrator-mpi` and `integrator-python`, which no command at the root compiles, take of the core: names that this has.
 #[test]
 fn the_core_exports_what_crates_outside_of_the_workspace_use() {
     let core = fs::read_to_string(root().join("integrator-core/src/lib.rs")).expect("text");
@@ -226,7 +226,7 @@ fn the_core_exports_what_crates_outside_of_the_workspace_use() {
     let has = |text: &str, name: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name);
     assert!(has(private, "part_of") && !has(private, "parts_of"));
     let mut found = 0;
-    for folder in ["integrator-gpu/src", "integrator-mpi/src"] {
+    for folder in ["integrator-gpu/src", "integrator-mpi/src", "integrator-python/src"] {
         for (path, text) in sources(&root().join(folder)) {
             // Without the names by which they are known there.
             let text: String =

@@ -15,7 +15,7 @@ use std::{
 };
 
 /// The folders of the crates.
-const CRATES: [&str; 9] = [
+const CRATES: [&str; 10] = [
     "extras/integrator-laboratory",
     "extras/integrator-plot",
     "extras/integrator-reference",
@@ -24,6 +24,7 @@ const CRATES: [&str; 9] = [
     "integrator-gpu",
     "integrator-macros",
     "integrator-mpi",
+    "integrator-python",
     "integrator-symbolic",
 ];
 

@@ -427,6 +427,19 @@ fn failed_members_are_named_at_the_end() {
     let Err(Error::Lost(lost)) = outcome else { panic!("{outcome:?}") };
     assert!(calls > 1 && lost.members.iter().map(|(member, _)| *member).eq(FAR));
     assert_eq!(swarm.steps(), 5000);
+
+    // So are members whose energies stray, in whichever portion of the steps.
+    let [mut swarm, mut at_once] = [(); 2].map(|()| {
+        let mut swarm = Ensemble::new(Verlet, (0..MANY).map(orbit), 0.1).expect("an ensemble");
+        swarm.watch_energy(1e-3).expect("energies");
+        swarm
+    });
+    let Err(Error::Strayed { members }) = swarm.advance_with(5000, |_| ControlFlow::Continue(())) else {
+        panic!("members stray")
+    };
+    let Err(Error::Strayed { members: expected }) = at_once.advance(5000) else { panic!("members stray") };
+    assert_eq!(format!("{members:?}"), format!("{expected:?}"));
+    assert_eq!((swarm.steps(), swarm.active()), (5000, at_once.active()));
 }
 
 #[test]

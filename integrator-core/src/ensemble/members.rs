@@ -9,7 +9,7 @@ use crate::{
         energies::EnergiesOfMembers,
         request::{AdvanceRequest, Ended},
     },
-    error::{Error, Lost},
+    error::Error,
     state::{clock::Clock, point::Point},
     threads::{all_threads, on_threads},
     trajectory::{panics::Panics, watch::Watch},
@@ -167,17 +167,11 @@ impl Members {
         });
         let strays = strays.as_ref().map(|strays| strays as &_);
         let request = AdvanceRequest { clock: self.clock, steps, interval, stays, strays, panics: &panics };
-        let Ended { mut lost, mut strayed } = self.advance_batches(&request);
+        let ended = self.advance_batches(&request);
         self.watches = watches;
         self.clock.steps = end;
         panics.resume();
-        lost.sort_unstable_by_key(|(member, _)| *member);
-        if !strayed.is_empty() {
-            strayed.extend(lost.into_iter().map(|(member, divergence)| (member, divergence.into())));
-            strayed.sort_unstable_by_key(|(member, _)| *member);
-            return Err(Error::Strayed { members: strayed });
-        }
-        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
+        ended.outcome()
     }
 
     /// Advances all batches, on as many threads as are worthwhile, and returns the members that do not continue.

@@ -34,6 +34,7 @@ use crate::{
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member, refusal},
+        request::Ended,
     },
     error::{Error, Lost},
     scalar::instruction_set::InstructionSet,
@@ -321,17 +322,20 @@ impl<C: Coords> Ensemble<C> {
         mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<u64, Error> {
         self.members.clock.end(steps)?;
-        let mut lost = Vec::new();
+        let mut ended = Ended::default();
         let mut advance = |steps| match self.members.advance(steps, u64::MAX, &|_, _| true) {
             Err(Error::Lost(Lost { members })) => {
-                lost.extend(members);
+                ended.lost.extend(members);
+                Ok(())
+            }
+            Err(Error::Strayed { members }) => {
+                ended.strayed.extend(members);
                 Ok(())
             }
             outcome => outcome,
         };
         let taken = in_portions(steps, FIRST_PORTION, &mut advance, &mut progress)?;
-        lost.sort_unstable_by_key(|(member, _)| *member);
-        if lost.is_empty() { Ok(taken) } else { Err(Lost { members: lost }.into()) }
+        ended.outcome().map(|()| taken)
     }
 
     /// Takes `steps` steps like [`Ensemble::advance`], and stops members individually.

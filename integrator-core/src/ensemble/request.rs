@@ -1,7 +1,7 @@
 //! A request to advance an ensemble: how many steps its members take, and which of them leave before.
 
 use crate::{
-    error::{Divergence, Error},
+    error::{Divergence, Error, Lost},
     state::{clock::Clock, point::Point},
     trajectory::{engine::BLOCK, panics::Panics},
 };
@@ -38,6 +38,18 @@ impl Ended {
     pub(crate) fn extend(&mut self, other: Self) {
         self.lost.extend(other.lost);
         self.strayed.extend(other.strayed);
+    }
+
+    /// The error that lists these members in ascending order, if there are any.
+    pub(crate) fn outcome(self) -> Result<(), Error> {
+        let Self { mut lost, mut strayed } = self;
+        if !strayed.is_empty() {
+            strayed.extend(lost.into_iter().map(|(member, divergence)| (member, divergence.into())));
+            strayed.sort_unstable_by_key(|(member, _)| *member);
+            return Err(Error::Strayed { members: strayed });
+        }
+        lost.sort_unstable_by_key(|(member, _)| *member);
+        if lost.is_empty() { Ok(()) } else { Err(Error::Lost(Lost { members: lost })) }
     }
 }
 
