@@ -75,7 +75,7 @@ fn members() -> String {
         start.q[0] += 1e-3 * f64::from(number) / f64::from(MEMBERS);
         start
     };
-    let pairs = || (0..MEMBERS).map(|number| (problem.system.clone(), start(number)));
+    let pairs = || (0..MEMBERS).map(|number| (problem.system, start(number)));
     let alone = || {
         let mut ensemble = Ensemble::new(KahanLi8, pairs(), 0.01).expect("starts");
         ensemble.advance(STEPS).expect("finite states");
