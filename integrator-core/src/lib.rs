@@ -49,6 +49,7 @@
 //! | Integrate many trajectories | [`Ensemble`] |
 //! | Verify symplecticity, order and energy drift | [`certify`] |
 //! | Measure chaos | [`chaos`], [`Hamiltonian::tangent`] |
+//! | Compute gradients for a fit | [`Hamiltonian::gradient`] |
 //!
 //! Further items:
 //!
