@@ -3,7 +3,7 @@
 #[path = "support/instruction_sets.rs"]
 mod instruction_sets;
 
-use integrator_core::{Euler, Gradient, Sample, VectorFault, prelude::*};
+use integrator_core::{Differentiable, Euler, Gradient, InLanes, Sample, VectorFault, prelude::*};
 
 /// A quartic oscillator.
 struct Quartic {
@@ -284,12 +284,24 @@ fn members_of_ensembles_have_the_gradients_of_runs_alone() {
         assert_eq!(found, alone, "member {number}");
         assert!(found.is_ok());
     }
-    // Parameters with derivatives, and a member that fails beside others.
+    // Parameters with derivatives, in lanes by a composition and on threads by an implicit method; more than a block of steps.
     let by_q = |_, _: &Phase<[f64; 1]>| (0.0, Phase::new([1.0], [0.0]));
-    let members = (0..5).map(|i| (Quartic { stiffness: 1.0 + 0.1 * f64::from(i) }, Phase::new([1.0], [0.0])));
-    let found = Ensemble::gradients(Verlet, members, 0.1, 100, by_q);
-    let slopes: Vec<f64> = found.into_iter().map(|found| found.expect("a gradient").parameters[0]).collect();
-    assert!(slopes.len() == 5 && slopes.windows(2).all(|pair| pair[0] != pair[1]), "{slopes:?}");
+    fn hold<X: InLanes<Quartic> + Differentiable<Quartic>>(method: X, steps: u64) {
+        let by_q = |_, end: &Phase<[f64; 1]>| (end.q[0], Phase::new([1.0], [end.p[0]]));
+        let member =
+            |i: u32| (Quartic { stiffness: 1.0 + 0.1 * f64::from(i) }, Phase::new([1.0], [0.01 * f64::from(i)]));
+        let found = Ensemble::gradients(method, (0..21).map(member), 0.1, steps, by_q);
+        for (number, found) in (0..).zip(found) {
+            let (quartic, start) = member(number);
+            assert_eq!(found, quartic.gradient(method, start, 0.1, steps, |end| by_q(0, end)), "member {number}");
+            assert_eq!(found.expect("a gradient").parameters.len(), 1);
+        }
+    }
+    hold(Verlet, 150);
+    hold(KahanLi8, 64);
+    hold(KahanLi8, 0);
+    hold(GaussLegendre4, 20);
+    // A member that fails beside others.
     let starts = [0.0, 2.0, f64::NAN, 0.1].map(|p| (Edge, Phase::new([0.5], [p])));
     let found = Ensemble::gradients(Verlet, starts, 0.1, 5, by_q);
     let are_found: Vec<bool> = found.iter().map(Result::is_ok).collect();

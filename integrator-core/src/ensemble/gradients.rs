@@ -1,17 +1,21 @@
 //! Gradients of a function of the ends of many runs, in SIMD lanes and on threads.
 
 use crate::{
+    composition::{Processor, Stages},
     ensemble::{Ensemble, in_lanes, in_lanes::InLanes, lane_scalars::LaneScalars, member},
     error::Error,
+    scalar::{dual::Dual, instruction_set::InstructionSet, real::Real},
     state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
-    system::{energy::energy, motion::Prepared, parameter_derivatives::ParameterDerivatives},
+    system::{Shaped, energy::energy, motion::Prepared, parameter_derivatives::ParameterDerivatives},
     threads::{all_threads, on_threads},
     trajectory::{
+        by_table::slopes::{self, Steps, StepsOf, has_slopes},
         dispatch::{Deviations, Nothing},
         engine::Engine,
         gradient::{Derivatives, Gradient, Reads, Way, check, gradient, in_precision, refusal, turned, turned_back},
         method::Differentiable,
-        motions::{Motions, load},
+        motions::{Constants, Motions, load},
+        tangent::BETWEEN_SCALES,
     },
 };
 use std::{
@@ -34,8 +38,8 @@ impl<C: Coords> Ensemble<C> {
     /// with respect to parameters that they share. Results are in the order of the pairs, and bitwise independent of the other
     /// members and of the number of threads.
     ///
-    /// Members share SIMD lanes, except for [reversible](Phase::reversible) starts and systems with `sensitive(...)`, whose
-    /// members are distributed over threads.
+    /// Members share SIMD lanes. Those from [reversible](Phase::reversible) starts, and those with parameters by a method or a
+    /// splitting that is not a composition of `T(p)` and `V(q)`, are distributed over threads.
     ///
     /// ```
     /// use integrator_core::prelude::*;
@@ -77,9 +81,6 @@ impl<C: Coords> Ensemble<C> {
             let reads = Reads::End(steps);
             gradient::<H, X, C::Leaf>(system, method, start.clone(), h, reads, &mut |end| loss(number, &end.state))
         };
-        if const { !H::SENSITIVE.is_empty() || C::Leaf::REVERSIBLE } {
-            return each(members.len(), 1, |_| false, &|batch| batch.map(alone).collect());
-        }
         let has_energy = |prepared: &Arc<_>, state: &Phase<C>, time| {
             energy::<H, C::Leaf>(prepared, state, time, None).admissible(time).is_ok()
         };
@@ -95,7 +96,9 @@ impl<C: Coords> Ensemble<C> {
         });
         let constants = Arc::new(constants.collect::<Vec<_>>());
         let there = in_lanes::<H, X, C::Leaf, Nothing>(constants.clone());
-        let back = in_lanes::<H, X, C::Leaf, Deviations<1>>(constants);
+        let Some(back) = back::<H, X, C>(method, constants, &parameters) else {
+            return each(members.len(), 1, |_| false, &|batch| batch.map(alone).collect());
+        };
         let shares = |number: usize| match (&parameters[number], &parameters[number - 1]) {
             (Some(own), Some(before)) => {
                 <H::Parameters<f64> as Prepared<f64>>::alike(own, before)
@@ -103,15 +106,16 @@ impl<C: Coords> Ensemble<C> {
             }
             _ => false,
         };
-        let group = back.lanes() * back.together() / LANES_OF_MEMBER * GROUPS;
+        let group = back.lanes / LANES_OF_MEMBER * GROUPS;
         let ends_with_energy = |number: usize, end: &Phase<C>, time: f64| {
             parameters[number].as_ref().is_some_and(|prepared: &Arc<_>| has_energy(prepared, end, time))
         };
-        let request = Request { h, steps, loss: &loss, ends_with_energy: &ends_with_energy };
+        let request =
+            Request { h, steps, there: &*there, back: &back, loss: &loss, ends_with_energy: &ends_with_energy };
         each(members.len(), group, shares, &|batch| {
             let starts: Vec<_> = batch.clone().map(|number| (number, &members[number].1)).collect();
             let can_start = parameters[batch.start].is_some();
-            let together = if can_start { request.together(&*there, &*back, &starts) } else { None };
+            let together = if can_start { request.together(&starts) } else { None };
             together.unwrap_or_else(|| batch.map(alone).collect())
         })
     }
@@ -156,6 +160,8 @@ type Found<C> = Result<Gradient<<C as Coords>::With<f64>>, Error>;
 struct Request<'r, C: Coords> {
     h: f64,
     steps: u64,
+    there: &'r dyn Motions,
+    back: &'r Back<'r, C>,
     loss: &'r LossOfMember<'r, C>,
     /// Whether the energy of a member at its end is finite.
     ends_with_energy: &'r (dyn Fn(usize, &Phase<C>, f64) -> bool + Sync),
@@ -163,15 +169,12 @@ struct Request<'r, C: Coords> {
 
 impl<C: Coords> Request<'_, C> {
     /// The gradients of members in lanes; nothing if one of them cannot take all steps on both ways, or has an error.
-    fn together(
-        &self,
-        there: &dyn Motions,
-        back: &dyn Motions,
-        starts: &[(usize, &Phase<C>)],
-    ) -> Option<Vec<Found<C>>> {
+    fn together(&self, starts: &[(usize, &Phase<C>)]) -> Option<Vec<Found<C>>> {
         let mut ways: Vec<_> = starts.iter().map(|(_, start)| Way::from((*start).clone())).collect();
-        let mut engine =
-            Engine::new(load(there, starts.iter().map(|(number, start)| (*number, *start as &dyn Point)).collect()));
+        let mut engine = Engine::new(load(
+            self.there,
+            starts.iter().map(|(number, start)| (*number, *start as &dyn Point)).collect(),
+        ));
         let mut clock = Clock { t0: 0.0, h: self.h, steps: 0 };
         clock.end(self.steps).ok()?;
         for portion in [self.steps / 2, self.steps - self.steps / 2] {
@@ -193,20 +196,122 @@ impl<C: Coords> Request<'_, C> {
             lanes.extend([(*number, way.last.clone()), (*number, vector)]);
         }
         // Whole motions: those after the last member repeat it.
-        let last = lanes.len() - LANES_OF_MEMBER;
-        let count = lanes.len().next_multiple_of(back.lanes());
-        let lanes = lanes.iter().chain(lanes[last..].iter().cycle()).take(count);
-        let mut engine = Engine::new(load(back, lanes.map(|(number, point)| (*number, point as &dyn Point)).collect()));
-        let mut clock = Clock { t0: clock.at(self.steps), h: -self.h, steps: 0 };
-        take(&mut engine, &mut clock, self.steps)?;
-        let mut found = Vec::with_capacity(starts.len());
+        let last = lanes[lanes.len() - LANES_OF_MEMBER..].to_vec();
+        let missing = lanes.len().next_multiple_of(self.back.lanes) - lanes.len();
+        lanes.extend(last.into_iter().cycle().take(missing));
+        let clock = Clock { t0: clock.at(self.steps), h: -self.h, steps: 0 };
+        let (points, slopes) = (self.back.take)(&lanes, clock, self.steps)?;
+        let (mut found, parameters) = (Vec::with_capacity(starts.len()), self.back.parameters);
         for ((member, way), value) in ways.iter_mut().enumerate().zip(values) {
-            way.see(lane_of(&engine, clock, LANES_OF_MEMBER * member, &way.last));
-            let vector = lane_of(&engine, clock, LANES_OF_MEMBER * member + 1, &way.last);
-            found.push(way.gradient(value, turned_back(vector.to_f64()), Vec::new()));
+            let [state, vector] = [0, 1].map(|lane| &points[LANES_OF_MEMBER * member + lane]);
+            way.see(state.clone());
+            let slopes = slopes[parameters * member..parameters * (member + 1)].to_vec();
+            found.push(way.gradient(value, turned_back(vector.to_f64()), slopes));
         }
         Some(found)
     }
+}
+
+/// States, each followed by its vector, and the derivatives with respect to parameters of each member.
+type Arrived<C> = Option<(Vec<Phase<C>>, Vec<f64>)>;
+
+/// The way back of members in lanes.
+struct Back<'b, C: Coords> {
+    /// The number of lanes of a whole motion, or of motions that go through each stage together.
+    lanes: usize,
+    /// The number of parameters.
+    parameters: usize,
+    /// Takes steps from points, each of a member; nothing if one of them cannot take them all.
+    take: Box<dyn Fn(&[(usize, Phase<C>)], Clock, u64) -> Arrived<C> + Sync + 'b>,
+}
+
+/// The way back by a method, for members with these constants; nothing if they share no lanes.
+fn back<'b, H, X, C>(
+    method: X,
+    constants: Constants<X::Constants>,
+    parameters: &'b [Option<Arc<H::Parameters<f64>>>],
+) -> Option<Back<'b, C>>
+where
+    H: ParameterDerivatives,
+    X: InLanes<H> + Differentiable<H>,
+    C: Coords<Leaf: LaneScalars>,
+    H::Coords: Coords<With<C::Leaf> = C>,
+{
+    // Constants, so that one of these is compiled.
+    if const { C::Leaf::REVERSIBLE } {
+        None
+    } else if const { H::SENSITIVE.is_empty() } {
+        Some(by_vectors(in_lanes::<H, X, C::Leaf, Deviations<1>>(constants)))
+    } else if const { X::IS_PLAIN_TABLE && has_slopes::<H, C::Leaf>() } {
+        let table = method.facts().table?;
+        let (lanes, steps) = match InstructionSet::chosen() {
+            InstructionSet::Baseline => steps_in::<H, Dual<<C::Leaf as LaneScalars>::Plain>, C::Leaf>(),
+            InstructionSet::Fused => steps_in::<H, Dual<<C::Leaf as LaneScalars>::Fused>, C::Leaf>(),
+            InstructionSet::Avx512 => steps_in::<H, Dual<<C::Leaf as LaneScalars>::Avx512>, C::Leaf>(),
+        };
+        let take = move |points: &[(usize, Phase<C>)], clock: Clock, count: u64| {
+            let (mut ends, mut slopes) = (Vec::with_capacity(points.len()), Vec::new());
+            for points in points.chunks(lanes) {
+                let of_lanes =
+                    points.iter().map(|(member, _)| parameters[*member].as_deref()).collect::<Option<Vec<_>>>()?;
+                let points: Vec<_> = points.iter().map(|(_, point)| point).collect();
+                let sums = vec![0.0; points.len() / LANES_OF_MEMBER * H::SENSITIVE.len()];
+                let (reached, sums) = by_slopes(table, steps, &of_lanes, (&points, sums), clock, count)?;
+                ends.extend(reached);
+                slopes.extend(sums);
+            }
+            Some((ends, slopes))
+        };
+        Some(Back { lanes, parameters: H::SENSITIVE.len(), take: Box::new(take) })
+    } else {
+        None
+    }
+}
+
+/// The lanes of a number with one derivative, and the steps in it.
+fn steps_in<H: ParameterDerivatives, R: Real, K: LaneScalars>() -> (usize, StepsOf<H::Parameters<f64>, Shaped<H, K>>) {
+    (R::LANES, slopes::steps::<H, R, K>)
+}
+
+/// The way back with deviation vectors, by motions like these.
+fn by_vectors<'b, C: Coords>(like: Box<dyn Motions>) -> Back<'b, C> {
+    let lanes = like.lanes();
+    let take = move |points: &[(usize, Phase<C>)], mut clock: Clock, steps: u64| {
+        let of_lanes = points.iter().map(|(member, point)| (*member, point as &dyn Point)).collect();
+        let mut engine = Engine::new(load(&*like, of_lanes));
+        take(&mut engine, &mut clock, steps)?;
+        let ends = points.iter().enumerate().map(|(lane, (_, point))| lane_of(&engine, clock, lane, point)).collect();
+        Some((ends, Vec::new()))
+    };
+    Back { lanes, parameters: 0, take: Box::new(take) }
+}
+
+/// Takes steps with the members of one motion, in the blocks of a member alone, whose vectors are not divided meanwhile.
+fn by_slopes<P, C: Coords>(
+    table: (Stages, Processor),
+    steps: StepsOf<P, C>,
+    parameters: &[&P],
+    (points, mut sums): (&[&Phase<C>], Vec<f64>),
+    clock: Clock,
+    count: u64,
+) -> Arrived<C> {
+    let mut reached: Vec<_> = points.iter().map(|point| (*point).clone()).collect();
+    let mut done = 0;
+    while done < count {
+        let block = BETWEEN_SCALES.min(count - done);
+        let points: Vec<_> = reached.iter().collect();
+        let begin = Clock { t0: clock.at(done), ..clock };
+        let Steps { points, slopes, is_finite } = steps(table, parameters, &points, begin, block);
+        if !is_finite {
+            return None;
+        }
+        for (sum, slope) in sums.iter_mut().zip(slopes) {
+            *sum -= slope;
+        }
+        reached = points;
+        done += block;
+    }
+    Some((reached, sums))
 }
 
 /// Takes steps with all members; nothing if one of them cannot take them all.

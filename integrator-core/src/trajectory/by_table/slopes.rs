@@ -22,53 +22,56 @@ pub(crate) const fn has_slopes<H: ParameterDerivatives, K: Precision>() -> bool 
     H::ENERGIES_HAVE_SLOPES && !H::PIECEWISE_IN_TIME && K::PLAIN
 }
 
-/// A state and a vector after some steps, and the sum over their flows of the duration times the derivative of ∂E/∂θ along the
-/// vector, for each parameter θ.
+/// States, each followed by its vector, after some steps; and for each state the sums over flows of the duration times the
+/// derivative of ∂E/∂θ along the vector, for each parameter θ.
 pub(crate) struct Steps<C> {
-    pub(crate) state: Phase<C>,
-    pub(crate) vector: Phase<C>,
+    pub(crate) points: Vec<Phase<C>>,
     pub(crate) slopes: Vec<f64>,
     pub(crate) is_finite: bool,
 }
 
-/// A function that takes steps by a composition: with the constants of a system, from a state and a vector.
-pub(crate) type StepsOf<P, C> = fn((Stages, Processor), &P, [&Phase<C>; 2], Clock, u64) -> Steps<C>;
+/// A function that takes steps from a clock that begins there, by a composition without force gradients: with the constants of a
+/// system for each state and for its vector, and these points.
+pub(crate) type StepsOf<P, C> = fn((Stages, Processor), &[&P], &[&Phase<C>], Clock, u64) -> Steps<C>;
 
-/// Takes steps from a clock that begins there, by a composition without force gradients.
-pub(crate) fn steps<H: ParameterDerivatives, K: Precision>(
+/// The function for one state and its vector.
+pub(crate) fn single<H: ParameterDerivatives, K: Precision>() -> StepsOf<H::Parameters<f64>, Shaped<H, K>> {
+    match InstructionSet::chosen() {
+        InstructionSet::Baseline => steps::<H, Dual<K::Plain>, K>,
+        InstructionSet::Avx512 if H::WIDE => steps::<H, Dual<K::Avx512>, K>,
+        InstructionSet::Fused | InstructionSet::Avx512 => steps::<H, Dual<K::Fused>, K>,
+    }
+}
+
+/// Takes steps in a number with one derivative, whose lanes are the points.
+pub(crate) fn steps<H: ParameterDerivatives, R: Real, K: Precision>(
     (stages, processor): (Stages, Processor),
-    parameters: &H::Parameters<f64>,
-    points: [&Phase<Shaped<H, K>>; 2],
+    parameters: &[&H::Parameters<f64>],
+    points: &[&Phase<Shaped<H, K>>],
     clock: Clock,
     steps: u64,
 ) -> Steps<Shaped<H, K>> {
     let table = Table { stages, processor, between: const { Between::of::<H>() } };
-    let taken = match InstructionSet::chosen() {
-        InstructionSet::Baseline => steps_in::<H, Dual<K::Plain>, K>,
-        InstructionSet::Avx512 if H::WIDE => steps_in::<H, Dual<K::Avx512>, K>,
-        InstructionSet::Fused | InstructionSet::Avx512 => steps_in::<H, Dual<K::Fused>, K>,
-    };
-    taken(table, parameters, points, clock, steps)
-}
-
-/// The same in a number with one derivative, with the point in lane 0 and the vector in lane 1.
-fn steps_in<H: ParameterDerivatives, R: Real, K: Precision>(
-    table: Table,
-    parameters: &H::Parameters<f64>,
-    [state, vector]: [&Phase<Shaped<H, K>>; 2],
-    clock: Clock,
-    steps: u64,
-) -> Steps<Shaped<H, K>> {
-    let mut motion = H::Motion::<R, K>::load(&[parameters; 2], &[state, vector]);
-    motion.share_among(None);
+    let mut motion = H::Motion::<R, K>::load(parameters, points);
+    if const { R::MEMBERS == 1 } {
+        motion.share_among(None);
+    }
     let mut slopes = vec![R::of(0.0); H::SENSITIVE.len()];
     let lists = [table.opening(), table.cycle(), table.closing(), table.undoing()];
     R::enter(Take::<H, R, K> { motion: &mut motion, slopes: &mut slopes, lists: &lists, clock, steps });
-    let (mut at_end, mut image) = (state.clone(), vector.clone());
-    motion.store(0, &mut at_end);
-    motion.store(1, &mut image);
-    let is_finite = motion.finite() && motion.unsolved(0).is_none();
-    Steps { state: at_end, vector: image, slopes: slopes.iter().map(|slope| slope.lane(1)).collect(), is_finite }
+    let (mut ends, mut of_members) = (Vec::with_capacity(points.len()), Vec::new());
+    for (lane, point) in points.iter().enumerate() {
+        let mut end = (*point).clone();
+        motion.store(lane, &mut end);
+        ends.push(end);
+    }
+    for member in 0..points.len() / 2 {
+        for slope in &slopes {
+            of_members.push(slope.lane(2 * member + 1));
+        }
+    }
+    let is_finite = motion.finite() && (0..points.len()).all(|lane| motion.unsolved(lane).is_none());
+    Steps { points: ends, slopes: of_members, is_finite }
 }
 
 /// A number of steps from a closed state to another.

@@ -9,7 +9,7 @@ use crate::{
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::parameter_derivatives::ParameterDerivatives,
     trajectory::{
-        by_table::slopes::{Steps, StepsOf, steps},
+        by_table::slopes::{Steps, StepsOf, single},
         tangent::{BETWEEN_SCALES, far_exponent, scaled},
     },
 };
@@ -43,7 +43,7 @@ impl<P, C: Coords> BySlopes<P, C> {
         H::Coords: Coords<With<K> = C>,
     {
         let (parameters, slopes) = (system.parameters(state.q.length()), vec![0.0; H::SENSITIVE.len()]);
-        Self { table, steps: steps::<H, K>, parameters, clock, state, vector, exponent: 0, slopes }
+        Self { table, steps: single::<H, K>(), parameters, clock, state, vector, exponent: 0, slopes }
     }
 
     /// The power of two that the vector has to be multiplied by.
@@ -58,9 +58,8 @@ impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
         while left > 0 {
             let block = left.min(BETWEEN_SCALES);
             let clock = Clock { t0: self.clock.at(self.clock.steps), steps: 0, ..self.clock };
-            let points = [&self.state, &self.vector];
-            let Steps { state, vector, slopes, is_finite } =
-                (self.steps)(self.table, &self.parameters, points, clock, block);
+            let (parameters, points) = ([&self.parameters; 2], [&self.state, &self.vector]);
+            let Steps { points, slopes, is_finite } = (self.steps)(self.table, &parameters, &points, clock, block);
             if !is_finite {
                 return Err(Error::NoGradient {
                     reason: "the way back led to a state or a derivative that is not finite\nhelp: use a smaller step",
@@ -70,8 +69,9 @@ impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
             for (sum, slope) in self.slopes.iter_mut().zip(slopes) {
                 *sum -= power * slope;
             }
-            let exponent = far_exponent(&vector);
-            (self.state, self.vector) = (state, scaled(&vector, power_of_two(-exponent)));
+            let [state, vector] = &points[..] else { return Ok(()) };
+            let exponent = far_exponent(vector);
+            (self.state, self.vector) = (state.clone(), scaled(vector, power_of_two(-exponent)));
             self.exponent += i64::from(exponent);
             self.clock.steps += block;
             left -= block;
