@@ -22,6 +22,7 @@ pub(crate) mod members;
 pub(crate) mod physical_time;
 pub(crate) mod request;
 pub(crate) mod watch;
+mod way_back;
 
 #[cfg(debug_assertions)]
 use crate::system::user_energies::hold_at_start;
