@@ -102,6 +102,28 @@ pub(crate) fn on_threads(threads: usize, work: &(dyn Fn() + Sync)) {
     at_once((0..threads.max(1)).map(|_| Box::new(work) as Job<'_>).collect());
 }
 
+/// The results of all pieces of work, in their order. A free thread takes the next piece.
+///
+/// # Panics
+/// If the work does, once all threads have ended it.
+#[cfg(feature = "std")]
+pub(crate) fn in_turns<W: Send, T: Send>(pieces: Vec<W>, work: &(dyn Fn(W) -> T + Sync)) -> Vec<T> {
+    use std::sync::{Mutex, PoisonError};
+    let count = pieces.len();
+    let (pieces, done) = (Mutex::new(pieces.into_iter().enumerate()), Mutex::new(Vec::with_capacity(count)));
+    let next = || pieces.lock().unwrap_or_else(PoisonError::into_inner).next();
+    let take = || {
+        while let Some((number, piece)) = next() {
+            let result = work(piece);
+            done.lock().unwrap_or_else(PoisonError::into_inner).push((number, result));
+        }
+    };
+    on_threads(all_threads().min(count), &take);
+    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+    done.sort_unstable_by_key(|(number, _)| *number);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::{FEWEST_BYTES, all, copy, each};

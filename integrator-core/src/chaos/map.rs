@@ -18,7 +18,7 @@ use crate::{
         precision::Precision,
     },
     system::{Shaped, energy::energy},
-    threads::{all_threads, on_threads},
+    threads::{all_threads, in_turns},
     trajectory::{
         dispatch::Deviations,
         engine::Engine,
@@ -27,7 +27,7 @@ use crate::{
         tangent::{self, BETWEEN_SCALES, Units, far_exponent, may_be_far, refused, scaled},
     },
 };
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// The indicator that a map computes for each orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -259,18 +259,8 @@ fn side_by_side(
 ) -> Vec<(usize, Mapped)> {
     let groups = members.len().div_ceil(group);
     let together = groups.div_ceil(all_threads()).min(GROUPS) * group;
-    let batches = Mutex::new(members.chunks(together));
-    let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
-    let found = Mutex::new(Vec::with_capacity(members.len()));
-    let work = || {
-        while let Some(batch) = next() {
-            let values = follow(batch);
-            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-            found.extend(batch.iter().copied().zip(values));
-        }
-    };
-    on_threads(all_threads().min(members.len().div_ceil(together)), &work);
-    found.into_inner().unwrap_or_else(PoisonError::into_inner)
+    let found = in_turns(members.chunks(together).collect(), follow);
+    members.iter().copied().zip(found.into_iter().flatten()).collect()
 }
 
 /// Orbits in the lanes of one motion.

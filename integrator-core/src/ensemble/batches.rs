@@ -4,6 +4,7 @@ use crate::{
     ensemble::batch::{Batch, States},
     trajectory::motions::Motions,
 };
+use std::ops::Range;
 
 /// The number of batches per thread, so that all threads end at about the same time, and the largest size of a batch,
 /// so that a member that leaves early leaves a gap in few of the motions.
@@ -27,14 +28,22 @@ impl Starts<'_> {
     pub(crate) fn batches(&self, members: usize, threads: usize) -> Vec<Batch> {
         let group = self.lanes.lanes() * self.lanes.together();
         let size = group * (members / (group * BATCHES_PER_THREAD * threads)).clamp(1, GROUPS_PER_BATCH);
-        let (mut batches, mut first) = (Vec::new(), 0);
-        while first < members {
-            let most = members.min(first + size);
-            let end = (first + 1..most).find(|next| !(self.alike)(first, *next)).unwrap_or(most);
-            let motions = if end - first == 1 { self.single } else { self.lanes };
-            batches.push(Batch::new(first..end, motions, self.states));
-            first = end;
-        }
-        batches
+        let batch = |members: Range<usize>| {
+            let motions = if members.len() == 1 { self.single } else { self.lanes };
+            Batch::new(members, motions, self.states)
+        };
+        neighbours(members, size, self.alike).into_iter().map(batch).collect()
     }
+}
+
+/// Groups of neighbours that may share lanes, of this size at most.
+pub(crate) fn neighbours(members: usize, size: usize, alike: &dyn Fn(usize, usize) -> bool) -> Vec<Range<usize>> {
+    let (mut groups, mut first) = (Vec::new(), 0);
+    while first < members {
+        let most = members.min(first + size);
+        let end = (first + 1..most).find(|next| !alike(first, *next)).unwrap_or(most);
+        groups.push(first..end);
+        first = end;
+    }
+    groups
 }

@@ -2,16 +2,18 @@
 
 use crate::{
     ensemble::{
-        Ensemble, in_lanes,
+        Ensemble,
+        batches::neighbours,
+        in_lanes,
         in_lanes::InLanes,
         lane_scalars::LaneScalars,
         member,
-        way_back::{Back, LANES_OF_MEMBER, back, lane_of, take},
+        way_back::{Back, LANES_OF_MEMBER, back, lane_of, shares_lanes, take},
     },
     error::Error,
     state::{clock::Clock, coords::Coords, phase::Phase, point::Point},
     system::{energy::energy, motion::Prepared, parameter_derivatives::ParameterDerivatives},
-    threads::{all_threads, on_threads},
+    threads::in_turns,
     trajectory::{
         dispatch::Nothing,
         engine::Engine,
@@ -20,10 +22,7 @@ use crate::{
         motions::{Motions, load},
     },
 };
-use std::{
-    ops::Range,
-    sync::{Arc, Mutex, PoisonError},
-};
+use std::{ops::Range, sync::Arc};
 
 /// The number of groups of members that a thread takes at a time. Those of a group go through the stages together.
 const GROUPS: usize = 4;
@@ -80,6 +79,10 @@ impl<C: Coords> Ensemble<C> {
             let reads = Reads::End(steps);
             gradient::<H, X, C::Leaf>(system, method, start.clone(), h, reads, &mut |end| loss(number, &end.state))
         };
+        let all_alone = || in_turns((0..members.len()).collect(), &alone);
+        if const { !shares_lanes::<H, X, C::Leaf>() } {
+            return all_alone();
+        }
         let has_energy = |prepared: &Arc<_>, state: &Phase<C>, time| {
             energy::<H, C::Leaf>(prepared, state, time, None).admissible(time).is_ok()
         };
@@ -95,13 +98,11 @@ impl<C: Coords> Ensemble<C> {
         });
         let constants = Arc::new(constants.collect::<Vec<_>>());
         let there = in_lanes::<H, X, C::Leaf, Nothing>(constants.clone());
-        let Some(back) = back::<H, X, C>(method, constants, &parameters) else {
-            return each(members.len(), 1, |_| false, &|batch| batch.map(alone).collect());
-        };
-        let shares = |number: usize| match (&parameters[number], &parameters[number - 1]) {
-            (Some(own), Some(before)) => {
-                <H::Parameters<f64> as Prepared<f64>>::alike(own, before)
-                    && members[number].1.q.length() == members[number - 1].1.q.length()
+        let Some(back) = back::<H, X, C>(method, constants, &parameters) else { return all_alone() };
+        let alike = |a: usize, b: usize| match (&parameters[a], &parameters[b]) {
+            (Some(of_a), Some(of_b)) => {
+                let same = <H::Parameters<f64> as Prepared<f64>>::alike(of_a, of_b);
+                same && members[a].1.q.length() == members[b].1.q.length()
             }
             _ => false,
         };
@@ -111,42 +112,14 @@ impl<C: Coords> Ensemble<C> {
         };
         let request =
             Request { h, steps, there: &*there, back: &back, loss: &loss, ends_with_energy: &ends_with_energy };
-        each(members.len(), group, shares, &|batch| {
+        let found = in_turns(neighbours(members.len(), group, &alike), &|batch: Range<usize>| {
             let starts: Vec<_> = batch.clone().map(|number| (number, &members[number].1)).collect();
             let can_start = parameters[batch.start].is_some();
             let together = if can_start { request.together(&starts) } else { None };
-            together.unwrap_or_else(|| batch.map(alone).collect())
-        })
+            together.unwrap_or_else(|| batch.map(alone).collect::<Vec<_>>())
+        });
+        found.into_iter().flatten().collect()
     }
-}
-
-/// The results for all members, in their order. Neighbours that share lanes go to a thread together, as many as a group has.
-fn each<T: Send>(
-    members: usize,
-    group: usize,
-    shares_with_last: impl Fn(usize) -> bool,
-    follow: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
-) -> Vec<T> {
-    let (mut batches, mut first) = (Vec::new(), 0);
-    while first < members {
-        let most = members.min(first + group);
-        let end = (first + 1..most).find(|next| !shares_with_last(*next)).unwrap_or(most);
-        batches.push(first..end);
-        first = end;
-    }
-    let count = batches.len();
-    let (batches, found) = (Mutex::new(batches.into_iter().enumerate()), Mutex::new(Vec::with_capacity(count)));
-    let next = || batches.lock().unwrap_or_else(PoisonError::into_inner).next();
-    let work = || {
-        while let Some((number, batch)) = next() {
-            let results = follow(batch);
-            found.lock().unwrap_or_else(PoisonError::into_inner).push((number, results));
-        }
-    };
-    on_threads(all_threads().min(count), &work);
-    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    found.sort_unstable_by_key(|(number, _)| *number);
-    found.into_iter().flat_map(|(_, results)| results).collect()
 }
 
 /// A function of the end of the run of a member, as [`Ensemble::gradients`] calls it.

@@ -39,7 +39,13 @@ pub(super) struct Back<'b, C: Coords> {
     pub(super) take: Box<Take<'b, C>>,
 }
 
-/// The way back by a method, for members with these constants; nothing if they share no lanes.
+/// Whether members share lanes on the way back.
+pub(super) const fn shares_lanes<H: ParameterDerivatives, X: Differentiable<H>, K: Precision>() -> bool {
+    !K::REVERSIBLE && (H::SENSITIVE.is_empty() || X::IS_PLAIN_TABLE && has_slopes::<H, K>())
+}
+
+/// The way back by a method, for members with these constants that [share lanes](shares_lanes); nothing if a composition has no
+/// table.
 pub(super) fn back<'b, H, X, C>(
     method: X,
     constants: Constants<X::Constants>,
@@ -51,12 +57,10 @@ where
     C: Coords<Leaf: LaneScalars>,
     H::Coords: Coords<With<C::Leaf> = C>,
 {
-    // Constants, so that one of these is compiled.
-    if const { C::Leaf::REVERSIBLE } {
-        None
-    } else if const { H::SENSITIVE.is_empty() } {
+    // A constant, so that one of both is compiled.
+    if const { H::SENSITIVE.is_empty() } {
         Some(by_vectors(in_lanes::<H, X, C::Leaf, Deviations<1>>(constants)))
-    } else if const { X::IS_PLAIN_TABLE && has_slopes::<H, C::Leaf>() } {
+    } else {
         let table = method.facts().table?;
         let (lanes, steps) = match InstructionSet::chosen() {
             InstructionSet::Baseline => steps_in::<H, Dual<<C::Leaf as LaneScalars>::Plain>, C::Leaf>(),
@@ -77,8 +81,6 @@ where
             Some((ends, slopes))
         };
         Some(Back { lanes, parameters: H::SENSITIVE.len(), take: Box::new(take) })
-    } else {
-        None
     }
 }
 

@@ -1,7 +1,7 @@
 //! A vector that is carried back through the flows of a composition, which add the derivatives of their energies with respect to
 //! parameters: their number hardly counts.
 
-use super::Carrier;
+use super::{Carrier, power};
 use crate::{
     composition::{Processor, Stages},
     error::Error,
@@ -45,12 +45,6 @@ impl<P, C: Coords> BySlopes<P, C> {
         let (parameters, slopes) = (system.parameters(state.q.length()), vec![0.0; H::SENSITIVE.len()]);
         Self { table, steps: single::<H, K>(), parameters, clock, state, vector, exponent: 0, slopes }
     }
-
-    /// The power of two that the vector has to be multiplied by.
-    fn power(&self) -> f64 {
-        // Beyond these the vector overflows, or is lost to underflow.
-        power_of_two(self.exponent.clamp(-1022, 1023) as i32)
-    }
 }
 
 impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
@@ -65,9 +59,9 @@ impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
                     reason: "the way back led to a state or a derivative that is not finite\nhelp: use a smaller step",
                 });
             }
-            let power = self.power();
+            let power_of_vector = power(self.exponent);
             for (sum, slope) in self.slopes.iter_mut().zip(slopes) {
-                *sum -= power * slope;
+                *sum -= power_of_vector * slope;
             }
             let [state, vector] = &points[..] else { return Ok(()) };
             let exponent = far_exponent(vector);
@@ -92,7 +86,7 @@ impl<P, C: Coords> Carrier<C> for BySlopes<P, C> {
     }
 
     fn vector(&self) -> (Phase<C>, f64) {
-        (self.vector.clone(), self.power())
+        (self.vector.clone(), power(self.exponent))
     }
 
     fn add_slopes(&mut self, slopes: &mut [f64]) {

@@ -1,9 +1,8 @@
 //! A vector that a run with deviation vectors carries back, for every method and system.
 
-use super::Carrier;
+use super::{Carrier, power};
 use crate::{
     error::Error,
-    scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::parameter_derivatives::ParameterDerivatives,
     trajectory::{
@@ -49,9 +48,7 @@ impl<C: Coords> ByTangent<C> {
 
     /// The power of two that the vector has to be multiplied by.
     fn power(&self) -> f64 {
-        // Beyond these the vector overflows, or is lost to underflow.
-        let exponent = self.tangent.exponents().first().map_or(0, |exponent| (*exponent).clamp(-1022, 1023));
-        power_of_two(exponent as i32)
+        power(self.tangent.exponents().first().copied().unwrap_or(0))
     }
 }
 

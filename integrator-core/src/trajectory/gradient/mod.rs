@@ -10,6 +10,7 @@ mod way;
 
 use crate::{
     error::{Error, VectorFault},
+    scalar::exact::power_of_two,
     state::{clock::Clock, coords::Coords, phase::Phase, precision::Precision},
     system::{Shaped, parameter_derivatives::ParameterDerivatives},
     trajectory::{
@@ -285,6 +286,12 @@ fn back_through<C: Coords, T: Coords<With<f64> = C::With<f64>>>(
     }
     let (vector, power) = carrier.vector();
     Ok((turned_back(scaled(&vector, power).to_f64()), slopes))
+}
+
+/// The power of two that a vector has to be multiplied by which was divided by it.
+fn power(exponent: i64) -> f64 {
+    // Beyond these the vector overflows, or is lost to underflow.
+    power_of_two(exponent.clamp(-1022, 1023) as i32)
 }
 
 /// Derivatives with respect to a state, turned to a deviation vector: J⁻¹ (λq, λp) = (-λp, λq).
