@@ -1,5 +1,5 @@
-# Reads the table that is kept, then lines of `capability system lines`, writes the new table to `output`, and prints what has grown
-# as errors, unless the new table is to be kept (`blessed`). The status is 1 if there is an error.
+# Reads the table that is kept, then lines of `system capability lines`, writes the new table to `output`, and prints as errors which cells
+# are missing, and which have grown, unless the new table is to be kept (`blessed`). The status is 1 if there is an error.
 BEGIN { FS = ","; split(small, smalls, " ") }
 function grown(what, at_most) {
     print "error: " what ", where " at_most
@@ -16,7 +16,7 @@ FNR == NR {
 }
 {
     split($0, cell, " ")
-    lines[cell[2], cell[1]] = cell[3]
+    lines[cell[1], cell[2]] = cell[3]
 }
 END {
     for (row = 1; row <= rows; row++) {
@@ -31,6 +31,10 @@ END {
             now = lines[system_name, capabilities[column]]
             before = kept[system_name, capabilities[column]]
             line = line "," now
+            if (now == "" && before != "") {
+                print "error: " system_name ", " capabilities[column] " has no lines of LLVM IR"
+                failed = 1
+            }
             if (!blessed && now > 1.02 * before) {
                 grown(system_name ", " capabilities[column] ": " now " lines of LLVM IR", before " are kept (if that is meant: .ci/bless costs)")
             }

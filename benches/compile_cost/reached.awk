@@ -1,6 +1,6 @@
-# Reads LLVM IR of a crate that has a module for each of `systems`, and prints for each how many lines have the functions that its
+# Reads LLVM IR of a crate that has a module for each of `capabilities`, and prints for each how many lines have the functions that its
 # `perform` reaches, through calls, tables of methods and addresses. Symbols are mangled as v0.
-BEGIN { split(systems, modules, " ") }
+BEGIN { split(capabilities, modules, " ") }
 /^define / || /^@/ {
     match($0, /@[^ (]+/)
     symbol = substr($0, RSTART + 1, RLENGTH - 1)
