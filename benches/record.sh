@@ -27,7 +27,7 @@ if [ $# -eq 0 ]; then
 fi
 for bench in "$@"; do
     output=target/bench/$bench.txt
-    cargo bench -p integrator-bench --bench "$bench" > "$output"
+    cargo bench -p integrator-bench --features report --bench "$bench" > "$output"
     # Every run of every method is in target/bench/work_precision.csv and taylor.csv; the page has the fastest.
     sed -i -e '/^problem  *method/,/^$/d' -e '/^ratio_\|^rate_\|^speedup_\|^time_ms_/d' "$output"
     fill "$bench" "$output"

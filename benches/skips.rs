@@ -1,4 +1,4 @@
-//! Measures the work that generated code saves: `cargo bench -p integrator-bench --bench skips`.
+//! Measures the work that generated code saves: `cargo bench -p integrator-bench --features report --bench skips`.
 //!
 //! Each row compares two variants of a scene in interleaved rounds, and the operations of a drift and a kick as the macro
 //! counts them. The slower variant is hand-written where the macro cannot produce it. The last lines, `ratio_<point>=`, are the
