@@ -182,7 +182,7 @@ fn members_of_an_ensemble_move_like_runs() {
 }
 
 #[test]
-fn a_series_passes_all_checks() {
+fn a_series_is_certified() {
     let certificate = certify(&systems().0, Yoshida4, start(), 0.02);
     assert!(certificate.is_ok(), "{certificate:?}");
 }
