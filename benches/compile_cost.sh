@@ -76,8 +76,9 @@ count() {
 }
 
 cd "$root"
-# With the features of the benches, so that the library is compiled once for these and for the benches.
-cargo build --release --quiet -p integrator-core -p integrator-bench --features integrator-core/checkpoint
+# As for the count of instructions, so that the library is compiled once.
+cargo build --release --quiet -p integrator-core -p integrator-bench --no-default-features \
+    --features integrator-core/default,integrator-core/checkpoint
 
 if [ "${1:-}" != --lines ]; then
     TIMEFORMAT='%U %S'

@@ -13,10 +13,14 @@
 
 #![allow(clippy::needless_range_loop, reason = "formulas number their axes, and closures are compiled without vectors")]
 
+#[cfg(feature = "by_hand")]
 pub mod by_hand;
 pub mod counts;
+#[cfg(feature = "by_hand")]
 mod enter;
+#[cfg(feature = "by_hand")]
 pub mod functions;
+#[cfg(feature = "by_hand")]
 pub mod plan;
 pub mod plot;
 pub mod precision;
@@ -24,8 +28,10 @@ pub mod problems;
 pub mod race;
 pub mod starts;
 pub mod table;
+#[cfg(feature = "by_hand")]
 pub mod vector;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(feature = "by_hand", target_arch = "x86_64"))]
 mod x86;
 
+#[cfg(feature = "by_hand")]
 pub use enter::Instructions;
