@@ -1,16 +1,15 @@
 //! Standard normal numbers: the transformation of G. E. P. Box and M. E. Muller, *A note on the generation of random normal
 //! deviates*, Ann. Math. Statist. 29 (1958).
 //!
-//! Of four words `a`, `b`, `c`, `d`, the first two make a number of (0, 1], the others an angle:
+//! Of four words `a`, `b`, `c`, `d`, the first two give a number of (0, 1], the others an angle:
 //!
 //! ```text
-//! u = (2³²·a + b, its last bit set)·2⁻⁶⁴, rounded         r = sqrt(-2 ln u)
-//! t = (the last 20 bits of c, then d)·2⁻⁵² - ½             φ = ½π·(q + (-1)^q·t), q = c₃₁ + 2·c₃₀
+//! u = (2³²·a + b, its last bit set)·2⁻⁶⁴, rounded        r = sqrt(-2 ln u)
+//! t = (the last 20 bits of c, then d)·2⁻⁵² - ½            φ = ½π·(q + t), q = c₃₁ + 2·c₃₀
 //! the numbers r·cos φ and r·sin φ
 //! ```
 //!
-//! So `r` is at most 9.42, and its distribution is continuous but for rounding down to there. For odd `q` the quarter is
-//! reflected in place of being turned, which gives the same distribution and takes one sign for both numbers.
+//! `r` is at most 9.42. Below that, `u` is as fine as its last place is, so tails have no visible steps.
 //!
 //! Integers are handled as words of 64 bits and patterns of `f64`, in a plain loop over lanes that vectorises. What is
 //! rounded is computed in `R`.
@@ -45,10 +44,8 @@ struct Exact {
     f: f64,
     /// The place in the quarter, between -½ and ½.
     t: f64,
-    /// 1, or -1 in odd quarters.
-    parity: f64,
-    /// 1, or -1 in the other half of the circle.
-    half: f64,
+    /// The cosine and the sine of the angle at the middle of the quarter: 0, 1 or -1.
+    middle: [f64; 2],
 }
 
 /// The patterns of numbers: 1, √½, -0, 2⁵² and 2⁸⁴.
@@ -71,12 +68,14 @@ fn split([a, b, c, d]: [u64; 4]) -> Exact {
     let k = f64::from_bits(UNITS | (moved >> 52)) - (4_503_599_627_370_496.0 + 1023.0 + 64.0);
     let f = f64::from_bits((moved & MANTISSA) + ROOT) - 1.0;
     let angle = (c << 32) | (d & LOW);
+    // All bits, or none.
+    let odd = (angle >> 63).wrapping_neg();
+    let unit = ONE | ((angle << 1) & SIGN);
     Exact {
         k,
         f,
         t: f64::from_bits(ONE | (angle & MANTISSA)) - 1.5,
-        parity: f64::from_bits(ONE | (angle & SIGN)),
-        half: f64::from_bits(ONE | ((angle << 1) & SIGN)),
+        middle: [f64::from_bits(unit & !odd), f64::from_bits(unit & odd)],
     }
 }
 
@@ -85,7 +84,7 @@ fn of_members<R: Real, const N: usize>(key: [u32; 2], counter: impl Fn(usize) ->
     // The lanes of a member are neighbours, the number without derivatives first.
     let parts = const { R::LANES / R::MEMBERS };
     let keys = round_keys(key);
-    let (mut k, mut f, mut t, mut parity, mut half) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N], [0.0; N]);
+    let (mut k, mut f, mut t, mut x, mut y) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N], [0.0; N]);
     for member in 0..R::MEMBERS {
         let [a, b, c, d] = counter(member * parts);
         let words = [u64::from(a), u64::from(b), u64::from(c), u64::from(d)];
@@ -93,13 +92,13 @@ fn of_members<R: Real, const N: usize>(key: [u32; 2], counter: impl Fn(usize) ->
         k[member] = exact.k;
         f[member] = exact.f;
         t[member] = exact.t;
-        parity[member] = exact.parity;
-        half[member] = exact.half;
+        [x[member], y[member]] = exact.middle;
     }
-    let radius = radius::<R>(lanes(&k), lanes(&f)) * lanes(&half);
+    let radius = radius::<R>(lanes(&k), lanes(&f));
     let (sine, cosine) = sin_cos::<R>(lanes(&t));
-    let odd = lanes::<R, N>(&parity).less(R::of(0.0));
-    [radius * R::select(odd, sine, cosine), radius * R::select(odd, cosine, sine)]
+    // Exact, and without a choice, which a scalar would make by a branch that no processor predicts.
+    let (x, y) = (lanes::<R, N>(&x), lanes::<R, N>(&y));
+    [radius * (-sine).fma(y, cosine * x), radius * cosine.fma(y, sine * x)]
 }
 
 /// One number of each member, without derivatives.
