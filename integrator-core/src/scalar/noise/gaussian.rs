@@ -20,19 +20,32 @@ use core::f64::consts::LN_2;
 
 /// Returns two independent standard normal numbers for each member in the lanes of `R`, without derivatives.
 ///
-/// `counter` gives the counter of a lane, the first one of its member. Each number is within 4 ulp of the formula above.
+/// `counter` gives the counter of a lane, the first one of its member. The error of a number is at most 5 ulp, the factors of
+/// the formula above included.
 #[inline(always)]
 pub(crate) fn gaussians<R: Real>(key: [u32; 2], counter: impl Fn(usize) -> [u32; 4]) -> [R; 2] {
+    // The lanes of a member are neighbours, the number without derivatives first.
+    let parts = const { R::LANES / R::MEMBERS };
+    let keys = round_keys(key);
+    of_words(|member| {
+        let [a, b, c, d] = counter(member * parts);
+        mixed([u64::from(a), u64::from(b), u64::from(c), u64::from(d)], keys)
+    })
+}
+
+/// The numbers of the words of each member, whose upper halves may be anything.
+#[inline(always)]
+pub(super) fn of_words<R: Real>(words: impl Fn(usize) -> [u64; 4]) -> [R; 2] {
     const { assert!(R::MEMBERS <= 128, "rows of eight bodies have at most 16 members each") };
-    // As many as there are, so that the arrays are vectors.
+    // As many as there are, so that the compiler sees whole vectors.
     match R::MEMBERS {
-        1 => of_members::<R, 1>(key, counter),
-        2 => of_members::<R, 2>(key, counter),
-        3..=4 => of_members::<R, 4>(key, counter),
-        5..=8 => of_members::<R, 8>(key, counter),
-        9..=16 => of_members::<R, 16>(key, counter),
-        17..=64 => of_members::<R, 64>(key, counter),
-        _ => of_members::<R, 128>(key, counter),
+        1 => of_members::<R, 1>(words),
+        2 => of_members::<R, 2>(words),
+        3..=4 => of_members::<R, 4>(words),
+        5..=8 => of_members::<R, 8>(words),
+        9..=16 => of_members::<R, 16>(words),
+        17..=64 => of_members::<R, 64>(words),
+        _ => of_members::<R, 128>(words),
     }
 }
 
@@ -57,7 +70,7 @@ const WORDS: u64 = 0x4530_0000_0000_0000;
 /// The bits of a mantissa.
 const MANTISSA: u64 = (1 << 52) - 1;
 
-/// Splits four words, whose upper halves may be anything.
+/// Splits four words.
 #[inline(always)]
 fn split([a, b, c, d]: [u64; 4]) -> Exact {
     // The integer of both words: each is the mantissa of a number whose last bit is worth 2³² or 1.
@@ -80,15 +93,10 @@ fn split([a, b, c, d]: [u64; 4]) -> Exact {
 }
 
 #[inline(always)]
-fn of_members<R: Real, const N: usize>(key: [u32; 2], counter: impl Fn(usize) -> [u32; 4]) -> [R; 2] {
-    // The lanes of a member are neighbours, the number without derivatives first.
-    let parts = const { R::LANES / R::MEMBERS };
-    let keys = round_keys(key);
+fn of_members<R: Real, const N: usize>(words: impl Fn(usize) -> [u64; 4]) -> [R; 2] {
     let (mut k, mut f, mut t, mut x, mut y) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N], [0.0; N]);
     for member in 0..R::MEMBERS {
-        let [a, b, c, d] = counter(member * parts);
-        let words = [u64::from(a), u64::from(b), u64::from(c), u64::from(d)];
-        let exact = split(mixed(words, keys));
+        let exact = split(words(member));
         k[member] = exact.k;
         f[member] = exact.f;
         t[member] = exact.t;

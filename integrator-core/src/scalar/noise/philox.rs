@@ -8,7 +8,7 @@ const MULTIPLIERS: [u64; 2] = [0xd251_1f53, 0xcd9e_8d57];
 /// What the words of the key grow by in each round: the golden ratio and √3 - 1.
 const WEYL: [u32; 2] = [0x9e37_79b9, 0xbb67_ae85];
 /// The number of rounds.
-const ROUNDS: usize = 10;
+pub(super) const ROUNDS: usize = 10;
 /// The lower half of a word of 64 bits.
 pub(super) const LOW: u64 = 0xffff_ffff;
 
