@@ -37,14 +37,15 @@ pub(crate) fn gaussians<R: Real>(key: [u32; 2], counter: impl Fn(usize) -> [u32;
 #[inline(always)]
 pub(super) fn of_words<R: Real>(words: impl Fn(usize) -> [u64; 4]) -> [R; 2] {
     const { assert!(R::MEMBERS <= 128, "rows of eight bodies have at most 16 members each") };
-    // As many as there are, so that the compiler sees whole vectors.
-    match R::MEMBERS {
+    // As many as there are, so that the compiler sees whole vectors. Of a constant it compiles one arm.
+    match const { R::MEMBERS.next_power_of_two() } {
         1 => of_members::<R, 1>(words),
         2 => of_members::<R, 2>(words),
-        3..=4 => of_members::<R, 4>(words),
-        5..=8 => of_members::<R, 8>(words),
-        9..=16 => of_members::<R, 16>(words),
-        17..=64 => of_members::<R, 64>(words),
+        4 => of_members::<R, 4>(words),
+        8 => of_members::<R, 8>(words),
+        16 => of_members::<R, 16>(words),
+        32 => of_members::<R, 32>(words),
+        64 => of_members::<R, 64>(words),
         _ => of_members::<R, 128>(words),
     }
 }
@@ -135,7 +136,7 @@ fn radius<R: Real>(k: R, f: R) -> R {
 
 /// The sine and the cosine of `½π·t` for `|t| <= ½`: `t·S(t²)` and `1 + t²·C(t²)`.
 ///
-/// Minimax as in [`sine`](crate::scalar::functions): the errors are 2^-54.5 for the sine and 2^-53.8 for the cosine.
+/// Minimax as in `functions/sine.rs`: the errors are 2^-54.5 for the sine and 2^-53.8 for the cosine.
 #[inline(always)]
 fn sin_cos<R: Real>(t: R) -> (R, R) {
     let c = R::of;

@@ -157,11 +157,8 @@ fn every_check_of_words_fails_for_some_bad_generator() {
             "a leading digit that counts",
             &|counter, key| {
                 let words = philox(counter, key);
-                std::array::from_fn(|place| {
-                    words[place] >> 4
-                        | (counter[0] + counter[1] + counter[2] + counter[3]).wrapping_mul(1 << 30)
-                        | (place as u32) << 28
-                })
+                let count = counter.into_iter().fold(0, u32::wrapping_add);
+                std::array::from_fn(|place| words[place] >> 4 | count.wrapping_mul(1 << 30) | (place as u32) << 28)
             },
             &["gaps"],
         ),
