@@ -186,7 +186,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = ;",
             &[
-                "1:9 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:9 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction",
             ],
         ),
         ("struct A = Verlet", &["1:11 expected `;` at the end of a declaration"]),
@@ -196,7 +196,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = W(1) T(1);",
             &[
-                "1:11 unknown combinator `W`\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+                "1:11 unknown combinator `W`\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
             ],
         ),
         ("struct A = V T(1);", &["1:11 the stage `V` lacks its coefficient\nhelp: write, for example, `V(1/2)`"]),
@@ -213,7 +213,7 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = 1/2 V(1);",
             &[
-                "1:11 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:11 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction",
             ],
         ),
         ("struct A = V(1/0) T(1);", &["1:15 division by zero"]),
@@ -258,14 +258,14 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A = triple_jump();",
             &[
-                "1:11 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:11 a sequence has at least one stage\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction",
             ],
         ),
         ("struct A = suzuki(Verlet, Verlet);", &["1:11 `suzuki` takes one composition"]),
         (
             "struct A = suzuki(1/2; Verlet);",
             &[
-                "1:18 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts",
+                "1:18 expected a stage, a combinator or the name of a composition\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction",
             ],
         ),
         (
@@ -314,6 +314,29 @@ fn every_mistake_has_one_message_on_its_token() {
         (
             "struct A: symmetric = processed(T(1/2); Verlet);",
             &["1:10 declared symmetric, but the sequence is not a palindrome"],
+        ),
+        // Friction.
+        ("struct A = V(1/2) T(1/2) O(1) T(1/2) V(1/2);", &[]),
+        ("struct A: order 2, symmetric = A(1/2) B(1/2) O(_) B(1/2) A(1/2);", &[]),
+        ("struct A = V(1/2) T(1) O(1/2) V(1/2);", &["1:11 the coefficients of `O` sum to 0.5, not to 1"]),
+        ("struct A: order 3 = O(1/2) Verlet O(1/2);", &["1:16 declared order 3, but no order above 2 is proved"]),
+        (
+            "struct A: order (4, 2) = O(1/2) Verlet O(1/2);",
+            &["1:16 generalised orders do not support friction `O`\nhelp: claim one order, `order 2`"],
+        ),
+        ("struct A = O T(1) V(1);", &["1:11 the stage `O` lacks its coefficient\nhelp: write, for example, `O(1/2)`"]),
+        ("struct A = T(1) V(1) O(1, 2);", &["1:21 friction takes one number\nhelp: write, for example, `O(1)`"]),
+        (
+            "struct A = T(1/2) V(1, 1/8) T(1/2) O(1);",
+            &["1:11 a composition with friction `O` does not support force gradients\nhelp: use kicks `V(b)`"],
+        ),
+        (
+            "struct A = processed(O(1/2); Verlet);",
+            &["1:11 a processor cannot contain friction `O`, which has no inverse if there is noise"],
+        ),
+        (
+            "struct A = processed(T(1/2); O(1/2) Verlet O(1/2));",
+            &["1:11 `processed(..)` does not support friction `O`"],
         ),
         // Two mistakes, two messages; users of what was refused are not told again.
         (

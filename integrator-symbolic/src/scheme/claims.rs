@@ -55,6 +55,9 @@ pub(super) fn order(scheme: &mut Scheme, order: u32) -> Result<(), String> {
 /// Holds generalised orders against the words with one letter of the second part, with two, and so on. The last order is
 /// that for words with any number of them: the plain one.
 fn generalised(scheme: &mut Scheme, orders: &[u32]) -> Result<(), String> {
+    if scheme.stages.has_friction() {
+        return Err("generalised orders do not support friction `O`\nhelp: claim one order, `order 2`".to_owned());
+    }
     if orders.windows(2).any(|pair| pair[0] < pair[1]) {
         return Err(
             "generalised orders have to decrease\nhelp: write, for example, `order (8, 4)`\nnote: the numbers \

@@ -9,9 +9,10 @@ use syn::{LitStr, Path, Visibility, parse_quote};
 
 use super::{
     facts::Facts,
+    friction_code,
     inner_errors::lower_bounds,
     prove::{Class, Scheme},
-    syntax::Declaration,
+    syntax::{Declaration, Sequence},
     table::number,
 };
 
@@ -24,15 +25,17 @@ pub(super) fn default_root() -> Path {
 pub(super) fn declaration(declaration: &Declaration, name: &str, scheme: Option<&Scheme>, root: &Path) -> TokenStream {
     let Declaration { attributes, visibility, name: ident, .. } = declaration;
     let citation = declaration.claims.citation.as_ref().map(LitStr::value).unwrap_or_default();
-    let facts = scheme.map_or_else(Facts::stub, Facts::of);
-    let prose = match scheme {
-        Some(_) => format!(" {}", facts.prose(&citation)),
-        None => " Refused.".to_owned(),
+    let (implementation, prose) = match scheme {
+        Some(scheme) => described(ident, name, &citation, scheme, root),
+        None if declaration.sequence.as_ref().is_some_and(Sequence::has_friction) => {
+            (friction_code::stub(ident, name, root), "Refused.".to_owned())
+        }
+        None => (implementation(ident, name, &citation, &Facts::stub(), root), "Refused.".to_owned()),
     };
+    let prose = format!(" {prose}");
     // The facts are a paragraph of their own after what the user wrote.
     let gap = (!attributes.is_empty()).then(|| quote!(#[doc = ""]));
     let definition = definition(visibility, ident);
-    let implementation = implementation(ident, name, &citation, &facts, root);
     quote! {
         #(#attributes)*
         #gap
@@ -41,6 +44,21 @@ pub(super) fn declaration(declaration: &Declaration, name: &str, scheme: Option<
 
         #implementation
     }
+}
+
+/// The implementations that make a unit struct the composition, with its description.
+pub(super) fn described(
+    ident: &Ident,
+    name: &str,
+    citation: &str,
+    scheme: &Scheme,
+    root: &Path,
+) -> (TokenStream, String) {
+    if scheme.stages.has_friction() {
+        return friction_code::implementation(ident, name, citation, scheme, root);
+    }
+    let facts = Facts::of(scheme);
+    (implementation(ident, name, citation, &facts, root), facts.prose(citation))
 }
 
 /// The unit struct, without its documentation.
@@ -55,7 +73,7 @@ pub(super) fn definition(visibility: &Visibility, ident: &Ident) -> TokenStream 
 }
 
 /// The two implementations that make a unit struct a composition.
-pub(super) fn implementation(ident: &Ident, name: &str, citation: &str, facts: &Facts, root: &Path) -> TokenStream {
+fn implementation(ident: &Ident, name: &str, citation: &str, facts: &Facts, root: &Path) -> TokenStream {
     let Facts { table, symmetric, .. } = facts;
     let order = Literal::u32_unsuffixed(facts.order);
     let force_evaluations = Literal::usize_unsuffixed(table.force_evaluations());

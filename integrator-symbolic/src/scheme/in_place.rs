@@ -9,7 +9,6 @@ use syn::{Expr, Path, Visibility, parse::ParseStream, token};
 
 use super::{
     emit,
-    facts::Facts,
     inner_errors::OverInner,
     lower::{Known, lower},
     prove::{Class, Proof, Scheme},
@@ -47,6 +46,11 @@ impl InPlace {
         &self.scheme.proof
     }
 
+    /// Whether it has friction.
+    pub(crate) fn has_friction(&self) -> bool {
+        self.scheme.stages.has_friction()
+    }
+
     /// The second number of the first kick that has one: it needs a quadratic `T`, whatever the order.
     pub(crate) fn gradient(&self) -> Option<&Expr> {
         self.sequence.gradient()
@@ -80,7 +84,7 @@ impl InPlace {
             (scheme.class, scheme.order) = (class, scheme.proof.quadratic.order);
         }
         let definition = emit::definition(&Visibility::Public(Default::default()), name);
-        let implementation = emit::implementation(name, &self.text(), "", &Facts::of(&scheme), root);
+        let (implementation, _) = emit::described(name, &self.text(), "", &scheme, root);
         quote!(#definition #implementation)
     }
 

@@ -243,7 +243,7 @@ mod tests {
     fn exponential(stage: &Element, inner: u32, degree: u32) -> Polynomial {
         let duration = stage.coefficient.value.value();
         let logarithm = match stage.letter {
-            Letter::T => Polynomial::from([(vec![0], duration)]),
+            Letter::T | Letter::O => Polynomial::from([(vec![0], duration)]),
             Letter::V => {
                 let errors = (inner + 1..=degree).step_by(2);
                 [1].into_iter().chain(errors).map(|weight| (vec![weight], duration.powi(weight as i32))).collect()
@@ -316,7 +316,7 @@ mod tests {
             for stage in stages {
                 let duration = stage.coefficient.value.value();
                 match stage.letter {
-                    Letter::T => time += duration,
+                    Letter::T | Letter::O => time += duration,
                     Letter::V => moment += duration.powi(error as i32) * time.powi(drifts) / f64::from(drifts.max(1)),
                 }
             }

@@ -8,6 +8,7 @@ use syn::{Expr, Ident};
 
 use super::{
     coefficient::{Coefficient, evaluate},
+    friction,
     prove::{SUSPICIOUS, Scheme, Verdict, Violation},
     stages::{Element, Letter, Letters, Stages},
     syntax::{COMBINATORS, Combined, Item, Sequence},
@@ -85,6 +86,8 @@ fn proved(kernel: Stages, processor: Stages, sequence: &Sequence, errors: &mut E
     let count = kernel.elements().len() + 2 * processor.elements().len();
     let message = if count > MOST_STAGES {
         format!("the sequence has {count} stages, and at most {MOST_STAGES} are supported")
+    } else if let Some(message) = friction::refusal(&kernel, &processor) {
+        message
     } else {
         let scheme = Scheme { letters: sequence.letters(), ..Scheme::inferred(kernel, processor) };
         match scheme.proof.quadratic {
@@ -105,8 +108,7 @@ fn inconsistent(Violation { word, residual }: Violation, letters: Letters) -> St
         );
     }
     // Twelve digits say what is wrong without the rounding of 1 - 0.8.
-    let sum = format!("{:.12}", 1.0 + residual);
-    format!("the coefficients of `{word}` sum to {}, not to 1", sum.trim_end_matches('0').trim_end_matches('.'))
+    friction::not_one(&word, 1.0 + residual)
 }
 
 /// An item with its coefficients known, except where `_` requests what the others leave.
@@ -127,7 +129,7 @@ impl Part {
 
 fn parts(sequence: &Sequence, known: &Known, errors: &mut Errors) -> Option<Vec<Part>> {
     let mut parts = Vec::new();
-    let mut rest_is_taken = [false; 2];
+    let mut rest_is_taken = [false; 3];
     for item in &sequence.items {
         let part = match item {
             Item::Stage { letter, coefficient, gradient } => {
@@ -164,7 +166,7 @@ fn share(expression: &Expr, rest_is_taken: &mut bool, errors: &mut Errors) -> Op
     Some(None)
 }
 
-/// The stages of all parts, with `_` such that the drifts and the kicks sum to one step.
+/// The stages of all parts, with `_` such that the stages of each letter sum to one step.
 fn joined(parts: &[Part]) -> Stages {
     let rest = |of: Letter| {
         let (mut rest, mut shares) = (Coefficient::ONE, 0);
@@ -180,13 +182,12 @@ fn joined(parts: &[Part]) -> Stages {
         }
         rest / Coefficient::integer(shares.max(1))
     };
-    let (rest_of_drifts, rest_of_kicks) = (rest(Letter::T), rest(Letter::V));
     let mut stages = Stages::default();
     for part in parts {
         match part {
             Part::Stage { letter, coefficient, gradient } => {
-                let rest = if *letter == Letter::T { rest_of_drifts } else { rest_of_kicks };
-                stages.push(Element { letter: *letter, coefficient: coefficient.unwrap_or(rest), gradient: *gradient });
+                let coefficient = coefficient.unwrap_or_else(|| rest(*letter));
+                stages.push(Element { letter: *letter, coefficient, gradient: *gradient });
             }
             Part::Step(step) => stages.append(step, Coefficient::ONE),
         }

@@ -18,6 +18,8 @@ mod conditions;
 mod double;
 mod emit;
 mod facts;
+mod friction;
+mod friction_code;
 mod in_place;
 mod inner_errors;
 mod leading_error;

@@ -51,6 +51,7 @@ fn with_one(stages: &Stages) -> Found {
         match element.letter {
             Letter::T => drifted = drifted + element.coefficient.value,
             Letter::V => nodes.push((drifted, element.coefficient.value, Double::ONE)),
+            Letter::O => {}
         }
     }
     for length in 1..=LONGEST {

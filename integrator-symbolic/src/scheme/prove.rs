@@ -12,6 +12,7 @@
 use super::{
     coefficient::Coefficient,
     conditions::{self, HIGHEST, Series, Word},
+    friction,
     leading_error::{Term, general_terms, norm, quadratic_terms},
     stages::{Letter, Letters, Stages},
 };
@@ -52,13 +53,24 @@ pub(super) struct Scheme {
 impl Scheme {
     /// The scheme of stages about which nothing is claimed: general, unless it has gradient kicks.
     pub(super) fn inferred(stages: Stages, processor: Stages) -> Self {
-        let proof = prove(&whole(&stages, &processor));
+        let proof = match stages.has_friction() {
+            true => friction::proof(&stages),
+            false => prove(&whole(&stages, &processor)),
+        };
         let (class, verdict) = match proof.general {
             Some(general) => (Class::General, general),
             None => (Class::QuadraticKinetic, proof.quadratic),
         };
         let (order, letters) = (verdict.order, Letters::default());
         Self { stages, processor, proof, class, order, generalised: Vec::new(), letters }
+    }
+
+    /// The same composition without its friction.
+    pub(super) fn without_friction(&self) -> Self {
+        match self.stages.has_friction() {
+            true => Self { letters: self.letters, ..Self::inferred(self.stages.without_friction(), Stages::default()) },
+            false => self.clone(),
+        }
     }
 
     /// What the conditions say for the class.

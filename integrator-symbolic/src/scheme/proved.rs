@@ -49,7 +49,7 @@ pub struct Proved {
     pub stages: Vec<ProvedStage>,
     /// The stages of the processor, applied before the first step and inverted before output; usually empty.
     pub processor: Vec<ProvedStage>,
-    /// Kicks per step in the middle of a run.
+    /// Kicks per step in the middle of a run. This and all that follows is without friction.
     pub force_evaluations: usize,
     /// The number of these kicks with a force gradient.
     pub gradient_evaluations: usize,
@@ -89,7 +89,7 @@ pub struct ProvedTable {
 /// A stage of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProvedStage {
-    /// The flow as written in the sequence: `'T'` or `'A'` for a drift, `'V'` or `'B'` for a kick.
+    /// The flow as written in the sequence: `'T'` or `'A'` for a drift, `'V'` or `'B'` for a kick, `'O'` for friction.
     pub letter: char,
     /// The duration as a fraction of the step.
     pub coefficient: f64,
@@ -142,7 +142,8 @@ pub(crate) fn sequence(tokens: TokenStream, order: Option<u32>, errors: &mut Err
 
 impl Proved {
     fn of(scheme: &Scheme, name: &str, citation: &str) -> Self {
-        let facts = Facts::of(scheme);
+        let conservative = scheme.without_friction();
+        let facts = Facts::of(&conservative);
         let violation = scheme.verdict().violation.map(|violation| ProvedViolation {
             word: violation.word.spelled(scheme.letters),
             residual: violation.residual,
@@ -153,7 +154,7 @@ impl Proved {
             order: scheme.order,
             general_order: scheme.proof.general.map(|general| general.order),
             quadratic_order: scheme.proof.quadratic.order,
-            generalised_orders: near_integrable::orders(scheme).iter().map(|found| found.order).collect(),
+            generalised_orders: near_integrable::orders(&conservative).iter().map(|found| found.order).collect(),
             orders_over_inner: (scheme.class == Class::General).then_some(facts.over_inner.orders),
             quadratic_kinetic: scheme.class == Class::QuadraticKinetic,
             symmetric: scheme.proof.symmetric,

@@ -60,6 +60,7 @@ impl HalfTrace {
                         add(&mut p, &q, Double::from(-2.0) * element.gradient.value, 2);
                     }
                 }
+                Letter::O => {}
             }
         }
         let ([mut trace, _], [_, other]) = (q, p);

@@ -12,6 +12,8 @@ pub(super) enum Letter {
     T,
     /// The second part, mostly the potential one; its stage is a kick.
     V,
+    /// Friction, perhaps with noise.
+    O,
 }
 
 /// What a sequence calls the two parts.
@@ -25,13 +27,14 @@ pub(super) enum Letters {
 }
 
 impl Letters {
-    /// The letter that a name stands for, and the alphabet that it is of.
-    pub(super) fn read(name: &str) -> Option<(Letter, Self)> {
+    /// The letter that a name stands for, and the alphabet that it is of; `O` is in both.
+    pub(super) fn read(name: &str) -> Option<(Letter, Option<Self>)> {
         match name {
-            "T" => Some((Letter::T, Self::Kinetic)),
-            "V" => Some((Letter::V, Self::Kinetic)),
-            "A" => Some((Letter::T, Self::Parts)),
-            "B" => Some((Letter::V, Self::Parts)),
+            "T" => Some((Letter::T, Some(Self::Kinetic))),
+            "V" => Some((Letter::V, Some(Self::Kinetic))),
+            "A" => Some((Letter::T, Some(Self::Parts))),
+            "B" => Some((Letter::V, Some(Self::Parts))),
+            "O" => Some((Letter::O, None)),
             _ => None,
         }
     }
@@ -43,6 +46,7 @@ impl Letters {
             (Self::Kinetic, Letter::V) => 'V',
             (Self::Parts, Letter::T) => 'A',
             (Self::Parts, Letter::V) => 'B',
+            (_, Letter::O) => 'O',
         }
     }
 }
@@ -115,6 +119,18 @@ impl Stages {
                 && (one.coefficient - other.coefficient).vanishes()
                 && (one.gradient - other.gradient).vanishes()
         })
+    }
+
+    /// Whether some stage is friction.
+    pub(super) fn has_friction(&self) -> bool {
+        self.elements.iter().any(|element| element.letter == Letter::O)
+    }
+
+    /// The stages without friction.
+    pub(super) fn without_friction(&self) -> Self {
+        let mut stages = Self::default();
+        self.elements.iter().filter(|element| element.letter != Letter::O).for_each(|element| stages.push(*element));
+        stages
     }
 
     pub(super) fn has_gradients(&self) -> bool {

@@ -92,6 +92,15 @@ impl Sequence {
         self.named.into_iter().chain(inner).find(|letters| *letters == Letters::Parts).unwrap_or_default()
     }
 
+    /// Whether a stage of it, or of what its combinators act on, is friction.
+    pub(super) fn has_friction(&self) -> bool {
+        self.items.iter().any(|item| match item {
+            Item::Stage { letter, .. } => *letter == Letter::O,
+            Item::Name(_) => false,
+            Item::Combined(combined) => combined.sequences().into_iter().any(Self::has_friction),
+        })
+    }
+
     /// The second number of the first kick that has one.
     pub(super) fn gradient(&self) -> Option<&Expr> {
         self.items.iter().find_map(|item| match item {
@@ -103,7 +112,7 @@ impl Sequence {
 }
 
 pub(super) enum Item {
-    /// `T(a)`, `V(b)` or `V(b, c)`.
+    /// `T(a)`, `V(b)`, `V(b, c)` or `O(c)`.
     Stage { letter: Letter, coefficient: Expr, gradient: Option<Box<Expr>> },
     /// A composition declared earlier.
     Name(Ident),
@@ -146,7 +155,8 @@ impl Combined {
 pub(super) const COMBINATORS: &str =
     "`triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`";
 
-const STAGES: &str = "note: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts";
+const STAGES: &str = "note: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` \
+                      for friction";
 
 const NO_END: &str = "expected `;` at the end of a declaration";
 
@@ -278,7 +288,7 @@ fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors
     let spelled = name.to_string();
     if !input.peek(token::Paren) {
         return match spelled.as_str() {
-            "T" | "V" => Err(syn::Error::new(
+            "T" | "V" | "O" => Err(syn::Error::new(
                 name.span(),
                 format!("the stage `{spelled}` lacks its coefficient\nhelp: write, for example, `{spelled}(1/2)`"),
             )),
@@ -292,7 +302,9 @@ fn item(input: ParseStream<'_>, named: &mut Option<Letters>, errors: &mut Errors
     let content;
     let parentheses = parenthesized!(content in input);
     let item = if let Some((letter, letters)) = Letters::read(&spelled) {
-        if *named.get_or_insert(letters) != letters {
+        if let Some(letters) = letters
+            && *named.get_or_insert(letters) != letters
+        {
             errors.push(syn::Error::new(name.span(), "a sequence cannot mix the stages `T` and `V` with `A` and `B`"));
         }
         errors.keep(stage(letter, &name, &parentheses, &content))
@@ -318,6 +330,7 @@ fn stage(letter: Letter, name: &Ident, parentheses: &token::Paren, content: Pars
         (Letter::T, ..) => {
             Err(at(name, parentheses, &format!("a drift takes one number\nhelp: write, for example, `{name}(1/2)`")))
         }
+        (Letter::O, ..) => Err(at(name, parentheses, "friction takes one number\nhelp: write, for example, `O(1)`")),
         (Letter::V, ..) => {
             let message = format!(
                 "a kick takes one number or two\nhelp: write, for example, `{name}(1/2)` or `{name}(2/3, -1/72)`"

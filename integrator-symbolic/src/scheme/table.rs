@@ -149,7 +149,7 @@ impl Rows {
 
     fn lead(&self, root: &Path) -> TokenStream {
         match self.lead {
-            Letter::T => quote!(#root::__private::Lead::Drift),
+            Letter::T | Letter::O => quote!(#root::__private::Lead::Drift),
             Letter::V => quote!(#root::__private::Lead::Kick),
         }
     }
@@ -215,6 +215,7 @@ impl Row {
                 self.kick_time = clock.drifts;
                 clock.kicks = clock.kicks + self.kick;
             }
+            Letter::O => {}
         }
     }
 
