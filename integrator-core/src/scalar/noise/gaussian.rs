@@ -14,7 +14,7 @@
 //! Integers are handled as words of 64 bits and patterns of `f64`, in a plain loop over lanes that vectorises. What is
 //! rounded is computed in `R`.
 
-use super::philox::{LOW, mixed, round_keys};
+use super::philox::{LOW, ROUNDS, mixed, round_keys};
 use crate::scalar::real::Real;
 use core::f64::consts::LN_2;
 
@@ -23,19 +23,58 @@ use core::f64::consts::LN_2;
 /// `counter` gives the counter of a lane, the first one of its member. The error of a number is at most 5 ulp, the factors of
 /// the formula above included.
 #[inline(always)]
-pub(crate) fn gaussians<R: Real>(key: [u32; 2], counter: impl Fn(usize) -> [u32; 4]) -> [R; 2] {
+pub(crate) fn gaussians<R: Real>(key: [u32; 2], counter: impl Counter) -> [R; 2] {
     // The lanes of a member are neighbours, the number without derivatives first.
     let parts = const { R::LANES / R::MEMBERS };
-    let keys = round_keys(key);
-    of_words(|member| {
-        let [a, b, c, d] = counter(member * parts);
-        mixed([u64::from(a), u64::from(b), u64::from(c), u64::from(d)], keys)
-    })
+    of_words(Mixed { counter, keys: round_keys(key), parts })
 }
 
-/// The numbers of the words of each member, whose upper halves may be anything.
+/// The counter of each lane. A trait, because only a method can carry the `inline(always)` that brings it into the variant for
+/// an instruction set.
+pub(crate) trait Counter {
+    /// Returns the counter of a lane.
+    fn counter(&self, lane: usize) -> [u32; 4];
+}
+
+impl<F: Fn(usize) -> [u32; 4]> Counter for F {
+    #[inline(always)]
+    fn counter(&self, lane: usize) -> [u32; 4] {
+        self(lane)
+    }
+}
+
+/// The words of each member, whose upper halves may be anything.
+pub(super) trait Words {
+    /// Returns the words of a member.
+    fn words(&self, member: usize) -> [u64; 4];
+}
+
+impl<F: Fn(usize) -> [u64; 4]> Words for F {
+    #[inline(always)]
+    fn words(&self, member: usize) -> [u64; 4] {
+        self(member)
+    }
+}
+
+/// The words of counters under a key.
+struct Mixed<C> {
+    counter: C,
+    keys: [[u64; 2]; ROUNDS],
+    /// The number of lanes of a member.
+    parts: usize,
+}
+
+impl<C: Counter> Words for Mixed<C> {
+    #[inline(always)]
+    fn words(&self, member: usize) -> [u64; 4] {
+        let [a, b, c, d] = self.counter.counter(member * self.parts);
+        mixed([u64::from(a), u64::from(b), u64::from(c), u64::from(d)], self.keys)
+    }
+}
+
+/// The numbers of the words of each member.
 #[inline(always)]
-pub(super) fn of_words<R: Real>(words: impl Fn(usize) -> [u64; 4]) -> [R; 2] {
+pub(super) fn of_words<R: Real>(words: impl Words) -> [R; 2] {
     const { assert!(R::MEMBERS <= 128, "rows of eight bodies have at most 16 members each") };
     // As many as there are, so that the compiler sees whole vectors. Of a constant it compiles one arm.
     match const { R::MEMBERS.next_power_of_two() } {
@@ -94,10 +133,10 @@ fn split([a, b, c, d]: [u64; 4]) -> Exact {
 }
 
 #[inline(always)]
-fn of_members<R: Real, const N: usize>(words: impl Fn(usize) -> [u64; 4]) -> [R; 2] {
+fn of_members<R: Real, const N: usize>(words: impl Words) -> [R; 2] {
     let (mut k, mut f, mut t, mut x, mut y) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N], [0.0; N]);
     for member in 0..R::MEMBERS {
-        let exact = split(words(member));
+        let exact = split(words.words(member));
         k[member] = exact.k;
         f[member] = exact.f;
         t[member] = exact.t;

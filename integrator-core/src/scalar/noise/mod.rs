@@ -8,5 +8,6 @@ mod philox;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use gaussian::gaussians;
-pub(crate) use philox::philox;
+pub(crate) use gaussian::{Counter, gaussians};
+#[cfg(test)]
+use philox::philox;

@@ -13,6 +13,7 @@ pub(super) const ROUNDS: usize = 10;
 pub(super) const LOW: u64 = 0xffff_ffff;
 
 /// Returns four random words of a counter and a key.
+#[cfg(test)]
 pub(crate) fn philox(counter: [u32; 4], key: [u32; 2]) -> [u32; 4] {
     mixed(counter.map(u64::from), round_keys(key)).map(|word| word as u32)
 }

@@ -5,7 +5,7 @@ use crate::scalar::{
     fma::{Fma, Fused},
     real::Real,
 };
-use dashu_float::{FBig, ops::SquareRoot, round::mode::HalfEven};
+use dashu_float::{FBig, round::mode::HalfEven};
 use std::ops::Neg;
 
 /// A number with [`DIGITS`] digits.

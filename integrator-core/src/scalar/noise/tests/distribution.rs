@@ -9,7 +9,7 @@ type Pairs<'a> = &'a dyn Fn([u32; 4]) -> [f64; 2];
 
 /// The numbers under test.
 fn good(counter: [u32; 4]) -> [f64; 2] {
-    gaussians::<f64>([0x1234_5678, 0x9abc_def0], |_| counter)
+    gaussians::<f64>([0x1234_5678, 0x9abc_def0], |_: usize| counter)
 }
 
 /// Moments up to this order are tested.
@@ -36,7 +36,7 @@ struct Tally {
     lagged: [[[f64; 3]; LAGS]; 4],
 }
 
-/// Sums over pairs of which each word of the counter counts a quarter.
+/// Sums over pairs. Each word of the counter counts a quarter of them.
 fn tally(pairs: Pairs<'_>, count: usize) -> Tally {
     let mut tally = Tally {
         pairs: count / 4 * 4,
@@ -212,7 +212,7 @@ fn every_check_of_the_distribution_fails_for_some_bad_generator() {
             "one round",
             &|counter| {
                 let words = super::rounds(1, counter, [5, 6]).map(u64::from);
-                crate::scalar::noise::gaussian::of_words::<f64>(|_| words)
+                crate::scalar::noise::gaussian::of_words::<f64>(|_: usize| words)
             },
             &["distribution function"],
         ),

@@ -4,7 +4,7 @@ use super::scrambled;
 use crate::scalar::{
     double_double::DoubleDouble,
     dual::Dual,
-    fma::{Avx512, Fma, Fused},
+    fma::{Avx512, Fused},
     instruction_set::InstructionSet,
     interval::Interval,
     noise::{gaussian::of_words, gaussians, philox},
@@ -33,7 +33,7 @@ pub(super) fn of_all<R: Real>(words: &[[u64; 4]]) -> Vec<[Vec<f64>; 2]> {
         fn call(self) -> Self::Out {
             let (parts, mut numbers) = (R::LANES / R::MEMBERS, Vec::with_capacity(self.0.len()));
             for words in self.0.chunks(R::MEMBERS) {
-                let pair = of_words::<R>(|member| words[member.min(words.len() - 1)]);
+                let pair = of_words::<R>(|member: usize| words[member.min(words.len() - 1)]);
                 for member in 0..words.len() {
                     numbers
                         .push(pair.map(|number| (0..parts).map(|part| number.lane(member * parts + part)).collect()));
@@ -65,7 +65,7 @@ fn counters_of_lanes<V: Real, S: Real>(name: &str) {
         type Out = [R; 2];
         #[inline(always)]
         fn call(self) -> [R; 2] {
-            gaussians(self.0, |lane| [lane as u32 + self.1, 5, 1 << 31, 7])
+            gaussians(self.0, |lane: usize| [lane as u32 + self.1, 5, 1 << 31, 7])
         }
     }
     let (key, parts) = ([3, 0x8000_0001], V::LANES / V::MEMBERS);
@@ -144,10 +144,10 @@ fn intervals_and_double_doubles_enclose_or_approach_the_number() {
 fn numbers_are_those_of_the_words() {
     for number in 0..1000 {
         let [a, b, c, d, e, f] = std::array::from_fn(|word| scrambled(6 * number + word));
-        let [x, y] = gaussians::<f64>([e, f], |_| [a, b, c, d]);
+        let [x, y] = gaussians::<f64>([e, f], |_: usize| [a, b, c, d]);
         let words = philox([a, b, c, d], [e, f]).map(u64::from);
-        assert_eq!([x, y], of_words::<f64>(|_| words));
+        assert_eq!([x, y], of_words::<f64>(|_: usize| words));
         // Upper halves do not matter.
-        assert_eq!([x, y], of_words::<f64>(|_| words.map(|word| word | u64::from(e) << 32)));
+        assert_eq!([x, y], of_words::<f64>(|_: usize| words.map(|word| word | u64::from(e) << 32)));
     }
 }
