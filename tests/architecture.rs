@@ -164,6 +164,7 @@ const CHECK: MayKnow = (
         ("certificate", &["property"]),
         ("choose", &["oracle", "property", "start", "statistics"]),
         ("measurable", &["oracle", "property", "start", "statistics"]),
+        ("equilibrium", &[]),
         ("shortfall", &["certificate", "error", "property"]),
         ("certify", &["certificate", "measurable", "oracle", "property", "shortfall", "start", "statistics"]),
     ],
@@ -176,8 +177,10 @@ const LAYOUT: MayKnow = (
 );
 
 /// The folders of `methods`.
-const METHODS: MayKnow =
-    ("integrator-core/src/methods", &[("pace", &[]), ("implicit", &["pace"]), ("inner_steps", &[]), ("taylor", &[])]);
+const METHODS: MayKnow = (
+    "integrator-core/src/methods",
+    &[("friction", &[]), ("pace", &[]), ("implicit", &["pace"]), ("inner_steps", &[]), ("taylor", &[])],
+);
 
 /// All of them.
 const ORDERS: [MayKnow; 7] = [SYMBOLIC, MODEL, EMIT, CORE, CHECK, LAYOUT, METHODS];

@@ -216,10 +216,10 @@ fn the_checkpoint_of_another_run_is_refused_with_a_reason() {
         "this is not a checkpoint of the kind that is to be resumed: its first bytes differ"
     );
     let mut newer = bytes.clone();
-    newer[8] = 5;
+    newer[8] = 6;
     assert_eq!(
         text(resumed(&newer).expect_err("from the future")),
-        "this checkpoint has version 5 of its format, which is newer than this library\nhelp: update integrator-core"
+        "this checkpoint has version 6 of its format, which is newer than this library\nhelp: update integrator-core"
     );
     let mut older = bytes.clone();
     older[8] = 1;

@@ -173,6 +173,51 @@ pub enum Error {
         /// The name of the composition.
         composition: &'static str,
     },
+    /// A reversible start and a method with friction, which contracts the grid.
+    #[error(
+        "a reversible initial state does not support friction\nhelp: write `Phase::new`\nnote: friction maps several \
+         points of the grid to one"
+    )]
+    FrictionOnGrid,
+    /// A system with friction and a method that does not apply it.
+    #[error(
+        "{method} does not apply the friction of this system\nhelp: use a composition with the letter `O`, such as `Baoab`, \
+         or leave out `#[friction]`"
+    )]
+    NoFriction {
+        /// The name of the method.
+        method: &'static str,
+    },
+    /// Steps of a system with a temperature that apply friction for a negative duration.
+    #[error(
+        "{method} would apply friction with noise for a negative duration, with the step {h}\nhelp: use a positive step and a \
+         composition with positive `O`, such as `Baoab`"
+    )]
+    NoiseBackwards {
+        /// The name of the method.
+        method: &'static str,
+        /// The step.
+        h: f64,
+    },
+    /// A rate of friction or a temperature is negative or not finite.
+    #[error("`{function}({index})` is {value}\nhelp: return a number that is finite and not negative")]
+    Rate {
+        /// `friction` or `temperature`.
+        function: &'static str,
+        /// The argument.
+        index: usize,
+        /// The value.
+        value: f64,
+    },
+    /// A system with a temperature whose momenta have no masses of their own.
+    #[error(
+        "the velocity of coordinate {coordinate} is not its momentum over a positive mass\nhelp: a temperature requires \
+         T = Σ p²/(2m)"
+    )]
+    MassOfNoise {
+        /// The number of the coordinate.
+        coordinate: usize,
+    },
     /// The numbers of positions and momenta of a start differ. The type of the coordinates does not fix them.
     #[error("the initial state has {positions} positions but {momenta} momenta")]
     Length {

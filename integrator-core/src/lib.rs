@@ -124,11 +124,10 @@ pub use composition::visitor::{
 pub use composition::{Class, Composition, Lead, Processor, Rows, Scheme, Stage, Stages};
 #[cfg(feature = "std")]
 pub use ensemble::Ensemble;
-#[cfg(feature = "std")]
-pub use ensemble::in_lanes::{InLanes, ResumableInLanes};
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
+pub use methods::friction::{FrictionScheme, Letter, catalogue::*};
 pub use methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, RatedField};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 pub use methods::taylor;
@@ -140,6 +139,7 @@ pub use state::coords::Coords;
 pub use state::fixed::Fixed;
 pub use state::phase::{Phase, StartOf};
 pub use system::counts::OwnSteps;
+pub use system::dissipation::{Dissipation, WithFriction};
 pub use system::flow_layout::Layouts;
 pub use system::parameter_derivatives::ParameterDerivatives;
 pub use system::{QuadraticKinetic, System};
@@ -147,6 +147,8 @@ pub use system::{QuadraticKinetic, System};
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::gradient::Gradient;
+#[cfg(feature = "std")]
+pub use trajectory::in_lanes::{InLanes, ResumableInLanes};
 pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Method, Resumable};
 #[cfg(feature = "std")]
 pub use trajectory::progress::Progress;
@@ -185,6 +187,7 @@ pub mod prelude {
     #[cfg(feature = "check")]
     pub use crate::check::{Certificate, certify};
     pub use crate::composition::catalogue::*;
+    pub use crate::methods::friction::catalogue::*;
     // Constants such as `PARTS` and `SENSITIVE`.
     pub use crate::{
         Compensated, Composition, Crossings, Direction, Error, Fixed, GaussLegendre, GaussLegendre4, GaussLegendre6,
@@ -238,6 +241,10 @@ pub mod __private {
             products::{add_multiples_of_rows, inner_products},
         },
         methods::{
+            friction::{
+                Damped, DampedOf, FrictionConstants, FrictionScheme, Letter, are_rates, catalogue::Baoab,
+                facts_with_friction, steps_with_friction,
+            },
             implicit::{BackwardEuler, ImplicitMidpoint, RatedField, TakesWhole},
             pace::{PlainMotion, Rated, TimeTransformed},
             taylor::{
@@ -275,6 +282,7 @@ pub mod __private {
             classes::{ByClass, classes, numbers_of_values, padded},
             counts::Counts,
             device_text::{DeviceText, StageRow, push_constants, push_lists},
+            dissipation::{Dissipation, Momenta, WithFriction},
             elements::Elements,
             entries::{distinct_pairs, entries, weights},
             equal_values::{Both, SmallInteger},
@@ -293,7 +301,8 @@ pub mod __private {
             sites::{Boundary, Flow, MovedSites, Sites, StencilRadii, columns},
         },
         trajectory::{
-            method::Described,
+            in_lanes::{InLanes, ResumableInLanes},
+            method::{Described, Differentiable, Facts, Memoryless, Method, Resumable},
             sensitive::Sensitive,
             step_functions::{Executor, StepFunctions},
         },

@@ -64,7 +64,8 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         let local = || {
             let Some(bytes) = bytes_of_rank(folder, &found, own.clone())? else { return Ok(None) };
             let local = Local::resume(method, own.clone().map(&system), &bytes);
-            local.map(|local| Some(Held::Processor(Box::new(local)))).map_err(at(folder))
+            let numbered = |local: Local<C>| Some(Held::Processor(Box::new(local.numbered_from(own.start))));
+            local.map(numbered).map_err(at(folder))
         };
         let local = agree(world, local())?;
         Ok(Self::of_held(world, local, own.start, found.members, found.steps))

@@ -122,7 +122,7 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
         let members: Vec<_> = members_of_rank.into_iter().collect();
         let (first, count) = counted(world, members.len())?;
         let local = match Local::new(method, members, h) {
-            Ok(local) => Ok(Some(Held::Processor(Box::new(local)))),
+            Ok(local) => Ok(Some(Held::Processor(Box::new(local.numbered_from(first))))),
             Err(CoreError::NoMembers) => Ok(None),
             Err(error) => Err(Failure::Core { error, first }),
         };
@@ -132,6 +132,14 @@ impl<'w, W: Communicator, C: Coords> Ensemble<'w, W, C> {
     /// The ensemble with these members on this rank.
     pub(crate) fn of_held(world: &'w W, held: Option<Held<C>>, first: usize, count: usize, steps: u64) -> Self {
         Self { world, held, first, count, steps }
+    }
+
+    /// Sets the seed of random numbers, like [`integrator_core::Ensemble::with_seed`]. Results do not depend on the number of
+    /// ranks.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.held = self.held.map(|held| held.with_seed(seed));
+        self
     }
 
     /// Starts the clock at `t0` instead of 0.

@@ -23,6 +23,15 @@ impl<C: Coords> Held<C> {
         }
     }
 
+    /// Sets the seed of random numbers, which no method for devices draws.
+    pub(crate) fn with_seed(self, seed: u64) -> Self {
+        match self {
+            Self::Processor(local) => Self::Processor(Box::new(local.with_seed(seed))),
+            #[cfg(feature = "gpu")]
+            Self::Device(device) => Self::Device(device),
+        }
+    }
+
     /// Starts the clock at `t0`.
     pub(crate) fn at_time(self, t0: f64) -> Self {
         match self {

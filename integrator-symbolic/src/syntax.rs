@@ -3,6 +3,7 @@
 //! In: tokens. Out: an [`Input`], faithful to the source. Always true: only the form is checked here.
 
 mod device;
+mod friction;
 mod method;
 pub(crate) mod names;
 mod order;
@@ -11,6 +12,7 @@ mod split;
 use crate::{errors::Errors, scheme::InPlace};
 use device::gpu_of;
 pub(crate) use device::{DeviceFunctions, Gpu};
+pub(crate) use friction::{FRICTION, Friction, RateFunction, TEMPERATURE};
 use method::{compose_of, without_tolerance};
 use order::{OrderClaim, order_of};
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
@@ -66,6 +68,8 @@ pub(crate) struct Input {
     pub(crate) coupling: Option<Expr>,
     /// Where H stays in one piece, `split = none`.
     pub(crate) unsplit: Option<Span>,
+    /// Friction, where a function is annotated with it.
+    pub(crate) friction: Option<Friction>,
     pub(crate) functions: Functions,
     /// The order that a step has to have.
     pub(crate) order: Option<OrderClaim>,
@@ -140,7 +144,8 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
             coupling = Some(errors.keep(*stated).unwrap_or_else(one));
         }
     }
-    let Parts { names, paired, nests } = parts;
+    let friction = Friction::of(&item, &mut parts, errors);
+    let Parts { names, paired, nests, .. } = parts;
     let functions = functions.unwrap_or_default();
     let root = root.unwrap_or_else(|| syn::parse_quote!(::integrator_core));
     let sensitive = sensitive.unwrap_or_default();
@@ -152,6 +157,7 @@ pub(crate) fn input(arguments: TokenStream, item: TokenStream, errors: &mut Erro
         coordinates,
         coupling,
         unsplit,
+        friction,
         functions,
         order,
         layout,

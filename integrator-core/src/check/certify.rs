@@ -31,7 +31,7 @@ use crate::{
     hamiltonian::Hamiltonian,
     scalar::tolerance::{largest, ratio, within},
     state::precision::Precision,
-    system::{Shaped, user_energies::Values},
+    system::{Shaped, dissipation::Dissipation, user_energies::Values},
     trajectory::method::Method,
 };
 
@@ -90,6 +90,7 @@ const GRADIENT_SPAN: f64 = 64.0;
 ///
 /// # Errors
 /// - [`CertifyError::Run`]: the start or the step is invalid, as for [`Hamiltonian::run`].
+/// - [`CertifyError::Friction`]: the system has friction.
 /// - [`CertifyError::Refused`]: a property does not hold or cannot be measured. The error contains all measurements.
 ///
 /// ```
@@ -120,6 +121,9 @@ pub fn certify<H: Hamiltonian, X: Method<H>, K: Precision>(
     start: impl IntoStart<Shaped<H, K>, Leaf = K>,
     h: f64,
 ) -> Result<Certificate, CertifyError> {
+    if !matches!(H::DISSIPATION, Dissipation::None) {
+        return Err(CertifyError::Friction);
+    }
     let start = start.into_start();
     let begun = begin::<H, X, K>(system, method, &start, h)?;
     let energies = Energies::new(system, &begun.phase);

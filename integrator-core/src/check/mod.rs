@@ -29,6 +29,7 @@
 //! - [`branches()`]: the branches of `H` that an orbit crosses. Deviation vectors may be wrong there.
 //! - [`turns_in_time`]: how often `H` turns by its explicit time. A certificate requires at most one turn to a step.
 //! - [`monodromy()`]: the stability of a periodic orbit. The module [`chaos`](crate::chaos) is for other orbits.
+//! - [`oscillator_equilibrium`]: the bias of a composition with friction and noise, for a harmonic oscillator.
 //! - [`choose()`]: the cheapest composition and step for a required error. [`choose_among()`] compares several splittings of
 //!   one Hamiltonian.
 //!
@@ -38,6 +39,7 @@
 mod certificate;
 mod certify;
 mod choose;
+mod equilibrium;
 mod error;
 mod flow;
 mod measurable;
@@ -54,6 +56,7 @@ pub use choose::{
     Candidate, Choice, ChooseError, Goal, LogarithmicSteps, NestedSteps, PacedSteps, Ranking, Split, Splitting,
     Unranked, candidates, candidates_with, choose, choose_among,
 };
+pub use equilibrium::{Equilibrium, oscillator_equilibrium};
 pub use error::CheckError;
 pub use modified::{
     ModifiedHamiltonian,

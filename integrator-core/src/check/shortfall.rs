@@ -19,6 +19,11 @@ pub enum CertifyError {
     /// A run cannot begin with this start or this step.
     #[error(transparent)]
     Run(#[from] Error),
+    /// The system has friction, so that its motion is not Hamiltonian.
+    #[error(
+        "certificates are for Hamiltonian motion, and this system has friction\nhelp: certify it without `#[friction]`"
+    )]
+    Friction,
     /// The stepper was measured and does not satisfy its claims.
     #[error("no certificate for {}:{}\nmeasured: {certificate}", certificate.system, Lines(shortfalls))]
     Refused {

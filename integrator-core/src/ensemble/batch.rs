@@ -14,7 +14,7 @@ use crate::{
     },
     trajectory::{
         engine::Engine,
-        motions::{Lane, Motions, copy, elapsed, gather, load, show, shown},
+        motions::{Draws, Lane, Motions, copy, elapsed, gather, load, show, shown},
         panics::Panics,
     },
 };
@@ -98,6 +98,17 @@ impl Batch {
             opened: 0,
             opened_at: vec![[0.0; 2]; members.len()],
         }
+    }
+
+    /// Changes what random numbers depend on.
+    pub(super) fn change_draws(&mut self, change: &dyn Fn(&mut Draws)) {
+        self.engine.change_draws(change);
+    }
+
+    /// The seed of random numbers.
+    #[cfg(feature = "checkpoint")]
+    pub(super) fn seed(&self) -> u64 {
+        self.engine.motions.draws().seed
     }
 
     /// The clock of the motions, which begins where the states were last changed from outside.

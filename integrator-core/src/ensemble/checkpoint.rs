@@ -6,11 +6,14 @@
 //! ```
 
 use crate::{
-    ensemble::{Ensemble, batch::Finished, in_lanes::ResumableInLanes, lane_scalars::LaneScalars, members::refusal},
+    ensemble::{Ensemble, batch::Finished, lane_scalars::LaneScalars, members::refusal},
     error::Error,
     state::{clock::Clock, coords::Coords, phase::Phase, point::shaped},
     system::System,
-    trajectory::checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
+    trajectory::{
+        checkpoint::{CheckpointError, RunRecord, Stored, coordinates, numbers, record_of, sealed_record},
+        in_lanes::ResumableInLanes,
+    },
 };
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -19,7 +22,10 @@ use std::ops::Range;
 const MAGIC: [u8; 8] = *b"symplens";
 
 /// The version of the format.
-const VERSION: u16 = 2;
+const VERSION: u16 = 3;
+
+/// The form without a seed, which is read as well.
+const WITHOUT_SEED: u16 = 2;
 
 /// The record of an ensemble.
 #[derive(Serialize, Deserialize)]
@@ -29,6 +35,8 @@ struct Record {
     /// The composition that the method is over; empty where it is over none.
     over: String,
     members: Vec<Member>,
+    /// The seed of random numbers.
+    seed: u64,
 }
 
 /// A member.
@@ -83,7 +91,11 @@ impl<C: Coords> Ensemble<C> {
         // Each member has its own parameters.
         let common =
             RunRecord { parameters: 0, ..self.origin.record::<C::Leaf>(self.members.clock, self.members.opened()) };
-        sealed_record(MAGIC, VERSION, &Record { common, over: self.origin.over().to_owned(), members })
+        sealed_record(
+            MAGIC,
+            VERSION,
+            &Record { common, over: self.origin.over().to_owned(), members, seed: self.members.seed() },
+        )
     }
 
     /// Resumes an ensemble from a checkpoint, with the method and the systems of the original ensemble.
@@ -147,7 +159,7 @@ impl<C: Coords> Ensemble<C> {
         C::Leaf: LaneScalars,
         H::Coords: Coords<With<C::Leaf> = C>,
     {
-        let Record { common, over, members } = record_of(MAGIC, VERSION, checkpoint)?;
+        let Record { common, over, members, seed } = record(checkpoint)?;
         let stored = Stored::of_record(common, over);
         if H::COPIES {
             return Err(CheckpointError::Copies { system: stored.record.system });
@@ -183,7 +195,17 @@ impl<C: Coords> Ensemble<C> {
         let clock = Clock { t0, h, steps };
         clock.end(0)?;
         resumed.members.resume(clock, opened, &|member| &states[member], &|member| members[member].finished);
+        resumed.members.change_draws(&|draws| draws.seed = seed);
         Ok(resumed)
+    }
+}
+
+/// Reads the record of an ensemble.
+fn record(checkpoint: &[u8]) -> Result<Record, CheckpointError> {
+    match record_of::<(RunRecord, String, Vec<Member>)>(MAGIC, WITHOUT_SEED, checkpoint) {
+        Ok((common, over, members)) => Ok(Record { common, over, members, seed: 0 }),
+        Err(CheckpointError::Newer { .. }) => record_of(MAGIC, VERSION, checkpoint),
+        Err(error) => Err(error),
     }
 }
 
@@ -192,7 +214,7 @@ impl<C: Coords> Ensemble<C> {
 /// # Errors
 /// As [`Ensemble::resume`]; members that the checkpoint does not have.
 pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<(usize, Vec<u8>), CheckpointError> {
-    let mut record: Record = record_of(MAGIC, VERSION, checkpoint)?;
+    let mut record = record(checkpoint)?;
     let (stored, asked) = (record.members.len(), of.end);
     record.members.truncate(of.end);
     if asked > stored || of.start > of.end {
@@ -209,10 +231,10 @@ pub fn part_of(checkpoint: &[u8], of: Range<usize>) -> Result<(usize, Vec<u8>), 
 pub fn joined(checkpoints: &[Vec<u8>]) -> Result<Vec<u8>, CheckpointError> {
     let mut all: Option<Record> = None;
     for checkpoint in checkpoints {
-        let mut record: Record = record_of(MAGIC, VERSION, checkpoint)?;
+        let mut record = record(checkpoint)?;
         match &mut all {
             None => all = Some(record),
-            Some(all) if all.common == record.common && all.over == record.over => {
+            Some(all) if all.common == record.common && all.over == record.over && all.seed == record.seed => {
                 all.members.append(&mut record.members);
             }
             Some(_) => return Err(CheckpointError::Damaged),

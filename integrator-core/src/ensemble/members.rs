@@ -12,7 +12,7 @@ use crate::{
     error::Error,
     state::{clock::Clock, point::Point},
     threads::{all_threads, on_threads},
-    trajectory::{panics::Panics, watch::Watch},
+    trajectory::{motions::Draws, panics::Panics, watch::Watch},
 };
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -58,6 +58,17 @@ impl Members {
             watches: None,
             threads: all_threads(),
         }
+    }
+
+    /// Changes what random numbers depend on.
+    pub(crate) fn change_draws(&mut self, change: &dyn Fn(&mut Draws)) {
+        self.batches.iter_mut().for_each(|batch| batch.change_draws(change));
+    }
+
+    /// The seed of random numbers.
+    #[cfg(feature = "checkpoint")]
+    pub(crate) fn seed(&self) -> u64 {
+        self.batches.first().map_or(0, Batch::seed)
     }
 
     /// Checks the energies of the starts, once.

@@ -15,8 +15,6 @@ pub(crate) mod elsewhere;
 pub(crate) mod energies;
 mod gradients;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
-pub(crate) mod in_lanes;
-#[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod lane_scalars;
 pub(crate) mod members;
 pub(crate) mod physical_time;
@@ -32,7 +30,6 @@ use crate::{
     ensemble::{
         batches::Starts,
         energies::energies_of_members,
-        in_lanes::InLanes,
         lane_scalars::LaneScalars,
         members::{Members, of_member, refusal},
         request::Ended,
@@ -45,6 +42,7 @@ use crate::{
     trajectory::{
         admissible::{admissible_with, change},
         dispatch::{Carried, Nothing, bound, motions, single},
+        in_lanes::InLanes,
         method::Method,
         motions::{Constants, Motions},
         progress::{Progress, in_portions},
@@ -279,6 +277,23 @@ impl<C: Coords> Ensemble<C> {
     #[must_use]
     pub fn at_time(mut self, t0: f64) -> Self {
         self.members.clock.t0 = t0;
+        self
+    }
+
+    /// Sets the seed of the random numbers of systems with a temperature; the default is 0.
+    ///
+    /// Each member draws its own numbers, which depend on the seed and on the index of the member.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.members.change_draws(&|draws| draws.seed = seed);
+        self
+    }
+
+    /// Numbers the members from `first`, for random numbers: those of other processes come before.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn numbered_from(mut self, first: usize) -> Self {
+        self.members.change_draws(&|draws| draws.first = first as u32);
         self
     }
 

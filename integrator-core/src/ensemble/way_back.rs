@@ -2,7 +2,7 @@
 
 use crate::{
     composition::{Processor, Stages},
-    ensemble::{in_lanes, in_lanes::InLanes, lane_scalars::LaneScalars},
+    ensemble::{in_lanes, lane_scalars::LaneScalars},
     scalar::{dual::Dual, instruction_set::InstructionSet, real::Real},
     state::{clock::Clock, coords::Coords, phase::Phase, point::Point, precision::Precision},
     system::{Shaped, System, parameter_derivatives::ParameterDerivatives},
@@ -10,6 +10,7 @@ use crate::{
         by_table::slopes::{self, Steps, StepsOf, has_slopes},
         dispatch::Deviations,
         engine::Engine,
+        in_lanes::InLanes,
         method::Differentiable,
         motions::{Constants, Motions, load},
         tangent::BETWEEN_SCALES,

@@ -1,7 +1,7 @@
 //! Runs with a number of inner steps that is chosen at run time.
 
 #[cfg(feature = "std")]
-use crate::ensemble::in_lanes::{InLanes, ResumableInLanes};
+use crate::trajectory::in_lanes::{InLanes, ResumableInLanes};
 use crate::{
     composition::{
         Composition,

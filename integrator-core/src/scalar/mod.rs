@@ -14,7 +14,6 @@ pub(crate) mod functions;
 pub(crate) mod implicit;
 pub(crate) mod instruction_set;
 pub(crate) mod interval;
-#[allow(dead_code, unused_imports, reason = "steps with noise are the first to draw")]
 pub(crate) mod noise;
 pub(crate) mod real;
 pub(crate) mod simd;

@@ -5,6 +5,8 @@ pub(crate) mod by_value;
 pub(crate) mod classes;
 pub(crate) mod counts;
 pub(crate) mod device_text;
+#[allow(unreachable_pub, reason = "named in bounds, never outside")]
+pub(crate) mod dissipation;
 pub(crate) mod elements;
 pub(crate) mod energy;
 pub(crate) mod entries;
@@ -35,6 +37,7 @@ use crate::{
     scalar::real::Real,
     state::{coords::Coords, precision::Precision},
     system::{
+        dissipation::Dissipation,
         inner_steps::InnerSteps,
         motion::{Motion, Moved, Prepared, Read},
         sites::{Flow, MovedSites, Sites, StencilRadii},
@@ -94,6 +97,8 @@ pub trait System: Sized {
     const COPIES: bool = false;
     /// Whether no part depends on time, so that the energy is conserved.
     const AUTONOMOUS: bool;
+    /// Friction beside the flows of the parts, which compositions with the letter `O` apply.
+    const DISSIPATION: Dissipation = Dissipation::None;
     /// Whether a flow changes its formula at given times, such as a switch or a pulse.
     ///
     /// Each step then uses the formulas at its midpoint, and stages are not merged across steps.

@@ -7,9 +7,9 @@ use crate::{
         coords::{Coords, all_finite},
         digest::Digest,
         phase::Phase,
-        precision::Slot,
+        precision::{Precision, Slot},
     },
-    system::counts::Counts,
+    system::{counts::Counts, dissipation::Momenta},
     threads,
 };
 use alloc::{sync::Arc, vec::Vec};
@@ -47,6 +47,13 @@ pub enum InRegisters {
     /// The steps whose stages begin with a kick.
     Kicked,
     Always,
+}
+
+/// The seed of a motion's random numbers, and the members whose numbers its lanes draw, one for each lane.
+#[derive(Clone, Debug)]
+pub struct Noise {
+    pub(crate) seed: u64,
+    pub(crate) members: Vec<u32>,
 }
 
 /// Data that a motion has found beside its state, such as which bodies are near each other. No result depends on it.
@@ -125,6 +132,10 @@ pub trait Motion<C: Coords, P>: Clone + Send + Sync + 'static {
     /// Continues with the data that a single trajectory had beside its state.
     #[cfg(feature = "checkpoint")]
     fn put_beside(&mut self, _beside: &Beside) {}
+    /// Returns what the random numbers of the steps depend on, if they draw any.
+    fn noise(&mut self) -> Option<&mut Noise> {
+        None
+    }
     /// Returns the counters of a single trajectory, if its steps count anything.
     fn counts(&self) -> Option<Counts> {
         None
@@ -241,6 +252,15 @@ impl<R: Real, C: Coords, P: Prepared<R>> Motion<C, P::Single> for Plain<R, C, P>
             return self.finite();
         }
         [&self.q, &self.p].into_iter().all(|half| threads::all(C::slots(half), threads, all_finite))
+    }
+}
+
+impl<R: Real, C: Coords, P> Momenta<R, C::Leaf> for Plain<R, C, P> {
+    type Wide = R;
+
+    #[inline(always)]
+    fn momenta(&mut self) -> &mut [<C::Leaf as Precision>::Slot<R>] {
+        C::slots_mut(&mut self.p)
     }
 }
 
@@ -393,6 +413,15 @@ impl<R: Real, C: Coords, P: Prepared<R>, S: Solver<P::Single>> Motion<C, P::Sing
     #[inline(always)]
     fn finite(&self) -> bool {
         C::finite(&self.q) && C::finite(&self.p)
+    }
+}
+
+impl<R: Real, C: Coords, P, S> Momenta<R, C::Leaf> for Solving<R, C, P, S> {
+    type Wide = R;
+
+    #[inline(always)]
+    fn momenta(&mut self) -> &mut [<C::Leaf as Precision>::Slot<R>] {
+        C::slots_mut(&mut self.p)
     }
 }
 

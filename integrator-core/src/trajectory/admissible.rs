@@ -3,7 +3,7 @@
 use crate::{
     error::Error,
     state::{coords::Coords, fixed::is_power_of_two, phase::Phase, precision::Precision},
-    system::System,
+    system::{System, dissipation::Dissipation},
     trajectory::method::Method,
 };
 
@@ -50,7 +50,8 @@ fn on_its_grid(
 /// Whether a run with a method may begin at `start` with step `h`.
 ///
 /// # Errors
-/// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses.
+/// As [`admissible`]; a reversible start and a method that is not symmetric; what the method itself refuses; a system with
+/// friction and a method without, noise in steps backwards.
 pub(crate) fn admissible_with<H: System, C: Coords>(
     method: impl Method<H>,
     start: &Phase<C>,
@@ -60,6 +61,15 @@ pub(crate) fn admissible_with<H: System, C: Coords>(
     let facts = method.claims();
     if C::Leaf::REVERSIBLE && !facts.symmetric {
         return Err(Error::NotSymmetric { composition: facts.name });
+    }
+    if C::Leaf::REVERSIBLE && facts.friction {
+        return Err(Error::FrictionOnGrid);
+    }
+    if !matches!(H::DISSIPATION, Dissipation::None) && !facts.friction {
+        return Err(Error::NoFriction { method: facts.name });
+    }
+    if matches!(H::DISSIPATION, Dissipation::Heat) && (h < 0.0 || facts.negative_friction) {
+        return Err(Error::NoiseBackwards { method: facts.name, h });
     }
     admissible(start, h)
 }

@@ -11,7 +11,7 @@ use crate::{
     },
     system::energy::Parts,
     trajectory::{
-        motions::{Form, Motions, elapsed, load, reload, show, shown},
+        motions::{Draws, Form, Motions, elapsed, load, reload, show, shown},
         panics::attempt,
     },
 };
@@ -262,6 +262,16 @@ impl Engine {
     /// Whether a force or a velocity is not finite: then nor is a step of no length at all.
     pub(crate) fn is_not_finite(&self, clock: Clock) -> bool {
         !self.clone().take_steps(Clock { h: 0.0, ..clock }, 1)
+    }
+
+    /// Changes what random numbers depend on.
+    pub(crate) fn change_draws(&mut self, change: &dyn Fn(&mut Draws)) {
+        let mut draws = self.motions.draws();
+        change(&mut draws);
+        self.completed_at = None;
+        for motions in [&mut self.motions, &mut self.snapshot, &mut self.completed] {
+            motions.set_draws(draws);
+        }
     }
 
     /// Lets this number of threads share the work, or all that the machine has.

@@ -37,6 +37,9 @@ pub struct Facts {
     pub stability_limit: Option<f64>,
     /// The approximate number of times that a step rounds the state.
     pub roundings: usize,
+    /// Whether it applies friction, and whether for a negative duration.
+    pub(crate) friction: bool,
+    pub(crate) negative_friction: bool,
     /// The name of the composition that it is over, where it is none itself.
     pub(crate) over: Option<&'static str>,
     /// The number of innermost steps of a step, and the stability limit of one, if a part of H takes inner steps.
@@ -59,6 +62,8 @@ impl Facts {
         forces: None,
         stability_limit: None,
         roundings: 0,
+        friction: false,
+        negative_friction: false,
         over: None,
         innermost: None,
         table: None,
@@ -114,6 +119,7 @@ impl<X: Scheme> Described for X {
     label = "neither a composition nor a method for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
     note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition",
+    note = "compositions with friction, such as `Baoab`, require `#[friction] fn friction(&self, i: usize) -> f64`",
     note = "`Verlet.nested(8)` requires parts that take inner steps, `split = slow + 8 * (bonds + kinetic)`",
     note = "`GaussLegendre::<S>` requires `S` from 1 to 8",
     note = "`Taylor` requires `#[hamiltonian(taylor)]`, which generates its recurrences",
@@ -238,7 +244,8 @@ impl<H: System, X: Scheme + Composition<H>> Differentiable<H> for X {
     message = "the composition `{Self}` cannot integrate `{H}`",
     label = "not a composition for this Hamiltonian",
     note = "`Verlet`, `Yoshida4` and all other compositions of general class integrate every separable Hamiltonian",
-    note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition"
+    note = "`composition! {{ pub struct Mine: order 2 = T(1/2) V(1) T(1/2); }}` declares a new composition",
+    note = "compositions with friction, such as `Baoab`, require `#[friction] fn friction(&self, i: usize) -> f64`"
 )]
 pub trait Memoryless<H: System>: Resumable<H> + Differentiable<H> + Default {}
 

@@ -33,6 +33,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn count(&self) -> usize;
     /// An empty list of such motions, with room for this number.
     fn none(&self, room: usize) -> Box<dyn Motions>;
+    /// What the random numbers of steps depend on, if steps draw any.
+    fn draws(&self) -> Draws;
+    /// Sets what random numbers depend on.
+    fn set_draws(&mut self, draws: Draws);
     /// Adds a motion of members, one in each lane, from their states in this form.
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
     /// Adds a motion of another list at other states of its members, with its constants; `false` if the motion cannot.
@@ -88,6 +92,14 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn use_found(&mut self, found: &Found);
     /// Lets this number of threads share the pairs of many bodies of a single trajectory, or all that the machine has.
     fn share_among(&mut self, threads: Option<usize>);
+}
+
+/// What the random numbers of steps depend on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Draws {
+    pub(crate) seed: u64,
+    /// The number of the first member, among those of all ranks.
+    pub(crate) first: u32,
 }
 
 /// The coordinates of a state in the middle of the current step.
@@ -214,6 +226,7 @@ pub(crate) struct Group<L, Q, C> {
     motions: Vec<L>,
     functions: StepFunctions<L>,
     constants: Constants<Q>,
+    draws: Draws,
     shape: PhantomData<fn(C)>,
 }
 
@@ -225,7 +238,13 @@ where
 {
     /// An empty list of motions of some of these members, with room for this number.
     pub(crate) fn empty(functions: StepFunctions<L>, constants: Constants<Q>, room: usize) -> Box<dyn Motions> {
-        Box::new(Self { motions: Vec::with_capacity(room), functions, constants, shape: PhantomData })
+        Box::new(Self {
+            motions: Vec::with_capacity(room),
+            functions,
+            constants,
+            draws: Draws::default(),
+            shape: PhantomData,
+        })
     }
 
     fn of(motions: &dyn Motions) -> &Self {
@@ -273,15 +292,36 @@ where
     }
 
     fn none(&self, room: usize) -> Box<dyn Motions> {
-        Self::empty(self.functions, self.constants.clone(), room)
+        let (functions, constants, draws) = (self.functions, self.constants.clone(), self.draws);
+        Box::new(Self { motions: Vec::with_capacity(room), functions, constants, draws, shape: PhantomData })
+    }
+
+    fn draws(&self) -> Draws {
+        self.draws
+    }
+
+    fn set_draws(&mut self, draws: Draws) {
+        let before = core::mem::replace(&mut self.draws, draws);
+        for noise in self.motions.iter_mut().filter_map(Motion::noise) {
+            noise.seed = draws.seed;
+            for member in &mut noise.members {
+                *member = *member - before.first + draws.first;
+            }
+        }
     }
 
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form) {
         let (constants, states) = filling(&self.constants, lanes);
-        self.motions.push(match form {
+        let mut motion = match form {
             Form::Given => L::load(&constants, &states),
             Form::Own => L::load_own(&constants, &states),
-        });
+        };
+        if let Some(noise) = motion.noise() {
+            noise.seed = self.draws.seed;
+            noise.members.clear();
+            noise.members.extend(lanes.iter().map(|(member, _)| self.draws.first + *member as u32));
+        }
+        self.motions.push(motion);
     }
 
     fn push_reloaded(&mut self, from: &dyn Motions, motion: usize, lanes: &[(usize, &dyn Point)]) -> bool {

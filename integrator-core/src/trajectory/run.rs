@@ -238,6 +238,15 @@ impl<C: Coords> Run<C> {
         self
     }
 
+    /// Sets the seed of the random numbers of a system with a temperature; the default is 0.
+    ///
+    /// Runs with equal seeds draw equal numbers. Without a temperature the seed has no effect.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.engine.change_draws(&|draws| draws.seed = seed);
+        self
+    }
+
     /// Limits the number of threads; the default is all cores.
     ///
     /// Only lattices of many sites and pair sums of hundreds of bodies are distributed over threads. Results are bitwise

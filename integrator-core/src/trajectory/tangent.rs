@@ -147,6 +147,13 @@ impl<C: Coords> Tangent<C> {
         Ok(Self { runs, room, exponents: vec![0; count], linear, parameters, before: Vec::new(), between: None })
     }
 
+    /// Sets the seed of random numbers, like [`Run::with_seed`]. The state and its vectors share these numbers.
+    #[must_use]
+    pub fn with_seed(mut self, seed: u64) -> Self {
+        self.runs = take(&mut self.runs).into_iter().map(|run| run.with_seed(seed)).collect();
+        self
+    }
+
     /// Starts the clock at `t0` instead of 0.
     ///
     /// If `t0` is not finite, the first `advance` returns an error.

@@ -28,7 +28,7 @@ use flow::{
     Flows,
     constants::{Constants, with_count},
     device::{DeviceText, exported},
-    field, force_gradient, invariants, jacobi, nested, parameter_slopes,
+    field, force_gradient, friction, invariants, jacobi, nested, parameter_slopes,
     pieces::Pieces,
     rated_field, transformed, user_energies,
 };
@@ -114,6 +114,8 @@ struct Stepper<'i> {
     transformed: Option<TokenStream>,
     /// The trait of the pace that the user gives, and its items.
     rated: Option<(TokenStream, TokenStream)>,
+    /// What friction is prepared from, and whether it has a temperature.
+    friction: Option<(TokenStream, TokenStream)>,
     /// What Jacobi coordinates require of the prepared constants.
     of_jacobi: Option<TokenStream>,
     /// The flows as text for devices.
@@ -179,6 +181,10 @@ impl<'i> Stepper<'i> {
             (true, false) => Some((quote!(RatedField), rated_field::items(&mut emitter, rate, &arguments))),
             (true, true) => Some((quote!(Rated), transformed::rated(&mut emitter, rate, &arguments, is_quadratic))),
         });
+        let friction = emitter.model.friction.take().zip(input.friction.as_ref()).map(|(rates, stated)| {
+            let kind = if rates.temperatures.is_some() { quote!(Heat) } else { quote!(Friction) };
+            (friction::items(&mut emitter, &rates, stated), kind)
+        });
         let of_jacobi = emitter.model.jacobi().map(|jacobi| jacobi::constants(jacobi, &mut emitter));
         let text = |gpu: &Gpu| DeviceText::of(&mut emitter, [&kinetic, &potential], &pattern, gpu.functions);
         let (device, obstacle) = match input.gpu.as_ref().map(text) {
@@ -213,6 +219,7 @@ impl<'i> Stepper<'i> {
             taylor,
             transformed,
             rated,
+            friction,
             of_jacobi,
             device,
             admissible,
@@ -247,9 +254,10 @@ impl<'i> Stepper<'i> {
         let transformed =
             self.transformed.as_ref().map(|items| implementation(quote!(#runtime::TimeTransformed), items));
         let rated = self.rated.as_ref().map(|(of, items)| implementation(quote!(#runtime::#of), items));
+        let friction = self.friction.as_ref().map(|(items, _)| implementation(quote!(#runtime::WithFriction), items));
         let sensitive = constants.sensitive(&input.sensitive, self.count.as_ref(), names);
         let has_slopes = sensitive.is_some().then(|| implementation(quote!(#runtime::Sensitive), &TokenStream::new()));
-        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #taylor #of_lattice #of_nests #of_parts #of_forms);
+        let others = quote!(#of_bodies #of_jacobi #quadratic #transformed #rated #friction #taylor #of_lattice #of_nests #of_parts #of_forms);
         let system = implementation(quote!(#runtime::System), &self.system(&others));
         let hamiltonian = implementation(quote!(#runtime::Hamiltonian), &self.hamiltonian());
         let slopes = &self.slopes;
@@ -322,6 +330,7 @@ impl<'i> Stepper<'i> {
             nested,
             autonomous,
             admissible,
+            friction,
             ..
         } = self;
         let nested = nested.as_ref().map(|[stated, _]| stated);
@@ -329,6 +338,11 @@ impl<'i> Stepper<'i> {
         let [parameters, single] = [quote!(#scalar), quote!(f64)].map(|scalar| constants.kind(&scalar, names));
         let (motion, (layout, sites), moves) =
             (flows.motion(&parameters, names), flows.layout(names), flows.functions(names));
+        let dissipation = friction.as_ref().map(|(_, kind)| {
+            quote!(
+                const DISSIPATION: #runtime::Dissipation = #runtime::Dissipation::#kind;
+            )
+        });
         let ((energies, in_lanes), Pieces { piecewise, begin, .. }) = (&self.energies, &constants.pieces);
         let prepare = with_count(constants.prepare(names), self.count.as_ref());
         let (length, prepare) = (prepare.argument("length"), &prepare.0);
@@ -345,6 +359,7 @@ impl<'i> Stepper<'i> {
             #parts
             #nested
             const AUTONOMOUS: bool = #autonomous;
+            #dissipation
             const FINGERPRINT: u64 = #fingerprint;
             #layout
             #in_lanes
@@ -367,6 +382,21 @@ impl<'i> Stepper<'i> {
 
 /// The function that checks whether a start has the coordinates that are read by number, and those of all bodies that act.
 fn admissible(model: &Model, pairs: Option<&AllPairs>, names: &Names) -> Option<TokenStream> {
+    let runtime = &names.runtime;
+    let check = length_check(model, pairs, names);
+    let rates = model.friction.as_ref().map(|_| quote!(#runtime::are_rates(self, length)));
+    let check = match (check, rates) {
+        (None, None) => return None,
+        (Some(check), Some(rates)) => quote!(#check.and_then(|()| #rates)),
+        (check, rates) => quote!(#check #rates),
+    };
+    Some(quote! {
+        fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> { #check }
+    })
+}
+
+/// The check of the length of a start.
+fn length_check(model: &Model, pairs: Option<&AllPairs>, names: &Names) -> Option<TokenStream> {
     if model.shape.length.literal().is_some() {
         return None;
     }
@@ -398,11 +428,7 @@ fn admissible(model: &Model, pairs: Option<&AllPairs>, names: &Names) -> Option<
             quote!(are_at_least(#least, length))
         }
     };
-    Some(quote! {
-        fn admissible(&self, length: usize) -> ::core::result::Result<(), #runtime::Error> {
-            #runtime::#check
-        }
-    })
+    Some(quote!(#runtime::#check))
 }
 
 /// The recurrences of the motion, whose flows follow from these gradients. Steps of the Taylor method end where a condition
@@ -468,7 +494,7 @@ fn named_parts(model: &Model) -> Option<TokenStream> {
 /// The loop over the compositions. The runtime shows every Hamiltonian those for general `T`; only here is it known that
 /// there are more, or fewer.
 fn visit_compositions(model: &Model, names: &Names) -> Option<TokenStream> {
-    if let Split::Whole = model.split {
+    if matches!(model.split, Split::Whole) || model.friction.is_some() {
         let runtime = &names.runtime;
         return Some(quote!(
             fn visit_compositions(_visitor: &mut impl #runtime::Visitor<Self>) {}
@@ -518,7 +544,10 @@ fn composition(input: &Input, model: &Model, names: &Names) -> (TokenStream, Opt
     let is_whole = matches!(model.split, Split::Whole);
     let named_otherwise = other_name::check(input, names);
     match &input.compose {
+        // A stub has no friction.
+        _ if input.friction.is_some() && model.friction.is_none() => (quote!(#runtime::Verlet), None),
         None if is_whole => (quote!(#runtime::ImplicitMidpoint), None),
+        None if model.friction.is_some() => (quote!(#runtime::Baoab), None),
         None => (quote!(#runtime::Verlet), None),
         Some(Compose::Named(path)) if is_whole => {
             let held = quote_spanned! {path.span()=>

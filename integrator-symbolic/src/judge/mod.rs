@@ -5,6 +5,7 @@
 
 mod composition;
 pub(crate) mod coordinates;
+mod friction;
 mod layout;
 mod size;
 
@@ -21,6 +22,7 @@ pub(crate) use layout::check_layout;
 pub(crate) fn judged(input: &Input, mut model: Model, errors: &mut Errors) -> Model {
     coordinates::check_coordinates(input, &mut model, errors);
     composition::check_composition(input, &model, errors);
+    friction::check_friction(input, &model, errors);
     check_order(input, &model, errors);
     check_taylor(input, &model, errors);
     check_taylor_of_folds(input, &model, errors);

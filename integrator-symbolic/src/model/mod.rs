@@ -40,6 +40,7 @@ use quote::{ToTokens, quote};
 use std::collections::HashMap;
 use syn::{BinOp, Expr, ExprBinary, ImplItemFn, ItemUse, Pat, ReturnType, Stmt, spanned::Spanned};
 pub(crate) use system::external::{Method, strip};
+pub(crate) use system::friction::Rates;
 pub(crate) use system::invariant::Invariant;
 use system::parts::part_shape;
 pub(crate) use system::parts::{ExactPart, PartFunction, factors_of};
@@ -89,6 +90,8 @@ pub(crate) struct Model {
     pub(crate) potential: NodeId,
     /// The pace that the user gives, a function of the positions, and the arguments of its function.
     pub(crate) rate: Option<(NodeId, Vec<TokenStream>)>,
+    /// Friction, where there is any.
+    pub(crate) friction: Option<Rates>,
     /// What the user says is conserved.
     pub(crate) invariants: Vec<Invariant>,
     /// The parts that `split` names, in the order of their letters; none where H is `T + V`.
@@ -295,6 +298,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
     let extents = shape.extents().map(|length| reader.length(length)).collect();
     let noted = reader.errors.count();
     let rate = reader.rate(&shape);
+    let friction = input.friction.as_ref().and_then(|friction| reader.rates(friction, &shape));
     let mut used: Vec<&str> = match &called {
         Called::Separate(_) => vec!["kinetic", "potential"],
         Called::Whole(_) => vec!["hamiltonian"],
@@ -317,6 +321,7 @@ pub(crate) fn model(input: &Input, errors: &mut Errors) -> Option<Model> {
         kinetic,
         potential,
         rate,
+        friction,
         invariants,
         parts,
         split,
@@ -360,6 +365,7 @@ pub(crate) fn stub(input: &Input) -> Option<Model> {
         kinetic: zero,
         potential: zero,
         rate: None,
+        friction: None,
         invariants: Vec::new(),
         parts: Vec::new(),
         split: Split::Energies,

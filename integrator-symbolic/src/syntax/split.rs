@@ -26,6 +26,8 @@ pub(super) struct Parts {
     pub(super) paired: Option<Span>,
     /// The parts in parentheses that take inner steps, the outermost first.
     pub(super) nests: Vec<Nest>,
+    /// The name after parts in parentheses, which only friction may have.
+    pub(super) trailing: Option<Ident>,
 }
 
 /// Parts in parentheses that take inner steps. They are the last ones, up to the last name.
@@ -84,6 +86,10 @@ const FIRST_IN_PARENTHESES: &str = "parts in parentheses have to be the second p
                                     `split = kepler + (jump + interaction)`\nnote: a composition treats the second \
                                     part as the small one";
 
+/// What to say of parts after those in parentheses.
+pub(super) const NOT_LAST: &str =
+    "parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses";
+
 /// Whether parts in parentheses are next, with what may stand before them.
 fn begins_group(input: ParseStream<'_>) -> bool {
     let is_number = input.peek(Lit) && (input.peek2(Token![*]) || input.peek2(Paren));
@@ -112,11 +118,18 @@ impl Parts {
                          `split = slow + 8 * (bonds + kinetic)`",
                     ));
                 }
+                if first == 0 && input.peek(Token![+]) && input.peek2(Ident) {
+                    let here = input.fork();
+                    here.parse::<Token![+]>()?;
+                    here.parse::<Ident>()?;
+                    if here.is_empty() || here.peek(Token![,]) {
+                        input.parse::<Token![+]>()?;
+                        self.trailing = Some(input.parse()?);
+                        return Ok(());
+                    }
+                }
                 if input.peek(Token![+]) {
-                    return Err(input.error(
-                        "parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the \
-                         parentheses",
-                    ));
+                    return Err(input.error(NOT_LAST));
                 }
                 return Ok(());
             }

@@ -1,6 +1,7 @@
 //! `#[hamiltonian]` from mistakes to messages: the text and the place of each, that all are reported, and that the macro
 //! returns the user's item for every input.
 
+mod friction;
 mod jacobi;
 mod layout;
 #[path = "../mutate/mod.rs"]

@@ -150,7 +150,7 @@ const ROWS: &[Row] = &[
     (
         "split = slow + 8 * (bonds + kinetic) + twist",
         &[
-            "1:37 parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
+            "1:39 parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
         ],
     ),
     (

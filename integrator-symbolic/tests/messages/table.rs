@@ -148,7 +148,7 @@ pub(crate) const ARGUMENTS: &[Row] = &[
     (
         "compose = V(1/2) T(1) W(1/2)",
         &[
-            "1:22 unknown combinator `W`\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
+            "1:22 unknown combinator `W`\nnote: the stages are `T(a)`, `V(b)` and `V(b, c)`, or `A(a)` and `B(b)` of any two parts, and `O(c)` for friction; the combinators are `triple_jump(..)`, `suzuki(..)`, `symmetric(..)`, `compose(..)`, `adjoint(..)` and `processed(..)`",
         ],
     ),
 ];
@@ -1151,7 +1151,7 @@ pub(crate) const SPLITS: &[Row] = &[
     (
         "split = a + (b + c) + b on fn a(&self, p: [f64; 2]) -> f64 { p[0] * p[0] + p[1] * p[1] } fn b(&self, q: [f64; 2], p: [f64; 2]) -> f64 { q[0] * p[1] } fn c(&self, q: [f64; 2]) -> f64 { q[0].cos() + q[1].cos() }",
         &[
-            "1:20 parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
+            "1:22 parts in parentheses have to be the last part of H\nhelp: move the parts that follow into the parentheses",
         ],
     ),
     (

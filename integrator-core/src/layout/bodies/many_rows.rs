@@ -20,7 +20,10 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::motion::{Found, Motion, Plain, Prepared},
+    system::{
+        dissipation::Momenta,
+        motion::{Found, Motion, Plain, Prepared},
+    },
     threads::{self, Job, all_threads, at_once},
 };
 use alloc::{boxed::Box, vec::Vec};
@@ -188,6 +191,18 @@ where
     fn finite(&self) -> bool {
         let lanes = self.bodies * R::LANES;
         finite::<R::Row<WIDTH>, _, D>(&self.q, lanes) && finite::<R::Row<WIDTH>, _, D>(&self.p, lanes)
+    }
+}
+
+impl<R: Real, K: Precision, P, const D: usize, const S: usize> Momenta<R, K> for ManyRows<R, K, P, D, S> {
+    type Wide = R::Row<WIDTH>;
+
+    #[inline(always)]
+    fn momenta(&mut self) -> &mut [K::Slot<R::Row<WIDTH>>] {
+        self.p.as_flattened_mut()
+    }
+    fn coordinate(slot: usize, body: usize) -> usize {
+        (slot / D * WIDTH + body) * D + slot % D
     }
 }
 

@@ -11,7 +11,10 @@ use crate::{
         phase::Phase,
         precision::{Precision, Slot},
     },
-    system::motion::{Motion, Plain, Prepared},
+    system::{
+        dissipation::Momenta,
+        motion::{Motion, Plain, Prepared},
+    },
 };
 
 /// `N` bodies with `D` coordinates and `S` prepared constants each, eight at most.
@@ -68,6 +71,20 @@ where
             finite = finite && slot.value().finite();
         }
         finite
+    }
+}
+
+impl<R: Real, K: Precision, P, const N: usize, const D: usize, const S: usize> Momenta<R, K>
+    for OneRow<R, K, P, N, D, S>
+{
+    type Wide = R::Row<N>;
+
+    #[inline(always)]
+    fn momenta(&mut self) -> &mut [K::Slot<R::Row<N>>] {
+        &mut self.p
+    }
+    fn coordinate(slot: usize, body: usize) -> usize {
+        body * D + slot
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::{gauss_legendre::GaussLegendre, rated::RatedField, tableau::Stages};
 use crate::{
-    ensemble::in_lanes::{InLanes, ResumableInLanes},
     methods::pace::Paced,
     system::System,
+    trajectory::in_lanes::{InLanes, ResumableInLanes},
 };
 
 impl<H: System, const S: usize> InLanes<H> for GaussLegendre<S> where Self: Stages<S> {}

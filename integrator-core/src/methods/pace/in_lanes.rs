@@ -3,7 +3,7 @@
 use super::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 use crate::{
     composition::{Composition, Scheme},
-    ensemble::in_lanes::InLanes,
+    trajectory::in_lanes::InLanes,
 };
 
 impl<H: TimeTransformed, X: Composition<H>> InLanes<H> for Logarithmic<X> {}

@@ -186,7 +186,7 @@ impl<C: Coords> Run<C> {
         let record = Record { q: numbers(&q), p: numbers(&p), ..record };
         let over = Some(self.origin.over.to_owned());
         let own = self.engine.motions.beside().map(|beside| OwnTime { beside, opened_at: self.opened_at });
-        Stored::new(record, over, own).to_bytes()
+        Stored { seed: self.engine.motions.draws().seed, ..Stored::new(record, over, own) }.to_bytes()
     }
 
     /// Writes [`Run::checkpoint`] to a file, atomically.
@@ -269,7 +269,7 @@ impl<C: Coords> Run<C> {
             return Err(CheckpointError::Copies { system: stored.record.system });
         }
         stored.belongs_to::<H, C::Leaf>(composition.facts())?;
-        let form = stored.form;
+        let (form, seed) = (stored.form, stored.seed);
         let Stored { record: Record { formulas, parameters, steps, opened, h, t0, q, p, .. }, own, .. } = stored;
         let shape = CheckpointError::Shape { positions: q.len(), momenta: p.len() };
         let (Some(q), Some(p)) = (coordinates(&q), coordinates(&p)) else { return Err(shape) };
@@ -284,6 +284,7 @@ impl<C: Coords> Run<C> {
             clock,
             opened,
         )?;
+        run.engine.change_draws(&|draws| draws.seed = seed);
         run.resume_stored(form, &unfinished, own)?;
         let name = || run.origin.system.to_owned();
         if !changed && formulas != run.origin.formulas {

@@ -15,10 +15,13 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 const MAGIC: [u8; 8] = *b"symplrun";
 
 /// The version of the format.
-pub(super) const VERSION: u16 = 4;
+pub(super) const VERSION: u16 = 5;
 
 /// The oldest form that is read. It does not name the composition that a method is over.
 pub(super) const OLDEST: u16 = 2;
+
+/// The oldest form that has the seed of random numbers.
+const WITH_SEED: u16 = 5;
 
 /// The oldest form that has states as they were given, where no step was taken since.
 const AS_GIVEN: u16 = 4;
@@ -33,6 +36,8 @@ pub(crate) struct Stored {
     pub(super) form: Form,
     /// The composition that the method is over; empty where it is over none, and nothing where that is not known.
     pub(super) over: Option<String>,
+    /// The seed of random numbers.
+    pub(super) seed: u64,
     pub(super) own: Option<OwnTime>,
 }
 
@@ -69,7 +74,7 @@ impl Stored {
     pub(super) fn new(record: Record, over: Option<String>, own: Option<OwnTime>) -> Self {
         // That there are no more of them than steps is looked at later.
         let form = Form::after(record.steps.saturating_sub(record.opened));
-        Self { record, form, over, own }
+        Self { record, form, over, seed: 0, own }
     }
 
     /// Creates the stored form of a record that is no run's, with nothing beside states.
@@ -84,6 +89,7 @@ impl Stored {
         // Records of numbers and names can always be written to memory.
         bytes.extend(postcard::to_allocvec(&self.record).unwrap_or_default());
         bytes.extend(postcard::to_allocvec(self.over.as_deref().unwrap_or_default()).unwrap_or_default());
+        bytes.extend(postcard::to_allocvec(&self.seed).unwrap_or_default());
         if let Some(own) = &self.own {
             bytes.extend(postcard::to_allocvec(own).unwrap_or_default());
         }
@@ -103,11 +109,16 @@ impl Stored {
             OLDEST => (None, rest),
             _ => postcard::take_from_bytes(rest).map(|(over, rest)| (Some(over), rest)).ok()?,
         };
+        let (seed, rest) = match version {
+            WITH_SEED.. => postcard::take_from_bytes(rest).ok()?,
+            _ => (0, rest),
+        };
         let (own, rest) = match rest {
             [] => (None, rest),
             _ => postcard::take_from_bytes(rest).map(|(own, rest)| (Some(own), rest)).ok()?,
         };
         let mut stored = rest.is_empty().then(|| Self::new(record, over, own))?;
+        stored.seed = seed;
         if version < AS_GIVEN {
             stored.form = Form::Own;
         }

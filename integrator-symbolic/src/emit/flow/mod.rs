@@ -6,6 +6,7 @@ pub(super) mod device;
 pub(super) mod doubled;
 pub(super) mod field;
 pub(super) mod force_gradient;
+pub(super) mod friction;
 #[cfg(test)]
 mod guarded;
 pub(super) mod invariants;

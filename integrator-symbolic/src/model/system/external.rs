@@ -17,6 +17,7 @@ use crate::model::{
 use crate::{
     errors::Places,
     graph::{ExternalId, NodeId, external::Arguments},
+    syntax::{FRICTION, TEMPERATURE},
 };
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::quote;
@@ -92,7 +93,7 @@ fn first(tokens: &TokenStream) -> Option<Ident> {
 }
 
 fn is_attribute(tokens: &TokenStream) -> bool {
-    let own = [DERIVATIVE, FLOW, INVARIANT];
+    let own = [DERIVATIVE, FLOW, INVARIANT, FRICTION, TEMPERATURE];
     first(tokens).is_some_and(|name| own.iter().any(|own| name == own))
 }
 

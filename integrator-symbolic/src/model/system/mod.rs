@@ -4,6 +4,7 @@ mod commuting;
 pub(crate) mod constant;
 pub(crate) mod doubled;
 pub(crate) mod external;
+pub(crate) mod friction;
 pub(crate) mod invariant;
 pub(crate) mod own_flow;
 pub(crate) mod parts;

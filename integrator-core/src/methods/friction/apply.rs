@@ -1,0 +1,109 @@
+//! The flow of `O`: momenta in whole vectors, two numbers of each draw for neighbouring slots.
+
+use super::factors::Row;
+use crate::{
+    scalar::{
+        noise::{Counter, gaussians},
+        real::Real,
+        simd::block::{Block, WIDEST},
+    },
+    state::precision::Slot,
+};
+use core::marker::PhantomData;
+
+/// The part of a random number's counter that all momenta of a stage have in common.
+#[derive(Clone, Copy)]
+pub(super) struct Draw<'m> {
+    pub(super) key: [u32; 2],
+    /// The step, and the number of the stage in its lowest byte.
+    pub(super) step: u64,
+    /// The members of the lanes of a motion.
+    pub(super) members: &'m [u32],
+}
+
+impl Draw<'_> {
+    /// The counter of a pair of neighbouring slots, and of a part of these.
+    #[inline(always)]
+    fn counter(&self, pair: usize, member: usize) -> [u32; 4] {
+        [pair as u32, self.members[member], self.step as u32, (self.step >> 32) as u32]
+    }
+}
+
+/// Friction alone.
+#[inline(always)]
+pub(super) fn damp<W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>]) {
+    if let [row] = rows {
+        for momentum in momenta {
+            momentum.scale_add(row.friction, momentum.value());
+        }
+        return;
+    }
+    for (momentum, row) in momenta.iter_mut().zip(rows) {
+        momentum.scale_add(row.friction, momentum.value());
+    }
+}
+
+/// Friction with noise. `R` has the lanes of the motion.
+#[inline(always)]
+pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>], draw: Draw<'_>) {
+    // One check in place of one for each number.
+    let draw = Draw { members: &draw.members[..R::LANES], ..draw };
+    let width = W::Block::WIDTH;
+    let mut first = 0;
+    if const { W::Block::WIDTH > 1 } {
+        while first + 2 * width <= momenta.len() {
+            let mut numbers = [W::of(0.0); 2 * WIDEST];
+            let [low, high] = pair::<R, W, W::Block>(draw, first);
+            low.write(&mut numbers);
+            high.write(&mut numbers[width..]);
+            for index in 0..2 * width {
+                add(&mut momenta[first + index], row(rows, first + index), numbers[index]);
+            }
+            first += 2 * width;
+        }
+    }
+    while first < momenta.len() {
+        let [one, other] = pair::<R, W, W>(draw, first);
+        add(&mut momenta[first], row(rows, first), one);
+        if first + 1 < momenta.len() {
+            add(&mut momenta[first + 1], row(rows, first + 1), other);
+        }
+        first += 2;
+    }
+}
+
+/// The numbers of two blocks of neighbouring slots.
+#[inline(always)]
+fn pair<R: Real, W: Real, B: Block<W>>(draw: Draw<'_>, first: usize) -> [B; 2] {
+    let counter = CounterOf::<R, W> { draw, pair: first / 2, marker: PhantomData };
+    let [even, odd] = gaussians::<B>(draw.key, counter);
+    even.interleave(odd)
+}
+
+/// The counters of blocks from a pair of slots on.
+struct CounterOf<'m, R, W> {
+    draw: Draw<'m>,
+    pair: usize,
+    marker: PhantomData<(R, W)>,
+}
+
+impl<R: Real, W: Real> Counter for CounterOf<'_, R, W> {
+    #[inline(always)]
+    fn counter(&self, lane: usize) -> [u32; 4] {
+        let (pair, lane) = (self.pair + lane / W::LANES, lane % W::LANES);
+        let parts = W::LANES / R::LANES;
+        self.draw.counter(pair * parts + lane / R::LANES, lane % R::LANES)
+    }
+}
+
+/// The factors of a slot.
+#[inline(always)]
+fn row<W: Copy>(rows: &[Row<W>], slot: usize) -> Row<W> {
+    if rows.len() == 1 { rows[0] } else { rows[slot] }
+}
+
+/// Friction and noise of one slot.
+#[inline(always)]
+fn add<W: Real, S: Slot<W>>(momentum: &mut S, row: Row<W>, number: W) {
+    momentum.add(row.friction.scale_add(momentum.value(), row.noise.scale(number)));
+}
