@@ -8,7 +8,7 @@ use crate::{
         motion::Plain,
     },
 };
-use alloc::{vec, vec::Vec};
+use alloc::vec::Vec;
 
 /// Friction and noise of the coordinates of a system at one time, in the order of `Coords::flat`. Where all are alike, each list
 /// has one entry.
@@ -19,36 +19,19 @@ pub(super) struct Rates {
     pub(super) variances: Vec<f64>,
 }
 
-/// The numbers that the functions of a system give.
-struct Given {
-    rates: Vec<f64>,
-    temperatures: Vec<f64>,
-    inverse_masses: Vec<f64>,
-    /// The velocities of other momenta than 1, and these momenta.
-    velocities: Vec<f64>,
-    momenta: Vec<f64>,
+/// The velocities of momenta at a time.
+fn velocities<H: WithFriction>(
+    parameters: &H::Parameters<f64>,
+    count: usize,
+    momentum: impl Fn(usize) -> f64,
+    time: f64,
+) -> Vec<f64> {
+    read::<H>(parameters, count, momentum, |motion| H::add_velocities::<f64, f64>(motion, time)).0
 }
 
-impl Given {
-    fn of<H: WithFriction>(parameters: &H::Parameters<f64>, count: usize, time: f64) -> Self {
-        let rates = read::<H>(parameters, count, |_| 0.0, |motion| H::add_rates::<f64, f64>(motion, time)).1;
-        let has_heat = matches!(H::DISSIPATION, Dissipation::Heat);
-        if !has_heat {
-            return Self { rates, temperatures: vec![], inverse_masses: vec![], velocities: vec![], momenta: vec![] };
-        }
-        let temperatures =
-            read::<H>(parameters, count, |_| 0.0, |motion| H::add_temperatures::<f64, f64>(motion, time)).1;
-        let velocities = |of: fn(usize) -> f64| {
-            read::<H>(parameters, count, of, |motion| H::add_velocities::<f64, f64>(motion, time)).0
-        };
-        Self {
-            rates,
-            temperatures,
-            inverse_masses: velocities(|_| 1.0),
-            velocities: velocities(other_momentum),
-            momenta: (0..count).map(other_momentum).collect(),
-        }
-    }
+/// Whether a system has a temperature.
+const fn has_heat<H: WithFriction>() -> bool {
+    matches!(H::DISSIPATION, Dissipation::Heat)
 }
 
 /// A momentum for each coordinate, which differs from those of its neighbours.
@@ -75,9 +58,13 @@ fn read<H: WithFriction>(
 impl Rates {
     /// The rates of a system with this number of coordinates.
     pub(super) fn of<H: WithFriction>(parameters: &H::Parameters<f64>, count: usize, time: f64) -> Self {
-        let Given { mut rates, temperatures, inverse_masses, .. } = Given::of::<H>(parameters, count, time);
-        let variance = |(temperature, inverse_mass): (&f64, &f64)| temperature / inverse_mass;
-        let mut variances: Vec<f64> = temperatures.iter().zip(&inverse_masses).map(variance).collect();
+        let mut rates = read::<H>(parameters, count, |_| 0.0, |motion| H::add_rates::<f64, f64>(motion, time)).1;
+        let mut variances = Vec::new();
+        if has_heat::<H>() {
+            variances = read::<H>(parameters, count, |_| 0.0, |motion| H::add_temperatures::<f64, f64>(motion, time)).1;
+            let inverse_masses = velocities::<H>(parameters, count, |_| 1.0, time);
+            variances.iter_mut().zip(inverse_masses).for_each(|(variance, inverse_mass)| *variance /= inverse_mass);
+        }
         if [&rates, &variances].into_iter().all(|list| list.windows(2).all(|pair| pair[0] == pair[1])) {
             rates.truncate(1);
             variances.truncate(1);
@@ -92,9 +79,6 @@ impl Rates {
 /// [`Error::Rate`] with the first rate or temperature that is negative or not a number; [`Error::MassOfNoise`], where a
 /// velocity is not the momentum over a positive mass.
 pub fn are_rates<H: WithFriction>(system: &H, length: usize) -> Result<(), Error> {
-    let parameters = system.parameters(length);
-    let components = H::Coords::COMPONENTS.max(1);
-    let given = Given::of::<H>(&parameters, length * components, 0.0);
     for index in 0..length {
         let stated = system.stated_rates(index, 0.0);
         for (function, value) in ["friction", "temperature"].into_iter().zip(stated) {
@@ -103,8 +87,14 @@ pub fn are_rates<H: WithFriction>(system: &H, length: usize) -> Result<(), Error
             }
         }
     }
-    for (coordinate, inverse_mass) in given.inverse_masses.iter().enumerate() {
-        let (velocity, expected) = (given.velocities[coordinate], given.momenta[coordinate] * inverse_mass);
+    if !has_heat::<H>() {
+        return Ok(());
+    }
+    let (parameters, count) = (system.parameters(length), length * H::Coords::COMPONENTS.max(1));
+    let of = |momentum: fn(usize) -> f64| velocities::<H>(&parameters, count, momentum, 0.0);
+    let (inverse_masses, others) = (of(|_| 1.0), of(other_momentum));
+    for (coordinate, (inverse_mass, velocity)) in inverse_masses.iter().zip(others).enumerate() {
+        let expected = other_momentum(coordinate) * inverse_mass;
         // A few products and one division are rounded on each side.
         let rounding = 16.0 * f64::EPSILON * expected.abs();
         if !(*inverse_mass > 0.0 && (velocity - expected).abs() <= rounding) {

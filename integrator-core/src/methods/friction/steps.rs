@@ -85,20 +85,16 @@ fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
 ) {
     for motion in motions {
         if const { H::LARGE_FLOWS } {
-            walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, time: None, part: Part::Steps(steps) });
+            walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, part: Part::Steps(steps) });
         } else {
-            walk::<_, H, R, K>(
-                motion,
-                Constant::<X>(PhantomData),
-                Portion { clock, time: None, part: Part::Steps(steps) },
-            );
+            walk::<_, H, R, K>(motion, Constant::<X>(PhantomData), Portion { clock, part: Part::Steps(steps) });
         }
     }
 }
 
 /// Completes the current step.
 fn complete<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(motion: &mut DampedOf<H, R, K>, clock: Clock) {
-    walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, time: None, part: Part::End });
+    walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, part: Part::End });
 }
 
 /// Takes a motion a while into the step that begins at the other one and at the clock, with the random numbers of this step.
@@ -110,17 +106,14 @@ fn dense<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
 ) {
     to.motion.copy_state(&begin.motion);
     complete::<X, H, R, K>(to, clock);
-    let portion =
-        Portion { clock: Clock { h: duration, ..clock }, time: Some(clock.at(clock.steps)), part: Part::Whole };
-    walk::<_, H, R, K>(to, X::LETTERS, portion);
+    let part = Part::Whole(clock.at(clock.steps));
+    walk::<_, H, R, K>(to, X::LETTERS, Portion { clock: Clock { h: duration, ..clock }, part });
 }
 
 /// A portion of the steps of a run.
 #[derive(Clone, Copy)]
 struct Portion {
     clock: Clock,
-    /// The time at which it begins, if not that of the clock.
-    time: Option<f64>,
     part: Part,
 }
 
@@ -130,8 +123,8 @@ enum Part {
     Steps(u64),
     /// The end of the current step.
     End,
-    /// One whole step.
-    Whole,
+    /// One whole step, which begins at this time.
+    Whole(f64),
 }
 
 fn walk<T: Table, H: WithFriction, R: Real, K: Precision>(motion: &mut DampedOf<H, R, K>, table: T, portion: Portion) {
@@ -151,7 +144,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Walk<'_, T, H,
 
     #[inline(always)]
     fn call(mut self) {
-        let Portion { clock, time, part } = self.portion;
+        let Portion { clock, part } = self.portion;
         let letters = self.table.letters();
         let merges = merges::<H>(letters);
         let own = if merges { letters.len() - 1 } else { letters.len() };
@@ -161,7 +154,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Walk<'_, T, H,
                     self.stages(own..letters.len(), None, clock.at(clock.steps - 1), clock.steps - 1);
                 }
             }
-            Part::Whole => self.stages(0..letters.len(), None, time.unwrap_or(clock.at(clock.steps)), clock.steps),
+            Part::Whole(time) => self.stages(0..letters.len(), None, time, clock.steps),
             Part::Steps(steps) => {
                 for step in clock.steps..clock.steps + steps {
                     let end_of_last = letters.last().filter(|_| merges && step > 0);
@@ -189,15 +182,15 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
             let is_in_range = index >= range.start;
             let merged = before.filter(|_| index == 0);
             let mut flows = Single::<H, R, K>(&mut self.motion.motion);
-            match (letter, merged) {
-                (Letter::T(share), _) => {
+            match letter {
+                Letter::T(share) => {
                     if is_in_range {
                         let more = if let Some(Letter::T(more)) = merged { *more } else { 0.0 };
                         flows.drift(h * (share + more), time + h * kicks);
                     }
                     drifts += share;
                 }
-                (Letter::V(share), _) => {
+                Letter::V(share) => {
                     if is_in_range {
                         let more = if let Some(Letter::V(more)) = merged { *more } else { 0.0 };
                         let reached = if const { H::NESTED.is_empty() } { drifts } else { kicks };
@@ -205,7 +198,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
                     }
                     kicks += share;
                 }
-                (Letter::O(_), _) => {
+                Letter::O(_) => {
                     if is_in_range {
                         let reached = if const { H::NESTED.is_empty() } { drifts } else { kicks };
                         self.friction(friction, time + h * reached, step);
