@@ -38,7 +38,8 @@ pub(crate) fn portions(
             if bar {
                 draw(done as f64 / all.max(1) as f64, begin.elapsed());
             }
-            raised = signalled();
+            // A signal is seen once: the first stays, also where the work ends before it stops.
+            raised = raised.take().or_else(signalled);
             if raised.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         (outcome, raised)

@@ -107,13 +107,17 @@ impl<C: Coords> AnyRun for Run<C> {
         if every == 0 {
             return Err(Error::SampleInterval.into());
         }
-        let mut pulse = Pulse::new();
+        let (mut pulse, mut stopped) = (Pulse::new(), false);
         for done in 0..count {
             let end = self.steps().saturating_add(every);
             if done > 0 && every <= SHORT {
                 Self::advance(self, every)?;
             } else if done > 0 {
-                self.advance_with(every, |_| report(done, count))?;
+                self.advance_with(every, |_| {
+                    let flow = report(done, count);
+                    stopped = flow.is_break();
+                    flow
+                })?;
                 if self.steps() < end {
                     return Ok(());
                 }
@@ -121,7 +125,7 @@ impl<C: Coords> AnyRun for Run<C> {
             for sample in self.by_ref().samples(every).take(1) {
                 columns.push(&sample?, count);
             }
-            if (pulse.is_due() || done + 1 == count) && report(done + 1, count).is_break() {
+            if stopped || (pulse.is_due() || done + 1 == count) && report(done + 1, count).is_break() {
                 return Ok(());
             }
         }
