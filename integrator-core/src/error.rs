@@ -209,6 +209,19 @@ pub enum Error {
         /// The value.
         value: f64,
     },
+    /// Heat is to be measured, and the system has no temperature.
+    #[error(
+        "the system has no temperature, so its steps exchange no heat\nhelp: add `#[temperature]` next to `#[friction]`"
+    )]
+    NoTemperature,
+    /// Metropolis steps that would not have the canonical distribution.
+    #[error("Metropolis steps require {requirement}\nhelp: {help}")]
+    NotMetropolised {
+        /// What is missing.
+        requirement: &'static str,
+        /// What to write instead.
+        help: &'static str,
+    },
     /// A system with a temperature whose momenta have no masses of their own.
     #[error(
         "the velocity of coordinate {coordinate} is not its momentum over a positive mass\nhelp: a temperature requires \

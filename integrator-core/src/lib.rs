@@ -127,7 +127,7 @@ pub use ensemble::Ensemble;
 pub use error::{Divergence, Error, Lost, Misread, NotFinite, Unsolved, VectorFault};
 pub use hamiltonian::Hamiltonian;
 pub use integrator_macros::{composition, hamiltonian};
-pub use methods::friction::{FrictionScheme, Letter, catalogue::*};
+pub use methods::friction::{FrictionScheme, Letter, Metropolis, Metropolised, catalogue::*};
 pub use methods::implicit::{GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, RatedField};
 pub use methods::pace::{Logarithmic, Paced, Power, Rated, TimeTransformed};
 pub use methods::taylor;
@@ -147,6 +147,7 @@ pub use system::{QuadraticKinetic, System};
 pub use trajectory::checkpoint::CheckpointError;
 pub use trajectory::crossings::{Crossings, Direction};
 pub use trajectory::gradient::Gradient;
+pub use trajectory::heat::EnergyBalance;
 #[cfg(feature = "std")]
 pub use trajectory::in_lanes::{InLanes, ResumableInLanes};
 pub use trajectory::method::{Described, Differentiable, Facts, Memoryless, Method, Resumable};
@@ -194,7 +195,7 @@ pub mod prelude {
         Hamiltonian, ImplicitMidpoint, Logarithmic, Paced, Phase, Power, Run, Sample, Samples, SamplesAt, Scheme,
         Sensitive, composition, hamiltonian, taylor::Taylor,
     };
-    pub use crate::{ParameterDerivatives as _, System as _};
+    pub use crate::{Metropolis as _, ParameterDerivatives as _, System as _};
 }
 
 /// The private API of generated code. Nothing here is stable.

@@ -54,6 +54,8 @@ pub enum InRegisters {
 pub struct Noise {
     pub(crate) seed: u64,
     pub(crate) members: Vec<u32>,
+    /// The energy that each lane has absorbed as heat since this began to be measured; nothing while it is not.
+    pub(crate) heat: Option<Vec<f64>>,
 }
 
 /// Data that a motion has found beside its state, such as which bodies are near each other. No result depends on it.

@@ -11,7 +11,7 @@ use crate::{
     },
     system::energy::Parts,
     trajectory::{
-        motions::{Draws, Form, Motions, elapsed, load, reload, show, shown},
+        motions::{Draws, Form, Motions, elapsed, load, reload, set_draws, show, shown},
         panics::attempt,
     },
 };
@@ -270,7 +270,7 @@ impl Engine {
         change(&mut draws);
         self.completed_at = None;
         for motions in [&mut self.motions, &mut self.snapshot, &mut self.completed] {
-            motions.set_draws(draws);
+            set_draws(&mut **motions, draws);
         }
     }
 

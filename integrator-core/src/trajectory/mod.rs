@@ -12,6 +12,7 @@ pub(crate) mod dispatch;
 pub(crate) mod elsewhere;
 pub(crate) mod engine;
 pub(crate) mod gradient;
+pub(crate) mod heat;
 #[allow(unreachable_pub, reason = "named in bounds, never outside")]
 pub(crate) mod in_lanes;
 pub(crate) mod interleaved;

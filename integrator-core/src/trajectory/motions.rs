@@ -16,11 +16,11 @@ use crate::{
     system::{
         counts::Counts,
         energy::Parts,
-        motion::{Found, Motion},
+        motion::{Found, Motion, Noise},
     },
     trajectory::step_functions::StepFunctions,
 };
-use alloc::{boxed::Box, sync::Arc, vec::Vec};
+use alloc::{boxed::Box, sync::Arc, vec, vec::Vec};
 use core::{any::Any, marker::PhantomData, ops::Range};
 
 /// A list of motions with their step functions. Lanes are numbered through all of them.
@@ -35,8 +35,10 @@ pub(crate) trait Motions: Any + Send + Sync {
     fn none(&self, room: usize) -> Box<dyn Motions>;
     /// What the random numbers of steps depend on, if steps draw any.
     fn draws(&self) -> Draws;
-    /// Sets what random numbers depend on.
-    fn set_draws(&mut self, draws: Draws);
+    /// Sets what the random numbers of motions that are added depend on.
+    fn put_draws(&mut self, draws: Draws);
+    /// The part of a motion that its random numbers depend on, if its steps draw any.
+    fn noise(&mut self, motion: usize) -> Option<&mut Noise>;
     /// Adds a motion of members, one in each lane, from their states in this form.
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form);
     /// Adds a motion of another list at other states of its members, with its constants; `false` if the motion cannot.
@@ -100,6 +102,32 @@ pub(crate) struct Draws {
     pub(crate) seed: u64,
     /// The number of the first member, among those of all ranks.
     pub(crate) first: u32,
+    /// Whether steps measure the heat that the momenta absorb.
+    pub(crate) measures_heat: bool,
+}
+
+impl Draws {
+    /// Prepares a new motion with these members in its lanes.
+    fn begin(self, noise: &mut Noise, lanes: &[(usize, &dyn Point)]) {
+        noise.seed = self.seed;
+        noise.members.clear();
+        noise.members.extend(lanes.iter().map(|(member, _)| self.first + *member as u32));
+        noise.heat = self.measures_heat.then(|| vec![0.0; lanes.len()]);
+    }
+}
+
+/// Sets what random numbers depend on. Where heat is measured, it begins at zero.
+pub(crate) fn set_draws(motions: &mut dyn Motions, draws: Draws) {
+    let before = motions.draws();
+    motions.put_draws(draws);
+    for motion in 0..motions.count() {
+        let Some(noise) = motions.noise(motion) else { return };
+        noise.seed = draws.seed;
+        noise.heat = draws.measures_heat.then(|| vec![0.0; noise.members.len()]);
+        for member in &mut noise.members {
+            *member = *member - before.first + draws.first;
+        }
+    }
 }
 
 /// The coordinates of a state in the middle of the current step.
@@ -292,22 +320,21 @@ where
     }
 
     fn none(&self, room: usize) -> Box<dyn Motions> {
-        let (functions, constants, draws) = (self.functions, self.constants.clone(), self.draws);
-        Box::new(Self { motions: Vec::with_capacity(room), functions, constants, draws, shape: PhantomData })
+        let mut none = Self::empty(self.functions, self.constants.clone(), room);
+        none.put_draws(self.draws);
+        none
     }
 
     fn draws(&self) -> Draws {
         self.draws
     }
 
-    fn set_draws(&mut self, draws: Draws) {
-        let before = core::mem::replace(&mut self.draws, draws);
-        for noise in self.motions.iter_mut().filter_map(Motion::noise) {
-            noise.seed = draws.seed;
-            for member in &mut noise.members {
-                *member = *member - before.first + draws.first;
-            }
-        }
+    fn put_draws(&mut self, draws: Draws) {
+        self.draws = draws;
+    }
+
+    fn noise(&mut self, motion: usize) -> Option<&mut Noise> {
+        self.motions[motion].noise()
     }
 
     fn push(&mut self, lanes: &[(usize, &dyn Point)], form: Form) {
@@ -317,9 +344,7 @@ where
             Form::Own => L::load_own(&constants, &states),
         };
         if let Some(noise) = motion.noise() {
-            noise.seed = self.draws.seed;
-            noise.members.clear();
-            noise.members.extend(lanes.iter().map(|(member, _)| self.draws.first + *member as u32));
+            self.draws.begin(noise, lanes);
         }
         self.motions.push(motion);
     }

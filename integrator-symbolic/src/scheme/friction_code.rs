@@ -88,7 +88,7 @@ fn with_properties(ident: &Ident, properties: &TokenStream, root: &Path) -> Toke
             type Motion<__R: #runtime::Real, __K: #runtime::Precision> = #runtime::DampedOf<__System, __R, __K>;
 
             fn constants(self, parameters: #runtime::Arc<__System::Parameters<f64>>) -> #runtime::Arc<Self::Constants> {
-                #runtime::FrictionConstants::new(parameters)
+                #runtime::FrictionConstants::new(parameters, __System::DISSIPATION)
             }
             fn step_functions<__R: #runtime::Real, __K: #runtime::Precision, __E: #runtime::Executor>()
             -> #runtime::StepFunctions<Self::Motion<__R, __K>> {

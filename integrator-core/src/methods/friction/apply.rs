@@ -1,4 +1,4 @@
-//! The flow of `O`: momenta in whole vectors, two numbers of each draw for neighbouring slots.
+//! The flow of `O`: momenta in whole vectors, two numbers of each draw for neighbouring slots, or for two draws of a lone one.
 
 use super::factors::Row;
 use crate::{
@@ -9,6 +9,7 @@ use crate::{
     },
     state::precision::Slot,
 };
+use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 /// The part of a random number's counter that all momenta of a stage have in common.
@@ -22,6 +23,12 @@ pub(super) struct Draw<'m> {
 }
 
 impl Draw<'_> {
+    /// The same with one check of the number of members in place of one for each number, which no vector has.
+    #[inline(always)]
+    fn checked<R: Real>(self) -> Self {
+        Self { members: &self.members[..R::LANES], ..self }
+    }
+
     /// The counter of a pair of neighbouring slots, and of a part of these.
     #[inline(always)]
     fn counter(&self, pair: usize, member: usize) -> [u32; 4] {
@@ -46,8 +53,7 @@ pub(super) fn damp<W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>]) {
 /// Friction with noise. `R` has the lanes of the motion.
 #[inline(always)]
 pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>], draw: Draw<'_>) {
-    // One check in place of one for each number.
-    let draw = Draw { members: &draw.members[..R::LANES], ..draw };
+    let draw = draw.checked::<R>();
     let width = W::Block::WIDTH;
     let mut first = 0;
     if const { W::Block::WIDTH > 1 } {
@@ -69,6 +75,58 @@ pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(momenta: &mut [S], rows: 
             add(&mut momenta[first + 1], row(rows, first + 1), other);
         }
         first += 2;
+    }
+}
+
+/// The second number of a draw, which belongs to the draw with this index.
+pub(super) type Kept<W> = Option<(u64, W)>;
+
+/// Friction with noise of the only coordinate of a system. It takes two draws in a row from one pair of numbers. `draw.step`
+/// counts draws.
+#[inline(always)]
+pub(super) fn thermalise_one<R: Real, W: Real, S: Slot<W>>(
+    momenta: &mut [S],
+    rows: &[Row<W>],
+    draw: Draw<'_>,
+    kept: &mut Kept<W>,
+) {
+    let ([momentum], [row]) = (momenta, rows) else { return };
+    let (index, draw) = (draw.step, draw.checked::<R>());
+    let number = match kept.take() {
+        Some((of, number)) if of == index => number,
+        _ => {
+            let [one, other] = pair::<R, W, W>(Draw { step: index / 2, ..draw }, 0);
+            if index % 2 == 0 {
+                *kept = Some((index + 1, other));
+                one
+            } else {
+                other
+            }
+        }
+    };
+    add(momentum, *row, number);
+}
+
+/// The momenta before friction.
+#[inline(never)]
+pub(super) fn values<W: Real, S: Slot<W>>(momenta: &[S]) -> Vec<W> {
+    let mut values = Vec::with_capacity(momenta.len());
+    for momentum in momenta {
+        values.push(momentum.value());
+    }
+    values
+}
+
+/// Adds the changes of the kinetic energies of the members in the lanes, by momenta before and after friction.
+#[inline(never)]
+pub(super) fn add_heat<W: Real, S: Slot<W>>(heat: &mut [f64], before: &[W], after: &[S], inverse_masses: &[W]) {
+    let members = heat.len();
+    for ((before, after), inverse_mass) in before.iter().zip(after).zip(inverse_masses) {
+        let (difference, sum) = (after.value() - *before, after.value() + *before);
+        let change = difference * sum * *inverse_mass * W::of(0.5);
+        for lane in 0..W::LANES {
+            heat[lane % members] += change.lane(lane);
+        }
     }
 }
 

@@ -1,49 +1,44 @@
 //! The factors of `O` for one duration, in the layout of the momenta.
 
-use super::rates::Rates;
-use crate::{
-    scalar::{elementary::Elementary, real::Real},
-    system::dissipation::WithFriction,
-};
+use super::rates::{Coordinate, Rates};
+use crate::{scalar::real::Real, system::dissipation::WithFriction};
 use alloc::{sync::Arc, vec::Vec};
 
-/// The factors of all momenta for a duration.
-#[derive(Clone)]
-pub(super) struct Factors<W> {
-    pub(super) duration: f64,
-    pub(super) rows: Arc<[Row<W>]>,
-}
-
-/// The factors of a slot.
+/// The factors of a slot: those of the coordinates in its lanes.
 #[derive(Clone, Copy)]
 pub(super) struct Row<W> {
-    /// `exp(-γt) - 1`, by which friction multiplies a momentum for its change.
     pub(super) friction: W,
-    /// `√(m kT (1 - exp(-2γt)))`, the width of the noise.
     pub(super) noise: W,
 }
 
-impl<W: Real> Factors<W> {
-    /// The factors for motions with this number of slots, whose members have these rates.
-    pub(super) fn of<H: WithFriction<Wide<R> = W>, R: Real>(members: &[Rates], slots: usize, duration: f64) -> Self {
-        let alike = members.iter().all(|member| member.rates.len() == 1);
-        let count = if alike { slots.min(1) } else { slots };
-        let rows = (0..count).map(|slot| {
-            // The rate and the variance of a lane; lanes after the last coordinate have none.
-            let of_lane = |lane: usize| {
-                let (member, part) = (&members[lane % R::LANES % members.len()], lane / R::LANES);
-                let coordinate = if member.rates.len() == 1 { 0 } else { H::coordinate::<R>(slot, part) };
-                let rate = member.rates.get(coordinate).copied().unwrap_or(0.0);
-                (rate, member.variances.get(coordinate).copied().unwrap_or(0.0))
-            };
-            Row {
-                friction: W::parameter(&|lane| Elementary::exp_m1(-of_lane(lane).0 * duration)),
-                noise: W::parameter(&|lane| {
-                    let (rate, variance) = of_lane(lane);
-                    Elementary::sqrt(variance * -Elementary::exp_m1(-2.0 * rate * duration))
-                }),
-            }
+/// The factors of all slots for a duration; one row, where all coordinates are alike.
+pub(super) fn rows<H: WithFriction, R: Real>(members: &[Rates], slots: usize, duration: f64) -> Arc<[Row<H::Wide<R>>]> {
+    let members = over(members, duration);
+    let mut rows = Vec::with_capacity(slots);
+    let count = if are_alike(&members) { slots.min(1) } else { slots };
+    for slot in 0..count {
+        let of_lane =
+            |lane: usize| of_coordinate(&members, lane % R::LANES, || H::coordinate::<R>(slot, lane / R::LANES));
+        rows.push(Row {
+            friction: H::Wide::<R>::parameter(&|lane| of_lane(lane).friction),
+            noise: H::Wide::<R>::parameter(&|lane| of_lane(lane).noise),
         });
-        Self { duration, rows: rows.collect::<Vec<_>>().into() }
     }
+    rows.into()
+}
+
+/// The factors of the members for a duration.
+fn over(members: &[Rates], duration: f64) -> Vec<Vec<Coordinate>> {
+    members.iter().map(|member| member.over(duration)).collect()
+}
+
+fn are_alike(members: &[Vec<Coordinate>]) -> bool {
+    members.iter().all(|member| member.len() == 1)
+}
+
+/// The factors of a coordinate of a member. Lanes after the last coordinate have neither friction nor noise.
+fn of_coordinate(members: &[Vec<Coordinate>], member: usize, coordinate: impl Fn() -> usize) -> Coordinate {
+    let member = &members[member % members.len()];
+    let coordinate = if member.len() == 1 { 0 } else { coordinate() };
+    member.get(coordinate).copied().unwrap_or(Coordinate { friction: 0.0, noise: 0.0 })
 }

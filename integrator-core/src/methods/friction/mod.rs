@@ -8,11 +8,13 @@
 mod apply;
 pub(crate) mod catalogue;
 mod factors;
+mod metropolis;
 mod motion;
 mod rates;
 mod scheme;
 mod steps;
 
+pub use metropolis::{Metropolis, Metropolised};
 pub use motion::{Damped, DampedOf, FrictionConstants};
 pub use rates::are_rates;
 pub use scheme::{FrictionScheme, Letter, facts_with_friction};

@@ -1,6 +1,10 @@
 //! The motion of a system with friction: that of the system, with the factors of `O`.
 
-use super::{factors::Factors, rates::Rates, scheme::Letter};
+use super::{
+    factors::{Row, rows},
+    rates::{Rates, inverse_masses},
+    scheme::Letter,
+};
 use crate::{
     error::Unsolved,
     scalar::real::Real,
@@ -8,7 +12,7 @@ use crate::{
     system::{
         System,
         counts::Counts,
-        dissipation::WithFriction,
+        dissipation::{Dissipation, WithFriction},
         motion::{Found, Motion, Noise},
     },
 };
@@ -17,12 +21,13 @@ use alloc::{sync::Arc, vec, vec::Vec};
 /// The constants of a run with friction: those of the system.
 pub struct FrictionConstants<P> {
     parameters: Arc<P>,
+    dissipation: Dissipation,
 }
 
 impl<P> FrictionConstants<P> {
     /// Returns the constants of a run.
-    pub fn new(parameters: Arc<P>) -> Arc<Self> {
-        Arc::new(Self { parameters })
+    pub fn new(parameters: Arc<P>, dissipation: Dissipation) -> Arc<Self> {
+        Arc::new(Self { parameters, dissipation })
     }
 }
 
@@ -33,9 +38,13 @@ pub struct Damped<M, P, W> {
     members: Arc<Vec<Arc<P>>>,
     /// The number of coordinates.
     count: usize,
-    /// The factors of the stages `O` of a step, in their order.
-    pub(super) factors: Vec<Factors<W>>,
+    /// The durations of the stages `O` of a step, in their order, and the factors of each.
+    durations: Vec<f64>,
+    pub(super) factors: Vec<Arc<[Row<W>]>>,
+    /// The inverse masses in the layout of the momenta, where heat is measured.
+    pub(super) inverse_masses: Vec<W>,
     pub(super) noise: Noise,
+    dissipation: Dissipation,
 }
 
 /// The motion of `H` with friction.
@@ -48,35 +57,49 @@ impl<M: Clone, P, W: Clone> Clone for Damped<M, P, W> {
             motion: self.motion.clone(),
             members: self.members.clone(),
             count: self.count,
+            durations: self.durations.clone(),
             factors: self.factors.clone(),
+            inverse_masses: self.inverse_masses.clone(),
             noise: self.noise.clone(),
+            dissipation: self.dissipation,
         }
     }
 }
 
-/// Prepares the factors of the stages of a step of this duration, unless they are those of the last one.
+/// The durations of the stages `O` of a step.
+fn durations_of(letters: &[Letter], h: f64) -> impl Iterator<Item = f64> {
+    letters.iter().filter_map(move |letter| if let Letter::O(share) = letter { Some(share * h) } else { None })
+}
+
+/// Sets the durations of the stages `O` to those of steps of this duration; `false` if they are these already.
+fn change_durations(durations: &mut Vec<f64>, letters: &[Letter], h: f64) -> bool {
+    let change = !durations_of(letters, h).eq(durations.iter().copied());
+    if change {
+        durations.clear();
+        durations.extend(durations_of(letters, h));
+    }
+    change
+}
+
+/// Prepares the factors of the stages of a step of this duration, unless they are those of the last one; and the masses with which
+/// heat is measured.
 pub(super) fn prepare<H: WithFriction, R: Real, K: Precision>(
     motion: &mut DampedOf<H, R, K>,
     letters: &[Letter],
     h: f64,
     time: f64,
 ) {
-    let durations = || {
-        letters.iter().filter_map(|letter| match letter {
-            Letter::O(duration) => Some(duration * h),
-            _ => None,
-        })
-    };
-    let is_prepared = motion.factors.iter().map(|factors| factors.duration).eq(durations());
-    if is_prepared && !H::READS_TIME {
+    if motion.noise.heat.is_some() && motion.inverse_masses.is_empty() {
+        prepare_masses::<H, R, K>(motion);
+    }
+    if !change_durations(&mut motion.durations, letters, h) && !H::READS_TIME {
         return;
     }
-    let rates = rates::<H, R, K>(motion, time);
+    let rates = rates::<H>(&motion.members, motion.count, time);
+    let slots = H::momenta::<R, K>(&mut motion.motion).len();
     motion.factors.clear();
-    for duration in durations() {
-        let same = motion.factors.iter().find(|known| known.duration == duration).cloned();
-        let factors = same.unwrap_or_else(|| factors_of::<H, R, K>(motion, &rates, duration));
-        motion.factors.push(factors);
+    for duration in &motion.durations {
+        motion.factors.push(rows::<H, R>(&rates, slots, *duration));
     }
 }
 
@@ -86,21 +109,55 @@ pub(super) fn prepare_stage<H: WithFriction, R: Real, K: Precision>(
     stage: usize,
     time: f64,
 ) {
-    let rates = rates::<H, R, K>(motion, time);
-    motion.factors[stage] = factors_of::<H, R, K>(motion, &rates, motion.factors[stage].duration);
-}
-
-fn rates<H: WithFriction, R: Real, K: Precision>(motion: &DampedOf<H, R, K>, time: f64) -> Vec<Rates> {
-    motion.members.iter().map(|parameters| Rates::of::<H>(parameters, motion.count, time)).collect()
-}
-
-fn factors_of<H: WithFriction, R: Real, K: Precision>(
-    motion: &mut DampedOf<H, R, K>,
-    rates: &[Rates],
-    duration: f64,
-) -> Factors<H::Wide<R>> {
+    let rates = rates::<H>(&motion.members, motion.count, time);
     let slots = H::momenta::<R, K>(&mut motion.motion).len();
-    Factors::of::<H, R>(rates, slots, duration)
+    motion.factors[stage] = rows::<H, R>(&rates, slots, motion.durations[stage]);
+}
+
+/// The rates of members at a time.
+fn rates<H: WithFriction>(members: &[Arc<H::Parameters<f64>>], count: usize, time: f64) -> Vec<Rates> {
+    let mut rates = Vec::with_capacity(members.len());
+    for parameters in members {
+        rates.push(Rates::of::<H>(parameters, count, time));
+    }
+    rates
+}
+
+/// Prepares the inverse masses.
+fn prepare_masses<H: WithFriction, R: Real, K: Precision>(motion: &mut DampedOf<H, R, K>) {
+    let mut of_members = Vec::with_capacity(motion.members.len());
+    for parameters in motion.members.iter() {
+        of_members.push(inverse_masses::<H>(parameters, motion.count));
+    }
+    for slot in 0..H::momenta::<R, K>(&mut motion.motion).len() {
+        motion.inverse_masses.push(H::Wide::<R>::parameter(&|lane| {
+            let of_member = &of_members[lane % R::LANES % of_members.len()];
+            of_member.get(H::coordinate::<R>(slot, lane / R::LANES)).copied().unwrap_or(0.0)
+        }));
+    }
+}
+
+/// The parameters of members; of those that share them, once.
+fn members_of<P>(constants: &[&FrictionConstants<P>]) -> Arc<Vec<Arc<P>>> {
+    let mut members = Vec::with_capacity(constants.len());
+    let mut are_shared = true;
+    for constants in constants {
+        members.push(constants.parameters.clone());
+        are_shared &= Arc::ptr_eq(&members[0], &constants.parameters);
+    }
+    if are_shared {
+        members.truncate(1);
+    }
+    Arc::new(members)
+}
+
+/// References to the parameters of members.
+fn parameters_of<'c, P>(constants: &[&'c FrictionConstants<P>]) -> Vec<&'c P> {
+    let mut parameters = Vec::with_capacity(constants.len());
+    for constants in constants {
+        parameters.push(&*constants.parameters);
+    }
+    parameters
 }
 
 impl<C, M, P, W> Motion<C, FrictionConstants<P>> for Damped<M, P, W>
@@ -113,18 +170,15 @@ where
     const MIXES: bool = M::MIXES;
 
     fn load(constants: &[&FrictionConstants<P>], states: &[&Phase<C>]) -> Self {
-        let parameters: Vec<&P> = constants.iter().map(|constants| &*constants.parameters).collect();
-        let mut members: Vec<_> = constants.iter().map(|constants| constants.parameters.clone()).collect();
-        // Members that share their constants share their rates.
-        if members.windows(2).all(|pair| Arc::ptr_eq(&pair[0], &pair[1])) {
-            members.truncate(1);
-        }
         Self {
-            motion: M::load(&parameters, states),
-            members: Arc::new(members),
+            motion: M::load(&parameters_of(constants), states),
+            members: members_of(constants),
             count: states.first().map_or(0, |state| state.q.flat().len()),
+            durations: Vec::new(),
             factors: Vec::new(),
-            noise: Noise { seed: 0, members: vec![0; states.len()] },
+            inverse_masses: Vec::new(),
+            noise: Noise { seed: 0, members: vec![0; states.len()], heat: None },
+            dissipation: constants.first().map_or(Dissipation::None, |constants| constants.dissipation),
         }
     }
     fn store(&self, lane: usize, to: &mut Phase<C>) {
@@ -132,9 +186,11 @@ where
     }
     fn copy_state(&mut self, from: &Self) {
         self.motion.copy_state(&from.motion);
+        self.noise.heat.clone_from(&from.noise.heat);
     }
     fn copy_state_on(&mut self, from: &Self, threads: Option<usize>) {
         self.motion.copy_state_on(&from.motion, threads);
+        self.noise.heat.clone_from(&from.noise.heat);
     }
     fn found(&self) -> Option<Found> {
         self.motion.found()
@@ -149,7 +205,7 @@ where
         self.motion.unsolved(lane)
     }
     fn noise(&mut self) -> Option<&mut Noise> {
-        Some(&mut self.noise)
+        matches!(self.dissipation, Dissipation::Heat).then_some(&mut self.noise)
     }
     fn counts(&self) -> Option<Counts> {
         self.motion.counts()

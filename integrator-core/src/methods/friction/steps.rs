@@ -1,13 +1,13 @@
 //! The loop over the stages of a composition with friction.
 
 use super::{
-    apply::{Draw, damp, thermalise},
+    apply::{Draw, Kept, add_heat, damp, thermalise, thermalise_one, values},
     motion::{DampedOf, FrictionConstants, prepare, prepare_stage},
     scheme::{FrictionScheme, Letter},
 };
 use crate::{
     scalar::real::{Kernel, Real},
-    state::{clock::Clock, precision::Precision},
+    state::{clock::Clock, coords::Coords, precision::Precision},
     system::{
         Shaped, System,
         dissipation::{Dissipation, WithFriction},
@@ -16,6 +16,7 @@ use crate::{
     },
     trajectory::step_functions::{StepFunctions, all_finite},
 };
+use alloc::vec::Vec;
 use core::{marker::PhantomData, ops::Range};
 
 /// The step functions of a composition with friction.
@@ -76,6 +77,11 @@ fn merges<H: System>(letters: &[Letter]) -> bool {
     }
 }
 
+/// Whether the system has one coordinate.
+const fn is_alone<H: System>() -> bool {
+    matches!((H::Coords::LENGTH, H::Coords::COMPONENTS), (Some(1), 0 | 1))
+}
+
 /// Takes this number of steps.
 fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
     motions: &mut [DampedOf<H, R, K>],
@@ -85,16 +91,19 @@ fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
 ) {
     for motion in motions {
         if const { H::LARGE_FLOWS } {
-            walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, part: Part::Steps(steps) });
+            walk::<_, H, R, K>(motion, X::LETTERS, clock, steps);
         } else {
-            walk::<_, H, R, K>(motion, Constant::<X>(PhantomData), Portion { clock, part: Part::Steps(steps) });
+            walk::<_, H, R, K>(motion, Constant::<X>(PhantomData), clock, steps);
         }
     }
 }
 
 /// Completes the current step.
 fn complete<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(motion: &mut DampedOf<H, R, K>, clock: Clock) {
-    walk::<_, H, R, K>(motion, X::LETTERS, Portion { clock, part: Part::End });
+    if merges::<H>(X::LETTERS) && clock.steps > 0 {
+        let clock = Clock { steps: clock.steps - 1, ..clock };
+        walk_in_step::<H, R, K>(motion, X::LETTERS, clock, clock.at(clock.steps), X::LETTERS.len() - 1);
+    }
 }
 
 /// Takes a motion a while into the step that begins at the other one and at the clock, with the random numbers of this step.
@@ -106,62 +115,72 @@ fn dense<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
 ) {
     to.motion.copy_state(&begin.motion);
     complete::<X, H, R, K>(to, clock);
-    let part = Part::Whole(clock.at(clock.steps));
-    walk::<_, H, R, K>(to, X::LETTERS, Portion { clock: Clock { h: duration, ..clock }, part });
+    walk_in_step::<H, R, K>(to, X::LETTERS, Clock { h: duration, ..clock }, clock.at(clock.steps), 0);
 }
 
-/// A portion of the steps of a run.
-#[derive(Clone, Copy)]
-struct Portion {
+/// Takes steps, without the end of the last one.
+fn walk<T: Table, H: WithFriction, R: Real, K: Precision>(
+    motion: &mut DampedOf<H, R, K>,
+    table: T,
     clock: Clock,
-    part: Part,
+    steps: u64,
+) {
+    prepare::<H, R, K>(motion, table.letters(), clock.h, clock.at(clock.steps));
+    R::enter(Steps(Walk::<T, H, R, K> { motion, table, clock, kept: None }, steps));
 }
 
-#[derive(Clone, Copy)]
-enum Part {
-    /// This number of steps, without the end of the last one.
-    Steps(u64),
-    /// The end of the current step.
-    End,
-    /// One whole step, which begins at this time.
-    Whole(f64),
-}
-
-fn walk<T: Table, H: WithFriction, R: Real, K: Precision>(motion: &mut DampedOf<H, R, K>, table: T, portion: Portion) {
-    prepare::<H, R, K>(motion, table.letters(), portion.clock.h, portion.clock.at(portion.clock.steps));
-    R::enter(Walk::<T, H, R, K> { motion, table, portion });
+/// Takes the stages from this one on of the step that begins at `time`, and that the clock counts.
+fn walk_in_step<H: WithFriction, R: Real, K: Precision>(
+    motion: &mut DampedOf<H, R, K>,
+    letters: &'static [Letter],
+    clock: Clock,
+    time: f64,
+    first: usize,
+) {
+    prepare::<H, R, K>(motion, letters, clock.h, time);
+    R::enter(InStep(Walk::<_, H, R, K> { motion, table: letters, clock, kept: None }, time, first));
 }
 
 /// The loop over stages.
 struct Walk<'m, T, H: WithFriction, R: Real, K: Precision> {
     motion: &'m mut DampedOf<H, R, K>,
     table: T,
-    portion: Portion,
+    clock: Clock,
+    kept: Kept<H::Wide<R>>,
 }
 
-impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Walk<'_, T, H, R, K> {
+/// A number of steps.
+struct Steps<W>(W, u64);
+
+/// A step that begins at a time, from a stage on.
+struct InStep<W>(W, f64, usize);
+
+impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Steps<Walk<'_, T, H, R, K>> {
     type Out = ();
 
     #[inline(always)]
-    fn call(mut self) {
-        let Portion { clock, part } = self.portion;
-        let letters = self.table.letters();
+    fn call(self) {
+        let Self(mut walk, steps) = self;
+        let (clock, letters) = (walk.clock, walk.table.letters());
         let merges = merges::<H>(letters);
         let own = if merges { letters.len() - 1 } else { letters.len() };
-        match part {
-            Part::End => {
-                if merges && clock.steps > 0 {
-                    self.stages(own..letters.len(), None, clock.at(clock.steps - 1), clock.steps - 1);
-                }
-            }
-            Part::Whole(time) => self.stages(0..letters.len(), None, time, clock.steps),
-            Part::Steps(steps) => {
-                for step in clock.steps..clock.steps + steps {
-                    let end_of_last = letters.last().filter(|_| merges && step > 0);
-                    self.stages(0..own, end_of_last, clock.at(step), step);
-                }
-            }
+        let mut step = clock.steps;
+        while step < clock.steps + steps {
+            let end_of_last = if merges && step > 0 { letters.last() } else { None };
+            walk.stages(0..own, end_of_last, clock.at(step), step);
+            step += 1;
         }
+    }
+}
+
+impl<H: WithFriction, R: Real, K: Precision> Kernel for InStep<Walk<'_, &'static [Letter], H, R, K>> {
+    type Out = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Self(mut walk, time, first) = self;
+        let (step, count) = (walk.clock.steps, walk.table.len());
+        walk.stages(first..count, None, time, step);
     }
 }
 
@@ -169,7 +188,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
     /// A range of the stages of a step that begins at `time`; the first of them is one flow with `before`.
     #[inline(always)]
     fn stages(&mut self, range: Range<usize>, before: Option<&Letter>, time: f64, step: u64) {
-        let h = self.portion.clock.h;
+        let h = self.clock.h;
         if const { H::PIECEWISE_IN_TIME } {
             H::begin_step::<R, K>(&mut self.motion.motion, time + h / 2.0);
         }
@@ -219,12 +238,20 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
         let Some(factors) = motion.factors.get(stage) else { return };
         let momenta = H::momenta::<R, K>(&mut motion.motion);
         if const { matches!(H::DISSIPATION, Dissipation::Heat) } {
-            let step = step << 8 | stage as u64;
-            let draw =
-                Draw { key: key(motion.noise.seed, self.portion.clock.t0), step, members: &motion.noise.members };
-            thermalise::<R, _, _>(momenta, &factors.rows, draw);
+            let key = key(motion.noise.seed, self.clock.t0);
+            let draw = Draw { key, step: step << 8 | stage as u64, members: &motion.noise.members };
+            let before = if motion.noise.heat.is_some() { values(momenta) } else { Vec::new() };
+            if const { is_alone::<H>() } {
+                let draw = Draw { step: step * motion.factors.len() as u64 + stage as u64, ..draw };
+                thermalise_one::<R, _, _>(momenta, factors, draw, &mut self.kept);
+            } else {
+                thermalise::<R, _, _>(momenta, factors, draw);
+            }
+            if let Some(heat) = &mut motion.noise.heat {
+                add_heat(heat, &before, momenta, &motion.inverse_masses);
+            }
         } else {
-            damp(momenta, &factors.rows);
+            damp(momenta, factors);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Friction and noise: damped motion against closed forms, equilibria against theirs, and the same bits wherever a path is computed.
 
-#[path = "support/instruction_sets.rs"]
+mod heat;
+#[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
 
 use integrator_core::{
