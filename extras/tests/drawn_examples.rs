@@ -4,8 +4,22 @@
 mod chain;
 #[path = "../../examples/fput_recurrence/picture.rs"]
 mod chain_picture;
+#[path = "../../examples/heat_conduction/picture.rs"]
+mod conduction_picture;
+#[path = "../../examples/heat_conduction/conductor.rs"]
+mod conductor;
 #[path = "support/drawn.rs"]
 mod drawn;
+#[path = "../../examples/driven_pendulum/pendulum.rs"]
+#[allow(dead_code, reason = "tests/examples_friction.rs looks for the doublings")]
+mod driven;
+#[path = "../../examples/driven_pendulum/picture.rs"]
+mod driven_picture;
+#[path = "../../examples/duffing/oscillator.rs"]
+#[allow(dead_code, reason = "tests/examples_friction.rs measures the exponents")]
+mod duffing;
+#[path = "../../examples/duffing/picture.rs"]
+mod duffing_picture;
 #[path = "../../examples/lennard_jones/liquid.rs"]
 mod liquid;
 #[path = "../../examples/lennard_jones/observables.rs"]
@@ -271,4 +285,53 @@ fn the_resonance_of_a_spring_is_drawn() {
     assert!(with_band[3].1 == spring::LARGEST && with_band[1].1 > 10.0 * with_band[2].1, "{with_band:?}");
     let words = ["Resonance of outer steps with a stiff spring", "gravity and rubber band", "gravity alone"];
     drawn("spring", &spring_picture::picture([gravity, with_band]), &words);
+}
+
+/// The period of the drive becomes two of them between the first two doublings, and four after that.
+#[test]
+fn doublings_of_a_period_are_drawn() {
+    let values = |torque: f64| {
+        let points = driven::diagram(&[torque], 300, 8).expect("finite states");
+        let mut values: Vec<f64> = points.iter().map(|(_, p)| *p).collect();
+        values.sort_by(f64::total_cmp);
+        // After 300 periods the motion has settled to less than 1e-6, and branches are a thousand times as far apart.
+        values.dedup_by(|a, b| (*a - *b).abs() < 1e-4);
+        values.len()
+    };
+    assert_eq!([1.06, 1.075, 1.081].map(values), [1, 2, 4]);
+    let diagram = driven::diagram(&[1.06, 1.07, 1.08], 200, 8).expect("finite states");
+    let attractor = driven::section(1.5, 20, 100).expect("finite states");
+    // The angular velocity has less than the torque of the drive and of gravity over the friction.
+    assert!(attractor.iter().all(|(angle, p)| angle.abs() <= std::f64::consts::PI && p.abs() < 5.0));
+    let picture = driven_picture::picture(&diagram, &[1.0664, 1.0793, 1.0821], 4.669, 1.5, &attractor);
+    let words = ["Cascade of doublings", "Strange attractor at a torque of 1.5", "4.6690", "angular velocity"];
+    let text = drawn("doublings", &picture, &words);
+    assert_eq!(text.matches("<image").count(), 2, "the points of a panel are one bitmap");
+}
+
+/// All members end on one attractor, within the bound of the energy.
+#[test]
+fn the_attractor_of_duffing_is_drawn() {
+    let points = duffing::section(duffing::Duffing { drive: 0.5 }, 100, 10, 5).expect("finite states");
+    assert_eq!(points.len(), 500);
+    assert!(points.iter().all(|(x, v)| x.abs() < 2.0 && v.abs() < 2.0));
+    let words = ["Strange attractor", "A part of it", "exponent 0.107, dimension 1.26"];
+    let text = drawn("duffing", &duffing_picture::picture(&points, 0.107, 1.263), &words);
+    assert_eq!(text.matches("<image").count(), 2, "the points of a panel are one bitmap");
+}
+
+/// A chain of pinned sites is hotter at the hot bath, and a harmonic one has a curve in closed form.
+#[test]
+fn the_conduction_of_heat_is_drawn() {
+    let springs = conductor::Chain { sites: 8, pinning: 0.0, rate: 1.0, baths: [1.5, 0.5] };
+    let pinned = conductor::Chain { pinning: 1.0, ..springs };
+    let [without, with] =
+        [springs, pinned].map(|chain| conductor::stationary(chain, 16, 500, 200).expect("finite states"));
+    let [first, last] = [&with.temperatures[0], &with.temperatures[7]];
+    assert!(first.value - last.value > 4.0 * first.error.hypot(last.error), "{first:?} and {last:?}");
+    let (current, temperatures) = conductor::harmonic(springs);
+    assert!(without.current.value > 0.0 && current > 0.0);
+    let words = ["Fourier's law", "harmonic, closed form", "with pinning", "place in the chain"];
+    let text = drawn("conduction", &conduction_picture::picture(&without, &temperatures, &with), &words);
+    assert_eq!(text.matches("<circle").count(), 2 * 8 + 2, "a dot for each site, and two in the legend");
 }
