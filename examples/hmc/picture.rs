@@ -1,6 +1,6 @@
 //! Picture of draws from the posterior and of the probability of distress by temperature.
 
-use crate::{posterior::Posterior, sampler::moments};
+use crate::{posterior::Posterior, statistics::moments};
 use integrator_plot::{Axis, Chart, Panels, colour};
 
 /// Temperature on the morning of the Challenger launch, in °F.
