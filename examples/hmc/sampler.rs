@@ -7,12 +7,11 @@ use integrator_core::{Method, prelude::*};
 use normal::normal;
 
 composition! {
-    /// Two kicks, with the smallest energy error in the mean over normal distributions, for steps up to the largest one of two
-    /// leapfrog steps.
+    /// Two kicks, with the smallest mean energy error on normal distributions whose frequencies times the step are below 2.
     pub struct MinimumError2: order 2, symmetric,
         citation "Blanes, Casas and Sanz-Serna 2014, SIAM J. Sci. Comput. 36, A1556"
     = symmetric(V(0.21178) T(1/2) V(_));
-    /// The same with three kicks.
+    /// The same with three kicks, for frequencies times the step below 3.
     pub struct MinimumError3: order 2, symmetric,
         citation "Blanes, Casas and Sanz-Serna 2014, SIAM J. Sci. Comput. 36, A1556"
     = symmetric(V(0.11888010966548) T(0.29619504261126) V(_) T(_));

@@ -118,7 +118,7 @@ fn columns_by_hand(fractions: &[f64], h: f64) -> [[f64; 2]; 2] {
 }
 
 /// Returns the largest bound on the mean energy error for steps up to `most`: `(B + C)²/(2 (1 - A²))`, where the step is the matrix
-/// `[[A, B], [C, A]]` (Blanes, Casas and Sanz-Serna 2014, proposition 4.3).
+/// `[[A, B], [C, A]]` (Blanes, Casas and Sanz-Serna 2014).
 fn bound(fractions: &[f64], most: f64) -> f64 {
     let at = |h: f64| {
         let [[a, c], [b, _]] = columns_by_hand(fractions, h);
