@@ -8,7 +8,7 @@ use crate::{
     system::{AnySystem, Exported},
 };
 use integrator_core::{
-    Composition, Coords, Ensemble, InLanes, Phase, RecurrencesVisitor, Visitor,
+    Composition, Coords, Dissipation, Ensemble, InLanes, Phase, RecurrencesVisitor, Visitor,
     chaos::{self, End, Indicator, Mapped, Spectrum},
     check::certify,
     taylor::{Recurrences, Taylor},
@@ -43,12 +43,13 @@ pub(crate) enum Scalar {
 /// The names of scalars, as Python writes them.
 pub(crate) const SCALARS: [(&str, Scalar); 2] = [("f64", Scalar::F64), ("compensated", Scalar::Compensated)];
 
-/// Positions and momenta of one state, or of one for each member; the step and the initial time.
+/// Positions and momenta of one state, or of one for each member; the step, the initial time and the seed of random numbers.
 pub(crate) struct Start {
     pub(crate) state: [Numbers; 2],
     pub(crate) scalar: Scalar,
     pub(crate) h: f64,
     pub(crate) time: f64,
+    pub(crate) seed: u64,
 }
 
 type Start1<T> = Box<dyn Fn(&AnySystem, Start) -> Result<T, Fault> + Send + Sync>;
@@ -124,11 +125,13 @@ impl Row {
         Self {
             name: method.facts().name,
             run: Box::new(move |system, from| {
-                let (system, start, h, t) = (of::<H>(system)?, phase::<H::Coords>(&from)?, from.h, from.time);
+                let (system, start) = (of::<H>(system)?, phase::<H::Coords>(&from)?);
+                let Start { h, time, seed, .. } = from;
                 Ok(match from.scalar {
-                    Scalar::F64 => Box::new(system.run_with(method, start, h)?.at_time(t)),
+                    Scalar::F64 => Box::new(system.run_with(method, start, h)?.at_time(time).with_seed(seed)),
                     Scalar::Compensated => {
-                        Box::new(system.run_with(method, Phase::compensated(start.q, start.p), h)?.at_time(t))
+                        let start = Phase::compensated(start.q, start.p);
+                        Box::new(system.run_with(method, start, h)?.at_time(time).with_seed(seed))
                     }
                 })
             }),
@@ -137,7 +140,7 @@ impl Row {
                 for (system, start) in systems.iter().cycle().zip(phases::<H::Coords>(&from)?) {
                     members.push((of::<H>(system)?.clone(), start));
                 }
-                Ok(Box::new(Ensemble::new(method, members, from.h)?.at_time(from.time)))
+                Ok(Box::new(Ensemble::new(method, members, from.h)?.at_time(from.time).with_seed(from.seed)))
             }),
             certify: Box::new(move |system, from| {
                 let start = phase::<H::Coords>(&from)?.at_time(from.time);
@@ -153,6 +156,8 @@ impl Row {
         let mut rows = Rows(vec![Self::of::<H, _>(H::Compose::default())]);
         match given {
             Some(given) => rows.0.extend(given),
+            // Without the letter `O`, compositions do not apply friction.
+            None if !matches!(H::DISSIPATION, Dissipation::None) => {}
             None => H::visit_compositions(&mut rows),
         }
         H::visit_recurrences(&mut rows);

@@ -79,7 +79,15 @@ class System:
     @property
     def parameters(self) -> dict[str, Any]: ...
     def run(
-        self, q: ArrayLike, p: ArrayLike, h: float, *, composition: str | None = None, scalar: str = "f64", time: float = 0.0
+        self,
+        q: ArrayLike,
+        p: ArrayLike,
+        h: float,
+        *,
+        composition: str | None = None,
+        scalar: str = "f64",
+        time: float = 0.0,
+        seed: int = 0,
     ) -> Run: ...
     def ensemble(
         self,
@@ -89,6 +97,7 @@ class System:
         *,
         composition: str | None = None,
         time: float = 0.0,
+        seed: int = 0,
         **parameters: ArrayLike,
     ) -> Ensemble: ...
     def certify(
@@ -140,3 +149,8 @@ class Chain(System):
     def periodic(self) -> Any: ...
     @property
     def label(self) -> Any: ...
+
+class Bath(System):
+    def __init__(self, *, temperature: Any) -> None: ...
+    @property
+    def temperature(self) -> Any: ...

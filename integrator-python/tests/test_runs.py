@@ -163,6 +163,32 @@ class Failures(unittest.TestCase):
         self.assertLess(run.steps, 1000)
 
 
+class Noise(unittest.TestCase):
+    def test_a_seed_determines_the_path(self):
+        bath = galaxy.Bath(temperature=0.5)
+
+        def end(seed, composition=None):
+            run = bath.run([1.0], [0.0], 0.1, composition=composition, seed=seed)
+            run.advance(100)
+            return run.q[0]
+
+        self.assertEqual(end(7), end(7))
+        self.assertEqual(len({end(0), end(7), end(8), end(7, "Obabo")}), 4)
+        swarm = bath.ensemble([[1.0]] * 20, [[0.0]] * 20, 0.1, seed=7)
+        swarm.advance(100)
+        self.assertEqual(swarm.q[0, 0], end(7))
+        self.assertEqual(len(set(swarm.q[:, 0])), 20)
+
+    def test_the_mean_square_is_the_temperature(self):
+        swarm = galaxy.Bath(temperature=0.5).ensemble(np.zeros((4000, 1)), np.zeros((4000, 1)), 0.2, seed=1)
+        swarm.advance(100)
+        # The mean of the squares of n normal numbers deviates by sqrt(2 / n) of itself; Baoab has no bias in q.
+        self.assertLess(abs(np.mean(swarm.q**2) / 0.5 - 1.0), 5.0 * (2.0 / 4000) ** 0.5)
+
+    def test_compositions_without_friction_are_not_listed(self):
+        self.assertEqual(galaxy.Bath(temperature=0.5).compositions, ["Baoab", "Obabo"])
+
+
 def interrupted_after(seconds):
     """Sends Ctrl-C to this process."""
     timer = threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT))

@@ -29,12 +29,13 @@ pub struct PySystem {
     parameters: Py<PyDict>,
 }
 
-/// How an orbit starts: a method, a scalar, a step and a time.
+/// How an orbit starts: a method, a scalar, a step, a time and a seed.
 struct How<'h> {
     composition: Option<&'h str>,
     scalar: &'h str,
     h: f64,
     time: f64,
+    seed: u64,
 }
 
 impl PySystem {
@@ -66,7 +67,7 @@ impl PySystem {
             let message = format!("q has {of_q} rows, but p has {of_p}: expected one row each for every member");
             return Err(input_error(message));
         }
-        Ok((row, Start { state, scalar, h: how.h, time: how.time }))
+        Ok((row, Start { state, scalar, h: how.h, time: how.time, seed: how.seed }))
     }
 
     /// The systems of members whose parameters are arrays with one row for each member.
@@ -138,8 +139,10 @@ impl PySystem {
     ///
     /// q and p have the shape of the arguments of the Hamiltonian, which the class documents. `composition` is the name of a
     /// method of `compositions`; the default is that of the `#[hamiltonian]` annotation. `scalar` is "f64" or "compensated",
-    /// which carries the rounding errors of updates. `time` is the initial time.
-    #[pyo3(signature = (q, p, h, *, composition = None, scalar = "f64", time = 0.0))]
+    /// which carries the rounding errors of updates. `time` is the initial time. `seed` is that of the random numbers of a system
+    /// with a temperature.
+    #[allow(clippy::too_many_arguments, reason = "Python writes most of them as keywords, or leaves them out")]
+    #[pyo3(signature = (q, p, h, *, composition = None, scalar = "f64", time = 0.0, seed = 0))]
     fn run(
         &self,
         q: &Bound<'_, PyAny>,
@@ -148,17 +151,19 @@ impl PySystem {
         composition: Option<&str>,
         scalar: &str,
         time: f64,
+        seed: u64,
     ) -> Result<PyRun, Fault> {
-        let (row, start) = self.start(q, p, &How { composition, scalar, h, time }, false)?;
+        let (row, start) = self.start(q, p, &How { composition, scalar, h, time, seed }, false)?;
         let run = (row.run)(&self.system, start)?;
         Ok(PyRun { run, shape: self.kind.shape.clone(), composition: row.name })
     }
 
     /// Starts an ensemble: one trajectory for each row of q and p, integrated together on all cores.
     ///
-    /// Each member is bitwise identical to a run of its own. Further keyword arguments are parameters with one value for each
+    /// Each member is bitwise identical to a run of its own; member 0 of a system with a temperature, to a run with its seed. Further keyword arguments are parameters with one value for each
     /// member, such as `mass=[1.0, 2.0]`; all other parameters are those of this system.
-    #[pyo3(signature = (q, p, h, *, composition = None, time = 0.0, **parameters))]
+    #[allow(clippy::too_many_arguments, reason = "Python writes most of them as keywords, or leaves them out")]
+    #[pyo3(signature = (q, p, h, *, composition = None, time = 0.0, seed = 0, **parameters))]
     fn ensemble(
         &self,
         q: &Bound<'_, PyAny>,
@@ -166,10 +171,11 @@ impl PySystem {
         h: f64,
         composition: Option<&str>,
         time: f64,
+        seed: u64,
         parameters: Option<Bound<'_, PyDict>>,
     ) -> Result<PyEnsemble, Fault> {
         let py = q.py();
-        let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time }, true)?;
+        let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time, seed }, true)?;
         let members = match parameters {
             Some(parameters) => self.members(py, start.state[0].rows, &parameters)?,
             None => vec![self.system.clone()],
@@ -191,7 +197,7 @@ impl PySystem {
         composition: Option<&str>,
         time: f64,
     ) -> Result<String, Fault> {
-        let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time }, false)?;
+        let (row, start) = self.start(q, p, &How { composition, scalar: "f64", h, time, seed: 0 }, false)?;
         py.detach(|| (row.certify)(&self.system, start))
     }
 
@@ -207,7 +213,7 @@ impl PySystem {
         h: f64,
         #[pyo3(from_py_with = count)] steps: u64,
     ) -> Result<[Bound<'py, PyArray1<f64>>; 2], Fault> {
-        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
+        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0, seed: 0 }, false)?;
         let spectrum = py.detach(|| (self.kind.tangents.spectrum)(&self.system, start, steps))?;
         Ok([spectrum.exponents, spectrum.uncertainties].map(|numbers| PyArray1::from_vec(py, numbers)))
     }
@@ -232,7 +238,7 @@ impl PySystem {
             "fli" => Indicator::Fli,
             other => return Err(unknown(py, "indicator", other, &["megno", "exponent", "fli"]).into()),
         };
-        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, true)?;
+        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0, seed: 0 }, true)?;
         let found =
             interruptible(py, |goes_on| (self.kind.tangents.map)(&self.system, start, steps, indicator, goes_on))?;
         Ok(PyArray1::from_vec(py, found))
@@ -253,7 +259,7 @@ impl PySystem {
         h: f64,
         #[pyo3(from_py_with = count)] steps: u64,
     ) -> Result<Gradient<'py>, Fault> {
-        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0 }, false)?;
+        let (_, start) = self.start(q, p, &How { composition: None, scalar: "f64", h, time: 0.0, seed: 0 }, false)?;
         let (mut raised, loss, shape) = (None, loss.clone().unbind(), &self.kind.shape);
         let mut at_end = |q: &[f64], p: &[f64]| {
             // NaN ends the computation.

@@ -137,6 +137,30 @@ impl Chain {
     }
 }
 
+/// An oscillator in a bath.
+#[derive(Clone, Deserialize, Serialize)]
+struct Bath {
+    temperature: f64,
+}
+
+#[hamiltonian(split = kinetic + potential + friction)]
+impl Bath {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0] * q[0] / 2.0
+    }
+    #[friction]
+    fn friction(&self, _i: usize) -> f64 {
+        1.0
+    }
+    #[temperature]
+    fn temperature(&self, _i: usize) -> f64 {
+        self.temperature
+    }
+}
+
 integrator_python::module! {
     /// A flattened logarithmic potential. Unit of velocities: the circular velocity at large radii.
     galaxy: Galaxy,
@@ -150,5 +174,6 @@ integrator_python::module! {
     /// Bodies in a plane.
     Bodies, compositions = [Verlet, KahanLi8, ImplicitMidpoint];
     Rotor, compositions = [Yoshida4];
-    Chain
+    Chain;
+    Bath, compositions = [Obabo]
 }
