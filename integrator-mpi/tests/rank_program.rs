@@ -7,7 +7,7 @@ use integrator_core::{Coords, prelude::*};
 use integrator_mpi::{self as cluster, chaos::Indicator};
 use mpi::traits::{Communicator, CommunicatorCollectives};
 use std::process::{abort, exit};
-use systems::{HenonHeiles, MEMBERS, Pendulum, STEPS, fall, pendulum};
+use systems::{Bath, HenonHeiles, MEMBERS, Pendulum, STEPS, fall, pendulum};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -42,6 +42,11 @@ fn main() {
         "compensated" => numbers(&world, MEMBERS, |i| (pendulum(i), Phase::compensated([i as f64 / 40.0], [0.1]))),
         "few" => numbers(&world, 2, |i| (pendulum(i), Phase::new([0.5 + i as f64], [0.1]))),
         "lists" => numbers(&world, 7, |i| (systems::Chain, Phase::new(vec![0.1; i + 1], vec![0.2; i + 1]))),
+        "noise" => {
+            let members = cluster::share(&world, MEMBERS).map(|i| (Bath, Phase::new([i as f64 / 40.0], [0.1])));
+            let swarm = cluster::Ensemble::new(&world, Baoab, members, 0.01).expect("finite starts");
+            numbers_of(swarm.with_seed(7));
+        }
         "none" => {
             let none = cluster::Ensemble::new(&world, Verlet, Vec::<(Pendulum, Phase<[f64; 1]>)>::new(), 0.1);
             on_every_rank(&world, &none.err().map_or("accepted".to_owned(), |error| error.to_string()));

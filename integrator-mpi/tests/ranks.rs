@@ -15,7 +15,7 @@ use std::{
     path::{Path, PathBuf},
     process::Command,
 };
-use systems::{HenonHeiles, MEMBERS, STEPS, pendulum};
+use systems::{Bath, HenonHeiles, MEMBERS, STEPS, pendulum};
 
 const RANKS: Program = Program("rank_program", None);
 
@@ -34,6 +34,16 @@ fn states_and_sums_do_not_depend_on_the_number_of_ranks() {
     for case in ["compensated", "few", "lists"] {
         RANKS.on_any_number(&[case]);
     }
+}
+
+#[test]
+fn members_have_the_same_noise_on_any_number_of_ranks() {
+    let Some(noise) = RANKS.on_any_number(&["noise"]) else { return };
+    let members = (0..MEMBERS).map(|i| (Bath, Phase::new([i as f64 / 40.0], [0.1])));
+    let mut swarm = Ensemble::new(Baoab, members, 0.01).unwrap().with_seed(7);
+    swarm.advance(STEPS).unwrap();
+    let states: Vec<_> = swarm.states().collect();
+    assert!(noise.starts_with(&format!("{states:?}\n")), "{noise}");
 }
 
 /// A program takes the place of a device.

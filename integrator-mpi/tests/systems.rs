@@ -69,3 +69,24 @@ impl HenonHeiles {
         0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
     }
 }
+
+/// An oscillator in a bath.
+pub(crate) struct Bath;
+
+#[hamiltonian(split = kinetic + potential + friction)]
+impl Bath {
+    fn kinetic(&self, p: [f64; 1]) -> f64 {
+        p[0] * p[0] / 2.0
+    }
+    fn potential(&self, q: [f64; 1]) -> f64 {
+        q[0] * q[0] / 2.0
+    }
+    #[friction]
+    fn friction(&self, _i: usize) -> f64 {
+        1.0
+    }
+    #[temperature]
+    fn temperature(&self, _i: usize) -> f64 {
+        0.5
+    }
+}
