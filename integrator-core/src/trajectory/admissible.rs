@@ -4,7 +4,7 @@ use crate::{
     error::Error,
     state::{coords::Coords, fixed::is_power_of_two, phase::Phase, precision::Precision},
     system::{System, dissipation::Dissipation},
-    trajectory::method::Method,
+    trajectory::method::{Facts, Method},
 };
 
 /// Whether a run may begin at `start` with step `h`.
@@ -58,20 +58,25 @@ pub(crate) fn admissible_with<H: System, C: Coords>(
     h: f64,
 ) -> Result<(), Error> {
     method.admissible()?;
-    let facts = method.claims();
-    if C::Leaf::REVERSIBLE && !facts.symmetric {
+    fits(&method.claims(), H::DISSIPATION, C::Leaf::REVERSIBLE, h)?;
+    admissible(start, h)
+}
+
+/// Whether a method fits a system with this dissipation and this kind of start. Compiled once for all systems.
+fn fits(facts: &Facts, dissipation: Dissipation, reversible: bool, h: f64) -> Result<(), Error> {
+    if reversible && !facts.symmetric {
         return Err(Error::NotSymmetric { composition: facts.name });
     }
-    if C::Leaf::REVERSIBLE && facts.friction {
+    if reversible && facts.friction {
         return Err(Error::FrictionOnGrid);
     }
-    if !matches!(H::DISSIPATION, Dissipation::None) && !facts.friction {
+    if !matches!(dissipation, Dissipation::None) && !facts.friction {
         return Err(Error::NoFriction { method: facts.name });
     }
-    if matches!(H::DISSIPATION, Dissipation::Heat) && (h < 0.0 || facts.negative_friction) {
+    if matches!(dissipation, Dissipation::Heat) && (h < 0.0 || facts.negative_friction) {
         return Err(Error::NoiseBackwards { method: facts.name, h });
     }
-    admissible(start, h)
+    Ok(())
 }
 
 /// Changes the state of a run in progress from outside.
