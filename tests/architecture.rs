@@ -165,6 +165,7 @@ const CHECK: MayKnow = (
         ("choose", &["oracle", "property", "start", "statistics"]),
         ("measurable", &["oracle", "property", "start", "statistics"]),
         ("equilibrium", &[]),
+        ("configurational", &[]),
         ("shortfall", &["certificate", "error", "property"]),
         ("certify", &["certificate", "measurable", "oracle", "property", "shortfall", "start", "statistics"]),
     ],

@@ -1,7 +1,7 @@
 //! Heat and work against closed forms, and Metropolis steps against quadrature.
 
 use crate::{BATH, Bodies, Oscillator, Pendulum, Warm};
-use integrator_core::{Coords, EnergyBalance, Metropolised, prelude::*};
+use integrator_core::{Coords, EnergyBalance, Metropolised, check::configurational, prelude::*};
 
 /// A harmonic chain of which each site has a spring to its place and to the next site.
 struct Springs;
@@ -86,6 +86,43 @@ fn measuring_heat_changes_no_bit() {
     assert!(refused.contains("add `#[temperature]`") && damped.steps() == 0, "{refused}");
     let mut conservative = HardOscillator.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
     assert!(matches!(conservative.advance_with_balance(10), Err(Error::NoTemperature)));
+}
+
+#[test]
+fn forces_and_laplacians_are_those_of_the_potential_in_every_layout() {
+    for length in [2_usize, 3, 8, 40, 300] {
+        let start = Phase::new((0..length).map(|i| (i % 3) as f64 / 5.0).collect::<Vec<_>>(), vec![0.1; length]);
+        let found = configurational(&Springs, &start, 0.0).expect("T + V");
+        // Sums of numbers of the size one; a site has a spring to its place and one or two to its neighbours.
+        let rounding = 8.0 * f64::EPSILON * length as f64;
+        assert!((found.squared_force - forces(&start.q)).abs() < rounding, "{length} sites: {found:?}");
+        assert!((found.laplacian - (3 * length - 2) as f64).abs() < rounding, "{length} sites: {found:?}");
+    }
+    // The pairs of bodies have V = 0.01 √(1 + d²), with the Laplacian 0.02 (3 + 2 d²)/(1 + d²)^(3/2) by both bodies.
+    for bodies in [2_usize, 3, 9, 20] {
+        let place = |i: usize| [i as f64, (i * i % 7) as f64, (i % 3) as f64];
+        let start = Phase::new((0..bodies).map(place).collect::<Vec<_>>(), vec![[0.0; 3]; bodies]);
+        let found = configurational(&Bodies, &start, 0.0).expect("T + V");
+        let mut expected = 0.0;
+        for i in 0..bodies {
+            for j in 0..i {
+                let square: f64 = (0..3).map(|d| (start.q[i][d] - start.q[j][d]).powi(2)).sum();
+                expected += 0.02 * (3.0 + 2.0 * square) / (1.0 + square).powf(1.5);
+            }
+        }
+        assert!((found.laplacian / expected - 1.0).abs() < 1e-13, "{bodies} bodies: {found:?} and {expected}");
+    }
+    assert_eq!(configurational(&Bead, &Phase::new([1.0], [1.0]), 0.0), None);
+}
+
+/// A mass that depends on the position.
+struct Bead;
+
+#[hamiltonian(split = none)]
+impl Bead {
+    fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
+        (1.0 + q[0] * q[0]) * p[0] * p[0] / 2.0
+    }
 }
 
 /// An oscillator without friction.

@@ -30,6 +30,7 @@
 //! - [`turns_in_time`]: how often `H` turns by its explicit time. A certificate requires at most one turn to a step.
 //! - [`monodromy()`]: the stability of a periodic orbit. The module [`chaos`](crate::chaos) is for other orbits.
 //! - [`oscillator_equilibrium`]: the bias of a composition with friction and noise, for a harmonic oscillator.
+//! - [`configurational()`]: the forces and the Laplacian of the potential, for the configurational temperature.
 //! - [`choose()`]: the cheapest composition and step for a required error. [`choose_among()`] compares several splittings of
 //!   one Hamiltonian.
 //!
@@ -39,6 +40,7 @@
 mod certificate;
 mod certify;
 mod choose;
+mod configurational;
 mod equilibrium;
 mod error;
 mod flow;
@@ -56,6 +58,7 @@ pub use choose::{
     Candidate, Choice, ChooseError, Goal, LogarithmicSteps, NestedSteps, PacedSteps, Ranking, Split, Splitting,
     Unranked, candidates, candidates_with, choose, choose_among,
 };
+pub use configurational::{Configurational, configurational};
 pub use equilibrium::{Equilibrium, oscillator_equilibrium};
 pub use error::CheckError;
 pub use modified::{
