@@ -15,6 +15,11 @@ pub enum Letter {
 
 /// The properties of a composition with friction, proved when it is compiled. `composition!` implements this trait for
 /// sequences with the letter `O`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no letter `O`",
+    label = "not a composition with friction",
+    note = "use `Obabo` or `Baoab`, or declare a composition with `O` by `composition!`"
+)]
 pub trait FrictionScheme: Copy + Default + Send + Sync + 'static {
     /// The name in the declaration.
     const NAME: &'static str;
