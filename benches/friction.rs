@@ -2,7 +2,8 @@
 //!
 //! The last lines are medians over interleaved rounds: the time of `Baoab` with noise divided by that of `Verlet` for the same
 //! system without friction, with as many forces. `ratio_friction_members=` is for 1,024 pendulums in lanes and on threads, with
-//! one random number for each step, and `ratio_friction_argon=` for a liquid of 4,000 atoms, with three for each atom and step.
+//! one random number for each step, `ratio_friction_argon=` for a liquid of 4,000 atoms, with three for each atom and step, and
+//! `ratio_friction_chain=` for a chain of a million sites on one thread, with one for each site and step.
 
 use integrator_bench::{
     problems::ArgonInBox,
@@ -78,6 +79,40 @@ impl WarmArgon {
     }
 }
 
+/// Anharmonic springs between sites.
+struct Chain;
+
+#[hamiltonian]
+impl Chain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        (1..q.len()).map(|i| (q[i] - q[i - 1]).powi(2) / 2.0 + (q[i] - q[i - 1]).powi(4) / 4.0).sum()
+    }
+}
+
+/// The same chain in a bath.
+struct WarmChain;
+
+#[hamiltonian(split = kinetic + potential + friction)]
+impl WarmChain {
+    fn kinetic(&self, p: &[f64]) -> f64 {
+        p.iter().map(|p| p * p / 2.0).sum()
+    }
+    fn potential(&self, q: &[f64]) -> f64 {
+        (1..q.len()).map(|i| (q[i] - q[i - 1]).powi(2) / 2.0 + (q[i] - q[i - 1]).powi(4) / 4.0).sum()
+    }
+    #[friction]
+    fn friction(&self, _i: usize) -> f64 {
+        0.1
+    }
+    #[temperature]
+    fn temperature(&self, _i: usize) -> f64 {
+        0.5
+    }
+}
+
 /// Measures an ensemble of pendulums with noise and without.
 fn members() -> String {
     let pendulum = Problems::default().pendulum().system;
@@ -113,7 +148,22 @@ fn argon() -> String {
     format!("ratio_friction_argon={:.3}", times.ratio(1, 0))
 }
 
+/// Measures a long chain with noise and without.
+fn chain() -> String {
+    let (sites, steps) = (1_000_000, 10);
+    let start = || Phase::new(vec![0.0; sites], (0..sites).map(|i| (i % 7) as f64 / 7.0 - 0.4).collect::<Vec<_>>());
+    let mut without = Chain.run_with(Verlet, start(), 0.1).expect("a start").with_threads(1);
+    let mut with = WarmChain.run(start(), 0.1).expect("a start").with_threads(1);
+    let racers = vec![
+        Racer::new("without", || without.advance(steps).expect("finite states")),
+        Racer::new("with", || with.advance(steps).expect("finite states")),
+    ];
+    let times = race(ROUNDS, sites as f64 * steps as f64, racers);
+    println!("chain: {:.2}, with noise {:.2} ns a site and step", times.median(0), times.median(1));
+    format!("ratio_friction_chain={:.3}", times.ratio(1, 0))
+}
+
 fn main() {
-    let ratios = [members(), argon()];
+    let ratios = [members(), argon(), chain()];
     ratios.iter().for_each(|line| println!("{line}"));
 }

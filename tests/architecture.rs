@@ -125,7 +125,21 @@ const CORE: MayKnow = (
         ("layout", &["error", "flow", "scalar", "state", "system", "threads"]),
         ("trajectory", &["composition", "error", "layout", "scalar", "state", "system"]),
         ("ensemble", &["composition", "error", "layout", "scalar", "state", "system", "threads", "trajectory"]),
-        ("methods", &["composition", "ensemble", "error", "flow", "scalar", "state", "system", "trajectory"]),
+        (
+            "methods",
+            &[
+                "composition",
+                "ensemble",
+                "error",
+                "flow",
+                "layout",
+                "scalar",
+                "state",
+                "system",
+                "threads",
+                "trajectory",
+            ],
+        ),
         ("hamiltonian", &["composition", "error", "methods", "state", "system", "trajectory"]),
         ("check", &["composition", "error", "hamiltonian", "methods", "scalar", "state", "system", "trajectory"]),
         (

@@ -53,7 +53,7 @@ pub(crate) fn at_once(jobs: Vec<Job<'_>>) {
 const FEWEST_BYTES: usize = 1 << 19;
 
 /// Returns the number of elements of each of this number of threads, or of all threads of the machine.
-fn each<T>(elements: &[T], threads: Option<usize>) -> usize {
+pub(crate) fn each<T>(elements: &[T], threads: Option<usize>) -> usize {
     let most = size_of_val(elements) / FEWEST_BYTES;
     elements.len().div_ceil(threads.unwrap_or_else(all_threads).min(most).max(1)).max(1)
 }

@@ -3,6 +3,7 @@
 mod heat;
 #[path = "../support/instruction_sets.rs"]
 mod instruction_sets;
+mod lattices;
 
 use integrator_core::{
     FrictionScheme, InLanes, Memoryless, Method,

@@ -92,7 +92,7 @@ fn with_properties(ident: &Ident, properties: &TokenStream, root: &Path) -> Toke
             }
             fn step_functions<__R: #runtime::Real, __K: #runtime::Precision, __E: #runtime::Executor>()
             -> #runtime::StepFunctions<Self::Motion<__R, __K>> {
-                #runtime::steps_with_friction::<Self, __System, __R, __K>()
+                #runtime::steps_with_friction::<Self, __System, __R, __K, __E>()
             }
         }
 

@@ -51,7 +51,7 @@ const ROWS_PER_FLOW: usize = 8;
 const LEAST_DEPTH: usize = 4;
 
 /// A lattice shorter than this stays in the cache as it is.
-const CACHED: usize = 3 * TILE;
+pub(crate) const CACHED: usize = 3 * TILE;
 
 /// A plane of fewer sites gains nothing by tiles, which would have too few rows.
 const CACHED_PLANE: usize = 8 * TILE;
@@ -96,27 +96,32 @@ impl<'m, H: System, R: Real, K: Precision> TimeTiling<'m, H, R, K> {
 
     /// Applies the collected flows.
     pub(crate) fn finish(&mut self) {
+        Self::apply(self.motion, &self.flows, self.threads);
+        self.flows.clear();
+    }
+
+    /// Applies flows to a motion, on this number of threads or on all.
+    pub(crate) fn apply(motion: &mut H::Motion<R, K>, flows: &[Flow], threads: Option<usize>) {
         let Some(radii) = H::STENCIL_RADII else { return };
-        if let Some(mut sites) = H::sites::<R, K>(self.motion) {
+        if let Some(mut sites) = H::sites::<R, K>(motion) {
             if sites.length * sites.columns < CACHED {
-                for flow in &self.flows {
+                for flow in flows {
                     let all = 0..sites.length;
                     H::apply_to_sites::<R, K>(sites.reborrow().moved_by(flow.drifts), flow, all);
                 }
             } else {
                 let width = if radii.of_layers { 1 } else { Wide::<R, K>::WIDTH };
-                advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), &self.flows, radii, width, self.threads);
+                advance_lattice(&mut SiteSegment::<H, R, K>::new(sites), flows, radii, width, threads);
             }
         } else {
-            for Flow { drifts, duration, time } in self.flows.iter().copied() {
+            for Flow { drifts, duration, time } in flows.iter().copied() {
                 if drifts {
-                    H::drift::<R, K>(self.motion, duration, time);
+                    H::drift::<R, K>(motion, duration, time);
                 } else {
-                    H::kick::<R, K>(self.motion, duration, time);
+                    H::kick::<R, K>(motion, duration, time);
                 }
             }
         }
-        self.flows.clear();
     }
 }
 

@@ -50,16 +50,21 @@ pub(super) fn damp<W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>]) {
     }
 }
 
-/// Friction with noise. `R` has the lanes of the motion.
+/// Friction with noise of the momenta from this slot on, which is an even one. `R` has the lanes of the motion.
 #[inline(always)]
-pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(momenta: &mut [S], rows: &[Row<W>], draw: Draw<'_>) {
+pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(
+    momenta: &mut [S],
+    rows: &[Row<W>],
+    draw: Draw<'_>,
+    begin: usize,
+) {
     let draw = draw.checked::<R>();
     let width = W::Block::WIDTH;
     let mut first = 0;
     if const { W::Block::WIDTH > 1 } {
         while first + 2 * width <= momenta.len() {
             let mut numbers = [W::of(0.0); 2 * WIDEST];
-            let [low, high] = pair::<R, W, W::Block>(draw, first);
+            let [low, high] = pair::<R, W, W::Block>(draw, begin + first);
             low.write(&mut numbers);
             high.write(&mut numbers[width..]);
             for index in 0..2 * width {
@@ -69,7 +74,7 @@ pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(momenta: &mut [S], rows: 
         }
     }
     while first < momenta.len() {
-        let [one, other] = pair::<R, W, W>(draw, first);
+        let [one, other] = pair::<R, W, W>(draw, begin + first);
         add(&mut momenta[first], row(rows, first), one);
         if first + 1 < momenta.len() {
             add(&mut momenta[first + 1], row(rows, first + 1), other);

@@ -5,6 +5,7 @@
 //! normally distributed numbers: the exact solution of the Ornstein–Uhlenbeck process. Always true: a random number depends
 //! only on the seed, the member, the step, the stage and the coordinate.
 
+mod applied;
 mod apply;
 pub(crate) mod catalogue;
 mod factors;

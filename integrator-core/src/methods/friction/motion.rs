@@ -7,6 +7,7 @@ use super::{
 };
 use crate::{
     error::Unsolved,
+    layout::lattice::time_tiling::CACHED,
     scalar::real::Real,
     state::{coords::Coords, phase::Phase, precision::Precision},
     system::{
@@ -63,6 +64,13 @@ impl<M: Clone, P, W: Clone> Clone for Damped<M, P, W> {
             noise: self.noise.clone(),
             dissipation: self.dissipation,
         }
+    }
+}
+
+impl<M, P, W> Damped<M, P, W> {
+    /// Whether a lattice of this motion does not fit into a cache.
+    pub(super) fn is_long(&self) -> bool {
+        self.count >= CACHED
     }
 }
 

@@ -1,31 +1,32 @@
 //! The loop over the stages of a composition with friction.
 
 use super::{
-    apply::{Draw, Kept, add_heat, damp, thermalise, thermalise_one, values},
+    applied::{Applied, InTiles, OneByOne},
+    apply::{Draw, Kept, add_heat, thermalise_one, values},
     motion::{DampedOf, FrictionConstants, prepare, prepare_stage},
     scheme::{FrictionScheme, Letter},
 };
 use crate::{
+    layout::lattice::time_tiling::TimeTiling,
     scalar::real::{Kernel, Real},
     state::{clock::Clock, coords::Coords, precision::Precision},
     system::{
         Shaped, System,
         dissipation::{Dissipation, WithFriction},
-        flows::{Flows, Single},
         motion::Motion,
     },
-    trajectory::step_functions::{StepFunctions, all_finite},
+    trajectory::step_functions::{Executor, StepFunctions, all_finite},
 };
 use alloc::vec::Vec;
 use core::{marker::PhantomData, ops::Range};
 
 /// The step functions of a composition with friction.
-pub fn steps_with_friction<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>()
+pub fn steps_with_friction<X: FrictionScheme, H: WithFriction, R: Real, K: Precision, E: Executor>()
 -> StepFunctions<DampedOf<H, R, K>> {
     StepFunctions {
         lanes: R::LANES,
         together: 1,
-        advance: advance::<X, H, R, K>,
+        advance: advance::<X, H, R, K, E>,
         complete: |motion, clock, _| complete::<X, H, R, K>(motion, clock),
         show: None,
         finite: all_finite::<Shaped<H, K>, FrictionConstants<H::Parameters<f64>>, _>,
@@ -83,17 +84,25 @@ const fn is_alone<H: System>() -> bool {
 }
 
 /// Takes this number of steps.
-fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
+fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision, E: Executor>(
     motions: &mut [DampedOf<H, R, K>],
     clock: Clock,
     steps: u64,
-    _threads: Option<usize>,
+    threads: Option<usize>,
 ) {
     for motion in motions {
-        if const { H::LARGE_FLOWS } {
-            walk::<_, H, R, K>(motion, X::LETTERS, clock, steps);
+        prepare::<H, R, K>(motion, X::LETTERS, clock.h, clock.at(clock.steps));
+        if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } && motion.is_long() {
+            let flows = InTiles { collected: Vec::new(), threads };
+            Steps(Walk::<_, H, R, K, _> { motion, table: X::LETTERS, clock, kept: None, flows }, steps).call();
+        } else if const { H::LARGE_FLOWS } {
+            R::enter(Steps(
+                Walk::<_, H, R, K, _> { motion, table: X::LETTERS, clock, kept: None, flows: OneByOne },
+                steps,
+            ));
         } else {
-            walk::<_, H, R, K>(motion, Constant::<X>(PhantomData), clock, steps);
+            let table = Constant::<X>(PhantomData);
+            R::enter(Steps(Walk::<_, H, R, K, _> { motion, table, clock, kept: None, flows: OneByOne }, steps));
         }
     }
 }
@@ -118,17 +127,6 @@ fn dense<X: FrictionScheme, H: WithFriction, R: Real, K: Precision>(
     walk_in_step::<H, R, K>(to, X::LETTERS, Clock { h: duration, ..clock }, clock.at(clock.steps), 0);
 }
 
-/// Takes steps, without the end of the last one.
-fn walk<T: Table, H: WithFriction, R: Real, K: Precision>(
-    motion: &mut DampedOf<H, R, K>,
-    table: T,
-    clock: Clock,
-    steps: u64,
-) {
-    prepare::<H, R, K>(motion, table.letters(), clock.h, clock.at(clock.steps));
-    R::enter(Steps(Walk::<T, H, R, K> { motion, table, clock, kept: None }, steps));
-}
-
 /// Takes the stages from this one on of the step that begins at `time`, and that the clock counts.
 fn walk_in_step<H: WithFriction, R: Real, K: Precision>(
     motion: &mut DampedOf<H, R, K>,
@@ -138,15 +136,17 @@ fn walk_in_step<H: WithFriction, R: Real, K: Precision>(
     first: usize,
 ) {
     prepare::<H, R, K>(motion, letters, clock.h, time);
-    R::enter(InStep(Walk::<_, H, R, K> { motion, table: letters, clock, kept: None }, time, first));
+    let walk = Walk::<_, H, R, K, _> { motion, table: letters, clock, kept: None, flows: OneByOne };
+    R::enter(InStep(walk, time, first));
 }
 
 /// The loop over stages.
-struct Walk<'m, T, H: WithFriction, R: Real, K: Precision> {
+struct Walk<'m, T, H: WithFriction, R: Real, K: Precision, A> {
     motion: &'m mut DampedOf<H, R, K>,
     table: T,
     clock: Clock,
     kept: Kept<H::Wide<R>>,
+    flows: A,
 }
 
 /// A number of steps.
@@ -155,7 +155,7 @@ struct Steps<W>(W, u64);
 /// A step that begins at a time, from a stage on.
 struct InStep<W>(W, f64, usize);
 
-impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Steps<Walk<'_, T, H, R, K>> {
+impl<T: Table, H: WithFriction, R: Real, K: Precision, A: Applied<H, R, K>> Kernel for Steps<Walk<'_, T, H, R, K, A>> {
     type Out = ();
 
     #[inline(always)]
@@ -170,10 +170,11 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Kernel for Steps<Walk<'_,
             walk.stages(0..own, end_of_last, clock.at(step), step);
             step += 1;
         }
+        walk.flows.finish(&mut walk.motion.motion);
     }
 }
 
-impl<H: WithFriction, R: Real, K: Precision> Kernel for InStep<Walk<'_, &'static [Letter], H, R, K>> {
+impl<H: WithFriction, R: Real, K: Precision> Kernel for InStep<Walk<'_, &'static [Letter], H, R, K, OneByOne>> {
     type Out = ();
 
     #[inline(always)]
@@ -184,12 +185,13 @@ impl<H: WithFriction, R: Real, K: Precision> Kernel for InStep<Walk<'_, &'static
     }
 }
 
-impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
+impl<T: Table, H: WithFriction, R: Real, K: Precision, A: Applied<H, R, K>> Walk<'_, T, H, R, K, A> {
     /// A range of the stages of a step that begins at `time`; the first of them is one flow with `before`.
     #[inline(always)]
     fn stages(&mut self, range: Range<usize>, before: Option<&Letter>, time: f64, step: u64) {
         let h = self.clock.h;
         if const { H::PIECEWISE_IN_TIME } {
+            self.flows.finish(&mut self.motion.motion);
             H::begin_step::<R, K>(&mut self.motion.motion, time + h / 2.0);
         }
         // The sums of the drifts and of the kicks before a stage.
@@ -200,12 +202,12 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
             }
             let is_in_range = index >= range.start;
             let merged = before.filter(|_| index == 0);
-            let mut flows = Single::<H, R, K>(&mut self.motion.motion);
+            let motion = &mut self.motion.motion;
             match letter {
                 Letter::T(share) => {
                     if is_in_range {
                         let more = if let Some(Letter::T(more)) = merged { *more } else { 0.0 };
-                        flows.drift(h * (share + more), time + h * kicks);
+                        self.flows.drift(motion, h * (share + more), time + h * kicks);
                     }
                     drifts += share;
                 }
@@ -213,7 +215,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
                     if is_in_range {
                         let more = if let Some(Letter::V(more)) = merged { *more } else { 0.0 };
                         let reached = if const { H::NESTED.is_empty() } { drifts } else { kicks };
-                        flows.kick(h * (share + more), time + h * reached);
+                        self.flows.kick(motion, h * (share + more), time + h * reached);
                     }
                     kicks += share;
                 }
@@ -232,6 +234,7 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
     #[inline(always)]
     fn friction(&mut self, stage: usize, time: f64, step: u64) {
         let motion = &mut *self.motion;
+        self.flows.finish(&mut motion.motion);
         if const { H::READS_TIME } {
             prepare_stage::<H, R, K>(motion, stage, time);
         }
@@ -245,13 +248,13 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision> Walk<'_, T, H, R, K> {
                 let draw = Draw { step: step * motion.factors.len() as u64 + stage as u64, ..draw };
                 thermalise_one::<R, _, _>(momenta, factors, draw, &mut self.kept);
             } else {
-                thermalise::<R, _, _>(momenta, factors, draw);
+                self.flows.friction(momenta, factors, Some(draw));
             }
             if let Some(heat) = &mut motion.noise.heat {
                 add_heat(heat, &before, momenta, &motion.inverse_masses);
             }
         } else {
-            damp(momenta, factors);
+            self.flows.friction(momenta, factors, None);
         }
     }
 }
