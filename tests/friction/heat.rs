@@ -81,6 +81,10 @@ fn measuring_heat_changes_no_bit() {
     let (one, other) =
         (measured.advance_with_balance(10).expect("steps"), measured.advance_with_balance(0).expect("none"));
     assert!(one.heat != 0.0 && other == EnergyBalance::default(), "each balance is of its own steps");
+    let (mut between, mut at_step) = (run(), run());
+    between.advance_to(0.25).expect("a time within the third step");
+    at_step.advance(2).expect("steps");
+    assert_eq!(between.advance_with_balance(10), at_step.advance_with_balance(10));
     let mut damped = Oscillator { gamma: 0.1 }.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
     let refused = damped.advance_with_balance(10).expect_err("no temperature").to_string();
     assert!(refused.contains("add `#[temperature]`") && damped.steps() == 0, "{refused}");

@@ -69,6 +69,8 @@ impl<C: Coords> Run<C> {
     /// # Errors
     /// As [`Run::advance`]; [`Error::NoTemperature`] if the system has none.
     pub fn advance_with_balance(&mut self, steps: u64) -> Result<EnergyBalance, Error> {
+        // Steps begin where the last one ended, also after `advance_to`.
+        self.show_step();
         let before = self.energy();
         let heat = self.advance_with_heat(steps)?;
         Ok(EnergyBalance { heat, work: self.energy() - before - heat })
