@@ -20,7 +20,7 @@ const AFTER_REJECTION: u64 = 0x9e37_79b9_7f4a_7c15;
 /// A step is accepted with the probability `min(1, exp(-W/kT))`, where `W` is its shadow work: the change of the energy
 /// without the heat of `O`. A rejected step leaves the positions and reverses the momenta. The canonical distribution
 /// `exp(-H/kT)` is invariant at any step; without rejections there is a bias by the step, which
-/// [`oscillator_equilibrium`](crate::check::oscillator_equilibrium) states for harmonic motion.
+/// `check::oscillator_equilibrium` states for harmonic motion.
 ///
 /// Sources: A. M. Horowitz, Phys. Lett. B 268, 247 (1991); N. Bou-Rabee and E. Vanden-Eijnden, Comm. Pure Appl. Math. 63, 655
 /// (2010); D. A. Sivak, J. D. Chodera and G. E. Crooks, Phys. Rev. X 3, 011007 (2013) for sequences other than `Obabo`.
