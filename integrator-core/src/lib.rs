@@ -67,6 +67,7 @@
 //! - `libm`: elementary functions without `std`.
 //! - `check` (default): certificates and the modules `check` and [`chaos`]. Depends on `std` and nalgebra.
 //! - `checkpoint`: saves runs as bytes or files. Depends on serde, postcard and crc.
+//! - `frequencies`: frequency analysis of orbits in [`chaos`]. Depends on `check` and rustfft.
 //! - `output`: writes samples as CSV and NPZ files. Depends on csv, npyz and zip.
 //!
 #![cfg_attr(feature = "check", doc = "[`certify`]: fn@check::certify")]

@@ -124,6 +124,42 @@ pub enum CheckError {
         /// The number that is needed.
         needed: u64,
     },
+    /// There are too few samples for a frequency analysis with a window of this order.
+    #[error("{samples} samples are too few for a frequency analysis, which requires at least {needed}")]
+    TooFewSamples {
+        /// The number of samples.
+        samples: usize,
+        /// The number that is needed.
+        needed: usize,
+    },
+    /// A sample of a frequency analysis is not finite.
+    #[error("sample {index} of the frequency analysis is not finite")]
+    SampleNotFinite {
+        /// The index of the first such sample, counted from 0.
+        index: usize,
+    },
+    /// The interval between samples is not positive, or so extreme that frequencies are not finite.
+    #[error(
+        "the interval between samples is {interval}, but a frequency analysis requires a positive and finite time\nhelp: \
+         reverse the order of samples that go back in time",
+        interval = Number(*interval)
+    )]
+    SampleTime {
+        /// The interval.
+        interval: f64,
+    },
+    /// The steps have unequal lengths in time, so that samples after equal numbers of steps have unequal intervals.
+    #[error(
+        "a sample is at t = {time}, but equal steps lead to t = {expected}\nhelp: take samples at equal times with \
+         `samples_at`\nnote: the method advances a fictitious time, and a frequency analysis requires equal intervals",
+        time = Number(*time), expected = Number(*expected)
+    )]
+    UnequalSteps {
+        /// The time of the sample.
+        time: f64,
+        /// The time after as many equal steps.
+        expected: f64,
+    },
     /// The growths of deviation vectors within one step differ by more than the precision.
     #[error(
         "within one step of {step}, deviation vectors grow differently by a factor of {factor:.1e}, which exceeds the \
