@@ -25,6 +25,8 @@ mod melt;
 mod penning_trap;
 #[path = "../examples/wisdom_holman/planets.rs"]
 mod planets;
+#[path = "../examples/fundamental_frequencies/secular.rs"]
+mod secular;
 #[path = "../examples/spring_pendulum/pendulum.rs"]
 mod spring_pendulum;
 #[path = "../examples/coupled_oscillators/star.rs"]
@@ -39,6 +41,18 @@ mod transits;
 use integrator_core::prelude::*;
 use planets::system;
 use std::{fs, io::Read as _, ops::ControlFlow, path::Path};
+
+/// In 300,000 years, the fastest frequencies of perihelia and nodes are resolved. The others need the ten million years of the
+/// example.
+#[test]
+fn the_perihelion_and_the_node_of_saturn_turn_as_published() {
+    let (found, years) = secular::fundamental(990).expect("frequencies");
+    assert!((years - 3e5).abs() < 1e3, "{years}");
+    for number in [1, 4] {
+        let ((name, found), (_, published)) = (found[number], secular::PUBLISHED[number]);
+        assert!((found / published - 1.0).abs() < 0.01, "{name}: {found}, not {published}");
+    }
+}
 
 /// About half of the section is regular at the energy 1/8 (Hénon and Heiles 1964, figure 7), and asteroids are chaotic near
 /// Jupiter (Wisdom 1980), but for those that resonances protect.
