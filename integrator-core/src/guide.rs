@@ -14,6 +14,8 @@ macro_rules! chapters {
 chapters!(c_export cookbook introduction orbits_and_chains writing_h parts nonseparable step planets pace composing ensembles gpus clusters python big_systems vectorised_sums taylor deviation_vectors expansion command_line terms limits for_molecular_dynamics);
 // What these measure takes the feature `check`.
 #[cfg(feature = "check")]
-chapters!(choosing splitting fast_and_slow friction generic chaos conserved precision certificates messages for_rebound_users for_accelerators for_samplers);
+chapters!(choosing splitting fast_and_slow friction generic conserved precision certificates messages for_rebound_users for_accelerators for_samplers);
+#[cfg(feature = "frequencies")]
+chapters!(chaos);
 #[cfg(feature = "output")]
 chapters!(seeing_and_saving);
