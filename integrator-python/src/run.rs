@@ -107,17 +107,13 @@ impl<C: Coords> AnyRun for Run<C> {
         if every == 0 {
             return Err(Error::SampleInterval.into());
         }
-        let (mut pulse, mut stopped) = (Pulse::new(), false);
+        let mut pulse = Pulse::new();
         for done in 0..count {
             let end = self.steps().saturating_add(every);
             if done > 0 && every <= SHORT {
                 Self::advance(self, every)?;
             } else if done > 0 {
-                self.advance_with(every, |_| {
-                    let flow = report(done, count);
-                    stopped = flow.is_break();
-                    flow
-                })?;
+                self.advance_with(every, |_| report(done, count))?;
                 if self.steps() < end {
                     return Ok(());
                 }
@@ -125,7 +121,7 @@ impl<C: Coords> AnyRun for Run<C> {
             for sample in self.by_ref().samples(every).take(1) {
                 columns.push(&sample?, count);
             }
-            if stopped || (pulse.is_due() || done + 1 == count) && report(done + 1, count).is_break() {
+            if (pulse.is_due() || done + 1 == count) && report(done + 1, count).is_break() {
                 return Ok(());
             }
         }
