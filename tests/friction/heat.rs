@@ -88,7 +88,7 @@ fn measuring_heat_changes_no_bit() {
     let mut damped = Oscillator { gamma: 0.1 }.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
     let refused = damped.advance_with_balance(10).expect_err("no temperature").to_string();
     assert!(refused.contains("add `#[temperature]`") && damped.steps() == 0, "{refused}");
-    let mut conservative = HardOscillator.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
+    let mut conservative = Bead.run(Phase::new([1.0], [0.0]), 0.1).expect("a run");
     assert!(matches!(conservative.advance_with_balance(10), Err(Error::NoTemperature)));
 }
 
@@ -119,26 +119,13 @@ fn forces_and_laplacians_are_those_of_the_potential_in_every_layout() {
     assert_eq!(configurational(&Bead, &Phase::new([1.0], [1.0]), 0.0), None);
 }
 
-/// A mass that depends on the position.
+/// A mass that depends on the position, without friction.
 struct Bead;
 
 #[hamiltonian(split = none)]
 impl Bead {
     fn hamiltonian(&self, q: [f64; 1], p: [f64; 1]) -> f64 {
         (1.0 + q[0] * q[0]) * p[0] * p[0] / 2.0
-    }
-}
-
-/// An oscillator without friction.
-struct HardOscillator;
-
-#[hamiltonian]
-impl HardOscillator {
-    fn kinetic(&self, p: [f64; 1]) -> f64 {
-        p[0] * p[0] / 2.0
-    }
-    fn potential(&self, q: [f64; 1]) -> f64 {
-        q[0].powi(4) / 4.0
     }
 }
 
