@@ -35,8 +35,9 @@ impl<C: Coords> Run<C> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn kinetic_temperature(&self) -> f64 {
-        let count = self.state().p.flat().len();
-        2.0 * self.kinetic() / count as f64
+        let state = self.state();
+        let count = state.p.flat().len();
+        2.0 * self.parts_of(|| state).kinetic / count as f64
     }
 
     /// Takes `steps` steps like [`Run::advance`], and returns how much the energy changed by heat and by work.
@@ -72,17 +73,12 @@ impl<C: Coords> Run<C> {
         // Steps begin where the last one ended, also after `advance_to`.
         self.show_step();
         let before = self.energy();
-        let heat = self.advance_with_heat(steps)?;
-        Ok(EnergyBalance { heat, work: self.energy() - before - heat })
-    }
-
-    /// Takes steps, and returns the heat that they absorbed.
-    pub(crate) fn advance_with_heat(&mut self, steps: u64) -> Result<f64, Error> {
         self.measure_heat(true);
         let advanced = self.heat().and_then(|_| self.advance(steps));
         let heat = self.heat();
         self.measure_heat(false);
-        advanced.and(heat)
+        let heat = advanced.and(heat)?;
+        Ok(EnergyBalance { heat, work: self.energy() - before - heat })
     }
 
     /// Begins to measure the heat that steps absorb, or ends it.

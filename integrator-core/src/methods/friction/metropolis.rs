@@ -55,6 +55,8 @@ const AFTER_REJECTION: u64 = 0x9e37_79b9_7f4a_7c15;
 #[derive(Debug)]
 pub struct Metropolised<C: Coords> {
     run: Run<C>,
+    /// The energy of the present state.
+    energy: f64,
     temperature: f64,
     seed: u64,
     steps: u64,
@@ -95,7 +97,7 @@ pub trait Metropolis: WithFriction {
         if !(first > 0.0 && (1..length).all(|index| temperature(index) == first)) {
             return refused("one positive temperature for all coordinates", "return the same number for each index");
         }
-        Ok(Metropolised { run, temperature: first, seed: 0, steps: 0, accepted: 0 })
+        Ok(Metropolised { energy: run.energy(), run, temperature: first, seed: 0, steps: 0, accepted: 0 })
     }
 }
 
@@ -122,15 +124,15 @@ impl<C: Coords<Leaf: Neg<Output = C::Leaf>>> Metropolised<C> {
     }
 
     fn step(&mut self) -> Result<(), Error> {
-        let (before, energy, heat) = (self.run.state(), self.run.energy(), self.run.heat()?);
-        let work = match self.run.advance(1) {
-            Ok(()) => self.run.energy() - energy - (self.run.heat()? - heat),
-            Err(Error::Diverged(_)) => f64::INFINITY,
+        let (before, heat) = (self.run.state(), self.run.heat()?);
+        let (energy, absorbed) = match self.run.advance(1) {
+            Ok(()) => (self.run.energy(), self.run.heat()? - heat),
+            Err(Error::Diverged(_)) => (f64::INFINITY, 0.0),
             Err(error) => return Err(error),
         };
         self.steps += 1;
-        if work / self.temperature <= self.exponential() {
-            self.accepted += 1;
+        if (energy - self.energy - absorbed) / self.temperature <= self.exponential() {
+            (self.energy, self.accepted) = (energy, self.accepted + 1);
             return Ok(());
         }
         self.run.map_state(|state| *state = before.reversed())?;
