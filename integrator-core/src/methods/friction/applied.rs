@@ -52,12 +52,12 @@ impl<H: WithFriction, R: Real, K: Precision> Applied<H, R, K> for OneByOne {
 }
 
 /// Between two stages of friction, flows of a long lattice in tiles; and friction on threads.
-pub(super) struct InTiles {
+pub(super) struct Tiled {
     pub(super) collected: Vec<Flow>,
     pub(super) threads: Option<usize>,
 }
 
-impl<H: WithFriction, R: Real, K: Precision> Applied<H, R, K> for InTiles {
+impl<H: WithFriction, R: Real, K: Precision> Applied<H, R, K> for Tiled {
     fn drift(&mut self, _motion: &mut H::Motion<R, K>, duration: f64, time: f64) {
         self.collected.push(Flow { drifts: true, duration, time });
     }

@@ -16,8 +16,9 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy)]
 pub(super) struct Draw<'m> {
     pub(super) key: [u32; 2],
-    /// The step, and the number of the stage in its lowest byte.
-    pub(super) step: u64,
+    /// The number of the draw: the step, with the stage in its lowest byte; or, of the only coordinate of a system, how many came
+    /// before.
+    pub(super) number: u64,
     /// The members of the lanes of a motion.
     pub(super) members: &'m [u32],
 }
@@ -32,7 +33,7 @@ impl Draw<'_> {
     /// The counter of a pair of neighbouring slots, and of a part of these.
     #[inline(always)]
     fn counter(&self, pair: usize, member: usize) -> [u32; 4] {
-        [pair as u32, self.members[member], self.step as u32, (self.step >> 32) as u32]
+        [pair as u32, self.members[member], self.number as u32, (self.number >> 32) as u32]
     }
 }
 
@@ -86,8 +87,7 @@ pub(super) fn thermalise<R: Real, W: Real, S: Slot<W>>(
 /// The second number of a draw, which belongs to the draw with this index.
 pub(super) type Kept<W> = Option<(u64, W)>;
 
-/// Friction with noise of the only coordinate of a system. It takes two draws in a row from one pair of numbers. `draw.step`
-/// counts draws.
+/// Friction with noise of the only coordinate of a system. It takes two draws in a row from one pair of numbers.
 #[inline(always)]
 pub(super) fn thermalise_one<R: Real, W: Real, S: Slot<W>>(
     momenta: &mut [S],
@@ -96,11 +96,11 @@ pub(super) fn thermalise_one<R: Real, W: Real, S: Slot<W>>(
     kept: &mut Kept<W>,
 ) {
     let ([momentum], [row]) = (momenta, rows) else { return };
-    let (index, draw) = (draw.step, draw.checked::<R>());
+    let (index, draw) = (draw.number, draw.checked::<R>());
     let number = match kept.take() {
         Some((of, number)) if of == index => number,
         _ => {
-            let [one, other] = pair::<R, W, W>(Draw { step: index / 2, ..draw }, 0);
+            let [one, other] = pair::<R, W, W>(Draw { number: index / 2, ..draw }, 0);
             if index % 2 == 0 {
                 *kept = Some((index + 1, other));
                 one

@@ -1,7 +1,7 @@
 //! The loop over the stages of a composition with friction.
 
 use super::{
-    applied::{Applied, InTiles, OneByOne},
+    applied::{Applied, OneByOne, Tiled},
     apply::{Draw, Kept, add_heat, thermalise_one, values},
     motion::{DampedOf, FrictionConstants, prepare, prepare_stage},
     scheme::{FrictionScheme, Letter},
@@ -93,16 +93,13 @@ fn advance<X: FrictionScheme, H: WithFriction, R: Real, K: Precision, E: Executo
     for motion in motions {
         prepare::<H, R, K>(motion, X::LETTERS, clock.h, clock.at(clock.steps));
         if const { E::TILES && TimeTiling::<H, R, K>::ENABLED } && motion.is_long() {
-            let flows = InTiles { collected: Vec::new(), threads };
-            Steps(Walk::<_, H, R, K, _> { motion, table: X::LETTERS, clock, kept: None, flows }, steps).call();
+            let flows = Tiled { collected: Vec::new(), threads };
+            Steps(Walk::<_, H, R, K, _>::new(motion, X::LETTERS, clock, flows), steps).call();
         } else if const { H::LARGE_FLOWS } {
-            R::enter(Steps(
-                Walk::<_, H, R, K, _> { motion, table: X::LETTERS, clock, kept: None, flows: OneByOne },
-                steps,
-            ));
+            R::enter(Steps(Walk::<_, H, R, K, _>::new(motion, X::LETTERS, clock, OneByOne), steps));
         } else {
             let table = Constant::<X>(PhantomData);
-            R::enter(Steps(Walk::<_, H, R, K, _> { motion, table, clock, kept: None, flows: OneByOne }, steps));
+            R::enter(Steps(Walk::<_, H, R, K, _>::new(motion, table, clock, OneByOne), steps));
         }
     }
 }
@@ -136,8 +133,7 @@ fn walk_in_step<H: WithFriction, R: Real, K: Precision>(
     first: usize,
 ) {
     prepare::<H, R, K>(motion, letters, clock.h, time);
-    let walk = Walk::<_, H, R, K, _> { motion, table: letters, clock, kept: None, flows: OneByOne };
-    R::enter(InStep(walk, time, first));
+    R::enter(InStep(Walk::<_, H, R, K, _>::new(motion, letters, clock, OneByOne), time, first));
 }
 
 /// The loop over stages.
@@ -147,6 +143,12 @@ struct Walk<'m, T, H: WithFriction, R: Real, K: Precision, A> {
     clock: Clock,
     kept: Kept<H::Wide<R>>,
     flows: A,
+}
+
+impl<'m, T, H: WithFriction, R: Real, K: Precision, A> Walk<'m, T, H, R, K, A> {
+    fn new(motion: &'m mut DampedOf<H, R, K>, table: T, clock: Clock, flows: A) -> Self {
+        Self { motion, table, clock, kept: None, flows }
+    }
 }
 
 /// A number of steps.
@@ -242,10 +244,12 @@ impl<T: Table, H: WithFriction, R: Real, K: Precision, A: Applied<H, R, K>> Walk
         let momenta = H::momenta::<R, K>(&mut motion.motion);
         if const { matches!(H::DISSIPATION, Dissipation::Heat) } {
             let key = key(motion.noise.seed, self.clock.t0);
-            let draw = Draw { key, step: step << 8 | stage as u64, members: &motion.noise.members };
+            let stages = motion.factors.len() as u64;
+            let number =
+                if const { is_alone::<H>() } { step * stages + stage as u64 } else { step << 8 | stage as u64 };
+            let draw = Draw { key, number, members: &motion.noise.members };
             let before = if motion.noise.heat.is_some() { values(momenta) } else { Vec::new() };
             if const { is_alone::<H>() } {
-                let draw = Draw { step: step * motion.factors.len() as u64 + stage as u64, ..draw };
                 thermalise_one::<R, _, _>(momenta, factors, draw, &mut self.kept);
             } else {
                 self.flows.friction(momenta, factors, Some(draw));
